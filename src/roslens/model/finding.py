@@ -1,0 +1,78 @@
+"""Rules and their occurrences."""
+
+from __future__ import annotations
+
+from enum import Enum
+from hashlib import blake2b
+
+import msgspec
+
+
+class Severity(str, Enum):
+    """How much a finding matters, from least to most."""
+
+    NOTE = "note"
+    WARNING = "warning"
+    ERROR = "error"
+
+    @property
+    def rank(self) -> int:
+        """0 for note, 1 for warning, 2 for error."""
+        return ("note", "warning", "error").index(self.value)
+
+
+class RuleInfo(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What a rule is about; everything ``roslens explain`` and the rules page show."""
+
+    id: str
+    title: str
+    description: str
+    severity: Severity = Severity.WARNING
+    tags: tuple[str, ...] = ()
+    rationale: str = ""
+    tool: str = ""
+    languages: tuple[str, ...] = ()
+    scope: str = "file"
+    url: str = ""
+
+
+class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
+    """One occurrence of a rule.
+
+    Lines and columns are 1-based, 0 means unknown; ``entity`` is the text form of the id of the
+    innermost entity known. A finding that a quality model makes carries the ``value``, the
+    ``quantity``, the broken ``bound`` and the ``model``.
+    """
+
+    rule: str
+    severity: Severity
+    message: str
+    path: str = ""
+    line: int = 0
+    column: int = 0
+    end_line: int = 0
+    end_column: int = 0
+    entity: str = ""
+    tags: tuple[str, ...] = ()
+    tool: str = ""
+    fingerprint: str = ""
+    quantity: str = ""
+    value: float | None = None
+    bound: float | None = None
+    model: str = ""
+    gated: bool = True
+
+
+def fingerprint(rule: str, place: str, context: str = "", ordinal: int = 0) -> str:
+    """Return 16 hexadecimal digits that stay the same while code moves up and down a file.
+
+    Args:
+        rule: id of the rule.
+        place: text form of the innermost entity's id, or the path.
+        context: the flagged source text with its white space squeezed; empty for a finding about
+            a whole entity.
+        ordinal: counts findings that agree in all the others, from 0, in order of their lines.
+    """
+    squeezed = " ".join(context.split())
+    text = "\0".join((rule, place, squeezed, str(ordinal)))
+    return blake2b(text.encode("utf-8", "surrogateescape"), digest_size=8).hexdigest()

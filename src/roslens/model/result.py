@@ -1,0 +1,94 @@
+"""What an analysis run yields: per package, and for the workspace as a whole."""
+
+from __future__ import annotations
+
+import msgspec
+
+from roslens.model.entity import Entity
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.source import Package, SourceFile
+
+
+class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Everything known of one package; the unit that runs share when nothing in it changed.
+
+    ``entities`` holds the package itself first, then its files, classes and functions.
+    """
+
+    package: Package
+    files: tuple[SourceFile, ...] = ()
+    entities: tuple[Entity, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    failures: tuple[Failure, ...] = ()
+
+
+class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
+    """How often a rule was broken in a package, with its first occurrence as the example."""
+
+    rule: str
+    severity: Severity
+    count: int
+    gated: int = 0
+    example: str = ""
+    tags: tuple[str, ...] = ()
+
+
+class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What overview, graph and terminal need of a package, small enough to load all of them.
+
+    ``values`` are the package's own and folded quantities by key. ``languages`` maps a language to
+    its number of files.
+    """
+
+    id: str
+    name: str
+    path: str
+    version: str = ""
+    build_type: str = ""
+    description: str = ""
+    repository: str = ""
+    metapackage: bool = False
+    dependencies: tuple[str, ...] = ()
+    values: dict[str, float] = {}
+    rules: tuple[RuleCount, ...] = ()
+    files: int = 0
+    classes: int = 0
+    functions: int = 0
+    failures: int = 0
+    languages: dict[str, int] = {}
+    roles: dict[str, int] = {}
+
+
+class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What was analysed, when, with what.
+
+    ``started`` is UTC in ISO 8601; ``key`` is a hash of all inputs (contents, options, versions of
+    analysers): two runs of the same key have the same result. ``commit`` is the commit of the
+    workspace's repository, with ``+`` where its tree differs. ``tools`` maps names to versions;
+    ``configuration`` holds the options that shape the result, ``models`` and ``plugins`` included.
+    """
+
+    key: str
+    root: str
+    paths: tuple[str, ...] = ()
+    started: str = ""
+    seconds: float = 0.0
+    commit: str = ""
+    tools: dict[str, str] = {}
+    configuration: dict[str, object] = {}
+    models: tuple[str, ...] = ()
+
+
+class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What only the packages together show.
+
+    ``package_values`` maps package ids to quantities that need all packages (``dependents``,
+    ``tier``, ``cycle``); ``failures`` belong to no package; ``rules`` describe every rule that a
+    finding of the run may name.
+    """
+
+    package_values: dict[str, dict[str, float]] = {}
+    findings: tuple[Finding, ...] = ()
+    failures: tuple[Failure, ...] = ()
+    rules: tuple[RuleInfo, ...] = ()

@@ -1,0 +1,54 @@
+"""What a user may choose about an analysis; the command line fills it from options and ``roslens.toml``."""
+
+from __future__ import annotations
+
+import msgspec
+
+
+class WorkspaceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Where packages are looked for and how files are told apart.
+
+    Patterns are globs on the path below the workspace root, with ``**`` for any depth.
+    ``environment`` is what conditions of manifests (REP-149) see.
+    """
+
+    ignore: tuple[str, ...] = ()
+    generated: tuple[str, ...] = ()
+    vendored: tuple[str, ...] = ()
+    test: tuple[str, ...] = ()
+    own: tuple[str, ...] = ()
+    environment: dict[str, str] = {}
+
+
+class CountingSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """How decisions are counted; each choice is documented with the metric it changes."""
+
+    lambdas: bool = True
+    alternatives: bool = True
+    duplicate_lines: int = 10
+
+
+class MacroSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Macros of the project that the C++ syntax blanks besides those of the preset.
+
+    ``blank`` names macros (regular expressions, matched as whole words) that disappear with their
+    arguments if they have any; ``statement`` those that stand for a whole statement or declaration
+    without a semicolon.
+    """
+
+    blank: tuple[str, ...] = ()
+    statement: tuple[str, ...] = ()
+
+
+class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Everything that shapes the result of the source half."""
+
+    workspace: WorkspaceSettings = WorkspaceSettings()
+    counting: CountingSettings = CountingSettings()
+    macros: MacroSettings = MacroSettings()
+    models: tuple[str, ...] = ("ros",)
+    gate_roles: tuple[str, ...] = ("own",)
+    plugins: tuple[str, ...] = ()
+    disable: tuple[str, ...] = ()
+    options: dict[str, dict[str, object]] = {}
+    time_limit_s: float = 60.0

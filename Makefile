@@ -1,12 +1,23 @@
-# The commands to learn: demo, test, quick, lint, bench, docs.
+# The commands to learn: demo, test, quick, lint, docs, lock, bench.
 PYTHON ?= python3
+WS ?= examples/workspace
+PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo test quick lint parts docs bench clean
+.PHONY: demo test quick lint parts docs lock bench clean
 
-.venv/stamp: pyproject.toml requirements.lock
-	PYTHON=$(PYTHON) sh .ci/venv
-	touch $@
+# Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
+demo: .venv/stamp
+	$(BIN)/roslens check $(WS) --fail-on never || [ $$? -eq 3 ]
+	$(BIN)/roslens report $(WS) -o roslens-report
+	$(BIN)/roslens serve $(WS) --port $(PORT)
+
+test: lint parts
+	$(BIN)/pytest
+
+# An answer in two minutes: no real tools, no browser, nothing slow.
+quick: lint
+	$(BIN)/pytest -m "not slow and not real and not browser"
 
 lint: .venv/stamp
 	$(BIN)/ruff check
@@ -14,5 +25,25 @@ lint: .venv/stamp
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-quick: lint
-	$(BIN)/pytest -m "not slow and not real and not browser"
+parts:
+	sh .ci/parts
+
+# Write the pages in docs/reference that come from declarations.
+docs: .venv/stamp
+	$(BIN)/python -m roslens.cli.reference docs/reference
+
+lock:
+	$(BIN)/python -m pip install --quiet uv
+	$(BIN)/uv pip compile pyproject.toml --group dev --universal --python-version 3.10 --generate-hashes \
+		--no-emit-index-url --no-header --no-annotate -o requirements.lock
+
+# Figures of the README; CORPUS is a folder with clones of ros_comm, navigation and navigation2.
+bench: .venv/stamp
+	$(BIN)/python benchmarks/source_speed.py $(CORPUS)
+
+clean:
+	rm -rf .venv roslens-report .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+
+.venv/stamp: pyproject.toml requirements.lock
+	PYTHON="$(PYTHON)" sh .ci/venv
+	touch $@

@@ -1,1 +1,1 @@
-"""Placeholder."""
+"""The command line: the only place that joins the layers."""

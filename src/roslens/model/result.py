@@ -7,6 +7,7 @@ import msgspec
 from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.quantity import Quantity
 from roslens.model.source import Package, SourceFile
 
 
@@ -85,10 +86,11 @@ class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
 
     ``package_values`` maps package ids to quantities that need all packages (``dependents``,
     ``tier``, ``cycle``); ``failures`` belong to no package; ``rules`` describe every rule that a
-    finding of the run may name.
+    finding of the run may name, ``quantities`` everything that may have been measured.
     """
 
     package_values: dict[str, dict[str, float]] = {}
     findings: tuple[Finding, ...] = ()
     failures: tuple[Failure, ...] = ()
     rules: tuple[RuleInfo, ...] = ()
+    quantities: tuple[Quantity, ...] = ()

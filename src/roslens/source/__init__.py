@@ -1,1 +1,1 @@
-"""Placeholder."""
+"""The source half: from files on disk to measured and judged packages."""

@@ -1,0 +1,88 @@
+"""What happens at the edge: every way a command can end becomes an exit code and a message.
+
+==== =========================================================================================
+0    clean
+1    findings at or above ``--fail-on``
+2    usage or bad input
+3    something could not be analysed (the report says what)
+70   a bug; a file with everything needed to report it has been written
+130  interrupted
+==== =========================================================================================
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from roslens.model.errors import RoslensError
+
+CLEAN = 0
+FINDINGS = 1
+BAD_INPUT = 2
+NOT_ANALYSED = 3
+BUG = 70
+INTERRUPTED = 130
+
+
+def guarded(command: Callable[[], int], arguments: Sequence[str]) -> int:
+    """Run ``command`` and return the exit code; messages go to standard error."""
+    try:
+        code = command()
+        sys.stdout.flush()
+        return code
+    except RoslensError as error:
+        print(f"roslens: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        print("roslens: interrupted; the last complete run is untouched", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # Whoever read our output has seen enough; a second error at interpreter exit would say nothing new.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return CLEAN
+    except OSError as error:
+        print(f"roslens: {_of_system(error)}", file=sys.stderr)
+        return BAD_INPUT
+    except Exception as error:  # noqa: BLE001 - the last line of defence: a bug becomes a report
+        return _report_bug(error, arguments)
+
+
+def _of_system(error: OSError) -> str:
+    import errno
+
+    where = f"{error.filename}: " if error.filename else ""
+    advice = {
+        errno.ENOSPC: "Free some space, or write elsewhere with -o, or use --no-store --no-cache",
+        errno.EACCES: "Check the permissions, or write elsewhere with -o",
+        errno.EROFS: "The file system is read-only: use --no-store --no-cache, or write elsewhere with -o",
+    }.get(error.errno or 0, "Check the path and try again")
+    return f"{where}{error.strerror or error}. {advice}."
+
+
+def _report_bug(error: Exception, arguments: Sequence[str]) -> int:
+    import platform
+    import tempfile
+    import traceback
+
+    from roslens import __version__
+
+    text = "\n".join(
+        (
+            f"roslens {__version__}, Python {platform.python_version()}, {platform.platform()}",
+            f"arguments: {list(arguments)!r}",
+            "",
+            "".join(traceback.format_exception(error)),
+        )
+    )
+    print(f"roslens: a bug: {type(error).__name__}: {error}", file=sys.stderr)
+    try:
+        handle, name = tempfile.mkstemp(prefix="roslens-bug-", suffix=".txt")
+        with os.fdopen(handle, "w", encoding="utf-8", errors="replace") as file:
+            file.write(text)
+        print(f"roslens: please attach {Path(name)} to a report of it", file=sys.stderr)
+    except OSError:
+        print(text, file=sys.stderr)
+    return BUG

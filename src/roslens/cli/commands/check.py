@@ -1,0 +1,196 @@
+"""``roslens check``: analyse packages, keep the run, say what is wrong."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterable
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.streams import add_stream_arguments, progress_for, wants_color, width_of
+from roslens.cli.workplace import CACHE, FOLDER, STORE
+
+if TYPE_CHECKING:
+    from roslens.cli.configuration import Configuration
+    from roslens.model.result import PackageSummary
+    from roslens.model.tags import TagFilter
+    from roslens.source.settings import SourceSettings
+    from roslens.store.read import RunView
+
+TEXT = "Measure and judge the packages below the given folders."
+EXAMPLES = """\
+  roslens check
+  roslens check ~/robot_ws/src --model ros --model his
+  roslens check --format json -o report.json
+  roslens check --tag 'complexity and not test' --fail-on warning"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of ``roslens check``."""
+    parser.add_argument("paths", nargs="*", default=["."], metavar="PATH", help="folders to look into (default: .)")
+    parser.add_argument("--format", choices=("text", "json", "csv"), default="text", help="of the result")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write the result there (csv: a folder) instead")
+    parser.add_argument(
+        "--model", action="append", metavar="NAME", help="quality model, built in or a file; may be given again"
+    )
+    parser.add_argument("--tag", metavar="EXPR", help="show only findings whose tags match, e.g. 'complexity and ros'")
+    parser.add_argument(
+        "--fail-on",
+        choices=("note", "warning", "error", "never"),
+        help="exit with 1 from this severity on (default: error)",
+    )
+    parser.add_argument(
+        "--accept-partial",
+        action="store_true",
+        default=None,
+        help="do not exit with 3 for files of which only parts could not be parsed",
+    )
+    parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
+    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    parser.add_argument("--no-cache", action="store_true", help="read every file again")
+    parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")
+    add_stream_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Analyse, print and return the exit code.
+
+    Raises:
+        RoslensError: see :mod:`roslens.cli.boundary`.
+    """
+    import os
+    import time
+    from datetime import datetime, timezone
+
+    from roslens.cli.configuration import find_configuration
+    from roslens.model.errors import UsageError
+    from roslens.model.tags import parse_tags
+    from roslens.source.pipeline import Clock, analyse
+    from roslens.source.workspace.find import root_of
+    from roslens.store.cache import Cache
+    from roslens.store.runs import Store
+
+    begun = time.monotonic()
+    tags = parse_tags(options.tag or "")
+    if options.jobs is not None and options.jobs < 0:
+        raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
+    root = root_of(options.paths)
+    configuration = find_configuration(root, options.config)
+    settings = _settings(options, configuration, dict(os.environ))
+    folder = root / FOLDER
+    now = time.time()
+    clock = Clock(datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds"), now)
+    progress = progress_for(options)
+    with ExitStack() as opened:
+        store = opened.enter_context(Store.open(None if options.no_store else folder / STORE))
+        cache = opened.enter_context(Cache.open(None if options.no_cache else folder / CACHE))
+        try:
+            outcome = analyse(
+                options.paths,
+                settings,
+                store=store,
+                cache=cache,
+                clock=clock,
+                base=Path(configuration.base or "."),
+                jobs=configuration.jobs if options.jobs is None else options.jobs,
+                progress=progress,
+                log=None if options.no_store else folder / "log",
+            )
+        finally:
+            progress.finish()
+        for warning in cache.warnings:
+            print(f"roslens: {warning}", file=sys.stderr)
+        view = store.view(outcome.run)
+        _write(options, view, tags)
+        if not options.quiet:
+            took = time.monotonic() - begun
+            how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
+            print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)
+        return _exit_code(options, configuration, view, tags)
+
+
+def _settings(options: argparse.Namespace, configuration: Configuration, environment: dict[str, str]) -> SourceSettings:
+    import msgspec
+
+    settings = configuration.source
+    if options.model:
+        names = [name for given in options.model for name in given.split(",") if name]
+        settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
+    # Conditions of manifests (REP-149) see what the user sourced, unless the configuration says otherwise.
+    seen = {
+        name: environment[name] for name in ("ROS_VERSION", "ROS_DISTRO", "ROS_PYTHON_VERSION") if name in environment
+    }
+    workspace = msgspec.structs.replace(settings.workspace, environment={**seen, **settings.workspace.environment})
+    return msgspec.structs.replace(settings, workspace=workspace)
+
+
+def _write(options: argparse.Namespace, view: RunView, tags: TagFilter) -> None:
+    if options.format == "csv" and options.output:
+        from roslens.report.to_csv import write_folder
+
+        write_folder(view, Path(options.output), tags)
+        return
+    if options.output:
+        path = Path(options.output)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        # Written beside and moved: a full disk or an interrupt never leaves half a report behind.
+        part = path.with_name(path.name + ".part")
+        try:
+            with part.open("w", encoding="utf-8", newline="") as stream:
+                _write_to(options, view, tags, stream)
+            part.replace(path)
+        finally:
+            part.unlink(missing_ok=True)
+        return
+    _write_to(options, view, tags, sys.stdout)
+
+
+def _write_to(options: argparse.Namespace, view: RunView, tags: TagFilter, stream: TextIO) -> None:
+    if options.format == "json":
+        from roslens.report.to_json import write_json
+
+        write_json(view, stream, tags)
+    elif options.format == "csv":
+        from roslens.report.to_csv import write_findings
+
+        write_findings(view, stream, tags)
+    else:
+        from roslens.report.to_text import to_text
+
+        stream.write(
+            to_text(
+                view.header,
+                view.packages(),
+                view.failures(),
+                view.rules(),
+                tags=tags,
+                width=width_of(stream),
+                color=wants_color(options, stream),
+                unicode=(stream.encoding or "").lower().replace("-", "") == "utf8",
+            )
+        )
+
+
+def _exit_code(options: argparse.Namespace, configuration: Configuration, view: RunView, tags: TagFilter) -> int:
+    if _fails(options.fail_on or configuration.fail_on, view.packages(), tags):
+        return FINDINGS
+    accept = configuration.accept_partial if options.accept_partial is None else options.accept_partial
+    if any(not (failure.partial and accept) for failure in view.failures()):
+        return NOT_ANALYSED
+    return CLEAN
+
+
+def _fails(fail_on: str, packages: Iterable[PackageSummary], tags: TagFilter) -> bool:
+    from roslens.model.finding import Severity
+
+    if fail_on == "never":
+        return False
+    rank = Severity(fail_on).rank
+    return any(
+        rule.gated and rule.severity.rank >= rank and tags.matches(rule.tags)
+        for package in packages
+        for rule in package.rules
+    )

@@ -1,0 +1,51 @@
+"""``roslens clean``: undo what roslens left in a workspace, or let go of old runs."""
+
+from __future__ import annotations
+
+import argparse
+
+TEXT = "Remove the cache, old runs or everything that roslens keeps of a workspace."
+EXAMPLES = """\
+  roslens clean                  remove the cache; runs stay
+  roslens clean --keep 10        remove all but the ten newest runs
+  roslens clean --all            remove the whole .roslens folder"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what to remove."""
+    from roslens.cli.workplace import add_workspace_argument
+
+    add_workspace_argument(parser)
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--keep", type=int, metavar="N", help="keep the N newest runs, remove the others")
+    what.add_argument("--all", action="store_true", help="remove runs, cache and logs")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Remove and say what was removed.
+
+    Raises:
+        UsageError: nothing is kept there, or N is less than one.
+    """
+    import shutil
+
+    from roslens.cli.workplace import CACHE, STORE, find_folder
+    from roslens.model.errors import UsageError
+    from roslens.store.runs import Store
+
+    folder = find_folder(options.path)
+    if options.all:
+        shutil.rmtree(folder)
+        print(f"removed {folder}")
+        return 0
+    if options.keep is not None:
+        if options.keep < 1:
+            raise UsageError(f"--keep {options.keep}", expected="at least 1", advice="Use --all to remove everything")
+        with Store.open(folder / STORE) as store:
+            removed = store.prune(options.keep)
+        print(f"removed {removed} runs, kept the newest {options.keep}")
+        return 0
+    for name in (CACHE, f"{CACHE}-wal", f"{CACHE}-shm"):
+        (folder / name).unlink(missing_ok=True)
+    print(f"removed the cache in {folder}; the runs are still there")
+    return 0

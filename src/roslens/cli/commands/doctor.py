@@ -1,0 +1,116 @@
+"""``roslens doctor``: is everything there, and what is missing for what."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+
+from roslens.cli.boundary import CLEAN, NOT_ANALYSED
+
+TEXT = "Check the installation, the configuration and the store of a workspace."
+EXAMPLES = """\
+  roslens doctor
+  roslens doctor ~/robot_ws"""
+
+LIBRARIES = (
+    "jinja2",
+    "msgspec",
+    "pygments",
+    "starlette",
+    "tree-sitter",
+    "tree-sitter-cpp",
+    "tree-sitter-python",
+    "uvicorn",
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the workspace."""
+    parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="workspace to look at (default: .)")
+    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print one line per check; the exit code is 3 if one failed."""
+    failed = False
+    for state, text in _checks(options):
+        failed |= state == "fail"
+        print(f"{state:>4}  {text}")
+    return NOT_ANALYSED if failed else CLEAN
+
+
+def _checks(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    import platform
+    import shutil
+
+    from roslens import __version__
+    from roslens.model.errors import RoslensError
+
+    yield "ok", f"roslens {__version__} on Python {platform.python_version()}"
+    yield from _libraries()
+    yield from _grammars()
+    for program, use in (("git", "commits of runs"), ("cccc", "the model paper2016")):
+        place = shutil.which(program)
+        yield (
+            ("ok", f"{program}: {place}") if place else ("note", f"{program} is not installed; it is needed for {use}")
+        )
+    try:
+        yield from _configuration(options)
+    except RoslensError as error:
+        yield "fail", str(error)
+    yield from _store(options)
+
+
+def _libraries() -> Iterator[tuple[str, str]]:
+    from importlib.metadata import PackageNotFoundError, version
+
+    for name in LIBRARIES:
+        try:
+            yield "ok", f"{name} {version(name)}"
+        except PackageNotFoundError:
+            yield "fail", f"{name} is missing. Install roslens again: `pip install --force-reinstall roslens`"
+
+
+def _grammars() -> Iterator[tuple[str, str]]:
+    from roslens.model.source import Language
+    from roslens.source.analyse_file import analyse_file
+    from roslens.source.settings import MacroSettings
+
+    for language, text in ((Language.CPP, b"int f() { return 1; }"), (Language.PYTHON, b"def f():\n    return 1\n")):
+        found = len(analyse_file(text, language, MacroSettings()).facts.functions)
+        yield ("ok" if found == 1 else "fail"), f"parses {language.value}"
+
+
+def _configuration(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    from roslens.cli.configuration import find_configuration
+    from roslens.judge.quality_model import load_model
+    from roslens.source.metrics.table import QUANTITIES
+    from roslens.source.plugin_stage import discover_plugins
+
+    configuration = find_configuration(Path(options.path).resolve(), options.config)
+    yield "ok", f"configuration: {configuration.path or 'defaults (no roslens.toml)'}"
+    base = Path(configuration.base or ".")
+    found = discover_plugins(configuration.source, base)
+    quantities = dict(QUANTITIES)
+    for member in found.members:
+        quantities.update({quantity.key: quantity for quantity in member.manifest.quantities})
+        yield "ok", f"plug-in {member.manifest.name} {member.manifest.version} [{member.origin}]"
+    for failure in found.failures:
+        yield "fail", str(failure)
+    for name in configuration.source.models:
+        yield "ok", f"quality model {load_model(name, quantities, base=base).name}"
+
+
+def _store(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    from roslens.cli.workplace import open_store
+    from roslens.model.errors import RoslensError, UsageError
+
+    try:
+        with open_store(options.path) as store:
+            runs = store.runs()
+            yield "ok", f"store: {len(runs)} complete runs"
+    except UsageError:
+        yield "note", "no run yet: `roslens check` makes one"
+    except RoslensError as error:
+        yield "fail", str(error)

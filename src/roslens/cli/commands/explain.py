@@ -1,0 +1,124 @@
+"""``roslens explain``: what a rule, a quantity or a quality model means and what to do about it."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from roslens.judge.quality_model import QualityModel
+    from roslens.model.finding import RuleInfo
+    from roslens.model.quantity import Quantity
+
+TEXT = "Explain a rule, a quantity or a quality model."
+EXAMPLES = """\
+  roslens explain ros.cyclomatic_complexity.max
+  roslens explain cyclomatic_complexity
+  roslens explain his"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what to explain."""
+    parser.add_argument("id", metavar="ID", help="id of a rule, key of a quantity or name of a model")
+    parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="whose roslens.toml counts (default: .)")
+    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the explanation.
+
+    Raises:
+        UsageError: nothing has that id.
+    """
+    from roslens.cli.configuration import find_configuration
+    from roslens.judge.quality_model import builtin_models, load_model, rules_of
+    from roslens.model.errors import UsageError
+    from roslens.source.metrics.table import QUANTITIES
+    from roslens.source.plugin_stage import discover_plugins
+
+    configuration = find_configuration(Path(options.path).resolve(), options.config)
+    found = discover_plugins(configuration.source, Path(configuration.base or "."))
+    quantities = dict(QUANTITIES)
+    rules: dict[str, RuleInfo] = {}
+    for member in found.members:
+        quantities.update({quantity.key: quantity for quantity in member.manifest.quantities})
+        rules.update({rule.id: rule for rule in member.manifest.rules})
+    models: dict[str, QualityModel] = {}
+    for name in dict.fromkeys((*builtin_models(), *configuration.source.models)):
+        model = load_model(name, quantities, base=Path(configuration.base or "."))
+        models[model.name] = model
+        rules.update({rule.id: rule for rule in rules_of(model)})
+    wanted = options.id
+    if wanted in models:
+        print(_of_model(models[wanted]))
+    elif wanted in quantities:
+        print(_of_quantity(quantities[wanted], models))
+    elif wanted in rules:
+        print(_of_rule(rules[wanted]))
+    else:
+        near = difflib.get_close_matches(wanted, (*models, *quantities, *rules), 3, 0.5)
+        raise UsageError(
+            f"nothing has the id {wanted!r}",
+            expected="a rule, a quantity or a model",
+            advice=f"Did you mean {', '.join(near)}?" if near else "See `roslens plugins`",
+        )
+    return 0
+
+
+def _of_rule(rule: RuleInfo) -> str:
+    return _sections(
+        f"{rule.id}  ({rule.severity.value})",
+        (
+            ("", rule.title),
+            ("", rule.description),
+            ("Why", rule.rationale),
+            ("Tags", ", ".join(rule.tags)),
+            ("Found by", rule.tool),
+            ("More", rule.url),
+        ),
+    )
+
+
+def _of_quantity(quantity: Quantity, models: dict[str, QualityModel]) -> str:
+    folds = ", ".join(fold.value for fold in quantity.folds)
+    bounds = "\n".join(
+        f"{constraint.kind.value} {constraint.range} ({name})"
+        for name, model in models.items()
+        for constraint in model.constraints
+        if constraint.quantity == quantity.key
+    )
+    return _sections(
+        f"{quantity.key}  [{quantity.unit}]",
+        (
+            ("", quantity.title),
+            ("", quantity.text),
+            ("Measured on", ", ".join(kind.value for kind in quantity.kinds)),
+            ("Folded upward by", folds),
+            ("Formula", quantity.formula),
+            ("Source", quantity.source),
+            ("Known limits", quantity.limits),
+            ("Thresholds", bounds),
+        ),
+    )
+
+
+def _of_model(model: QualityModel) -> str:
+    lines = "\n".join(
+        f"{constraint.kind.value:<10} {constraint.quantity:<26} {constraint.range}" for constraint in model.constraints
+    )
+    return _sections(
+        f"{model.name}  {model.title}", (("", model.text), ("Source", model.source), ("Thresholds", lines))
+    )
+
+
+def _sections(head: str, parts: tuple[tuple[str, str], ...]) -> str:
+    blocks = [head]
+    for title, text in parts:
+        if not text:
+            continue
+        lines = [wrapped for line in text.splitlines() for wrapped in (textwrap.wrap(line, 96) or [""])]
+        blocks.append(textwrap.indent("\n".join(lines), "  ") if not title else f"{title}:\n  " + "\n  ".join(lines))
+    return "\n\n".join(blocks)

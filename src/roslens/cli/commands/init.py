@@ -1,0 +1,90 @@
+"""``roslens init``: write a commented ``roslens.toml`` that says what can be configured."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+TEXT = "Write a commented roslens.toml into a folder."
+EXAMPLES = """\
+  roslens init
+  roslens init ~/robot_ws --force"""
+
+TEMPLATE = """\
+# What roslens looks at and how it judges. Every line is optional; the values shown are the defaults.
+
+# Quality models: ros, nasa-satc, his, kth, akureyri, verifysoft, microsoft, paper2016, or a path to your own YAML.
+models = ["ros"]
+
+# Exit with 1 from this severity on: note, warning, error or never.
+fail_on = "error"
+
+# Exit with 0 instead of 3 when only parts of files could not be parsed.
+accept_partial = false
+
+# Findings in files of these roles count for the gate: own, test, generated, vendored.
+gate_roles = ["own"]
+
+# Plug-ins by path (installed ones are found by themselves), and plug-ins to leave out by name.
+plugins = []
+disable = []
+
+# Seconds that one call of a plug-in may take.
+time_limit_s = 60
+
+# Worker processes; 0 means one per processor.
+jobs = 0
+
+[workspace]
+# Globs on paths below the workspace root; ** stands for any depth.
+ignore = []
+# Files that are to be seen as test, generated, vendored or own code, besides what roslens sees by itself.
+test = []
+generated = []
+vendored = []
+own = []
+
+[workspace.environment]
+# What conditions in package.xml see; default: ROS_VERSION, ROS_DISTRO, ROS_PYTHON_VERSION of the shell.
+# ROS_VERSION = "2"
+
+[counting]
+# Decisions inside lambdas count for the function around them.
+lambdas = true
+# Decisions in every arm of #if count, not only those of the first.
+alternatives = true
+# A block of at least this many equal code lines is a duplicate.
+duplicate_lines = 10
+
+[macros]
+# Regular expressions of C++ macros that stand for nothing the parser should see (export and visibility macros).
+blank = []
+# Macros that stand for a whole statement or declaration without a semicolon.
+statement = []
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the folder and ``--force``."""
+    parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="folder to write into (default: .)")
+    parser.add_argument("--force", action="store_true", help="replace a roslens.toml that is there")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write the file.
+
+    Raises:
+        UsageError: the folder does not exist, or the file does and ``--force`` was not given.
+    """
+    from roslens.cli.configuration import FILE_NAME
+    from roslens.model.errors import UsageError
+
+    folder = Path(options.path)
+    if not folder.is_dir():
+        raise UsageError(f"no folder {options.path!r}", expected="the root of a workspace")
+    path = folder / FILE_NAME
+    if path.exists() and not options.force:
+        raise UsageError(f"{str(path)!r} exists", advice="Use --force to replace it")
+    path.write_text(TEMPLATE, "utf-8")
+    print(f"{path} written; every line in it is optional")
+    return 0

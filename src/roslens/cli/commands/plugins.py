@@ -1,0 +1,55 @@
+"""``roslens plugins``: what is there and what it gives."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from roslens.cli.boundary import CLEAN, NOT_ANALYSED
+
+TEXT = "List plug-ins with the quantities and rules that each gives."
+EXAMPLES = """\
+  roslens plugins
+  roslens plugins --format json"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add where the configuration is and the format."""
+    parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="whose roslens.toml counts (default: .)")
+    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    parser.add_argument("--format", choices=("text", "json"), default="text")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the list; plug-ins that cannot be used are failures."""
+    import msgspec
+
+    from roslens.cli.configuration import find_configuration
+    from roslens.source.plugin_stage import discover_plugins
+
+    configuration = find_configuration(Path(options.path).resolve(), options.config)
+    found = discover_plugins(configuration.source, Path(configuration.base or "."))
+    if options.format == "json":
+        document = {
+            "plugins": [{"origin": member.origin, **msgspec.to_builtins(member.manifest)} for member in found.members],
+            "failures": msgspec.to_builtins(found.failures),
+        }
+        print(msgspec.json.format(msgspec.json.encode(document)).decode())
+    else:
+        for member in found.members:
+            manifest = member.manifest
+            print(f"{manifest.name} {manifest.version}  [{member.origin}]")
+            print(f"  {manifest.text}")
+            print(f"  scopes: {', '.join(manifest.scopes)}; languages: {', '.join(manifest.languages) or 'all'}")
+            if manifest.needs:
+                print(f"  needs: {', '.join(manifest.needs)}")
+            for quantity in manifest.quantities:
+                print(f"  quantity {quantity.key} [{quantity.unit}]: {quantity.title}")
+            for rule in manifest.rules:
+                print(f"  rule {rule.id} ({rule.severity.value}): {rule.title}")
+            for option in manifest.options:
+                print(f"  option {option.name} ({option.type}, default {option.default!r}): {option.text}")
+    for failure in found.failures:
+        print(f"roslens: {failure}", file=sys.stderr)
+    return NOT_ANALYSED if found.failures else CLEAN

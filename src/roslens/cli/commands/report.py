@@ -1,0 +1,54 @@
+"""``roslens report``: the pages of the last run as files."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from roslens.cli.streams import add_stream_arguments, progress_for
+from roslens.cli.workplace import add_workspace_argument
+
+TEXT = "Write the pages of the last run as a folder or as one HTML file."
+EXAMPLES = """\
+  roslens report -o report               then open report/index.html
+  roslens report --single-file robot.html   one file, to mail or archive"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the workspace and where to write."""
+    add_workspace_argument(parser)
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument("-o", "--output", metavar="DIR", default="roslens-report", help="folder (default: %(default)s)")
+    where.add_argument("--single-file", metavar="FILE", help="one self-contained HTML file")
+    parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    add_stream_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write the files and say where they are.
+
+    Raises:
+        UsageError: there is no run, or the folder holds something else.
+        StoreError: the store cannot be read.
+    """
+    from roslens.cli.site import site_of
+    from roslens.cli.workplace import open_store
+
+    progress = progress_for(options)
+    with open_store(options.path) as store:
+        site = site_of(store.view(options.number))
+        try:
+            if options.single_file:
+                from roslens.dashboard.single_file import single_file
+
+                single_file(site, Path(options.single_file))
+                written = options.single_file
+            else:
+                from roslens.dashboard.export import export_folder
+
+                export_folder(site, Path(options.output), progress)
+                written = str(Path(options.output, "index.html"))
+        finally:
+            progress.finish()
+    print(written)
+    return 0

@@ -1,0 +1,198 @@
+"""``roslens.toml`` (or ``[tool.roslens]`` in pyproject.toml): what it may say and where it is found.
+
+Unknown keys are errors that name file, line, column and the nearest valid key.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from roslens.model.errors import DocumentError, UsageError
+from roslens.model.finding import Severity
+from roslens.model.source import Location, Role
+from roslens.source.settings import CountingSettings, MacroSettings, SourceSettings, WorkspaceSettings
+
+FILE_NAME = "roslens.toml"
+
+
+class Configuration(msgspec.Struct, frozen=True):
+    """What a configuration file sets; ``base`` is the folder its relative paths start from.
+
+    ``fail_on`` is the severity from which findings fail a check (``never`` for none);
+    ``accept_partial`` lets a check pass although parts of files could not be parsed.
+    """
+
+    source: SourceSettings = SourceSettings()
+    fail_on: str = "error"
+    accept_partial: bool = False
+    jobs: int = 0
+    path: str = ""
+    base: str = ""
+
+
+_TOP: dict[str, Any] = {
+    "models": tuple[str, ...],
+    "plugins": tuple[str, ...],
+    "disable": tuple[str, ...],
+    "gate_roles": tuple[Role, ...],
+    "time_limit_s": float,
+    "fail_on": str,
+    "accept_partial": bool,
+    "jobs": int,
+}
+_TABLES: dict[str, type[msgspec.Struct]] = {
+    "workspace": WorkspaceSettings,
+    "counting": CountingSettings,
+    "macros": MacroSettings,
+}
+FAIL_ON = (*(severity.value for severity in Severity), "never")
+
+
+def find_configuration(start: Path, given: str | None) -> Configuration:
+    """Read the file ``given``, or the nearest one in ``start`` or a folder above it.
+
+    The search ends at the root of a repository. Without a file everything has its default.
+
+    Raises:
+        UsageError: the file given does not exist.
+        DocumentError: the file does not say what it may.
+    """
+    if given is not None:
+        path = Path(given)
+        if not path.is_file():
+            raise UsageError(
+                f"no configuration file {given!r}", expected=f"a {FILE_NAME}", advice="Make one with `roslens init`"
+            )
+        return read_configuration(path)
+    folder = start if start.is_dir() else start.parent
+    for above in (folder, *folder.parents):
+        if (above / FILE_NAME).is_file():
+            return read_configuration(above / FILE_NAME)
+        pyproject = above / "pyproject.toml"
+        if pyproject.is_file() and b"[tool.roslens" in pyproject.read_bytes():
+            return read_configuration(pyproject)
+        if (above / ".git").exists():
+            break
+    return Configuration(base=str(folder))
+
+
+def read_configuration(path: Path) -> Configuration:
+    """Read a configuration file.
+
+    Raises:
+        DocumentError: it is no TOML, or a key or value is not valid.
+    """
+    text = _text(path)
+    document: dict[str, Any] = _toml(path, text)
+    prefix: tuple[str, ...] = ()
+    if path.name == "pyproject.toml":
+        prefix = ("tool", "roslens")
+        document = document.get("tool", {}).get("roslens", {})
+    reader = _Reader(path, text, prefix)
+    return reader.read(document)
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise DocumentError(
+            f"byte {error.start} is not UTF-8", where=str(path), expected="a TOML file in UTF-8"
+        ) from error
+
+
+def _toml(path: Path, text: str) -> dict[str, Any]:
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        match = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
+        where = Location(str(path), int(match[1]), int(match[2])) if match else str(path)
+        what = str(error).split(" (at ")[0]
+        raise DocumentError(what, where=where, expected="TOML", advice="Mend that line") from error
+
+
+class _Reader:
+    def __init__(self, path: Path, text: str, prefix: tuple[str, ...]) -> None:
+        self._path = path
+        self._lines = text.splitlines()
+        self._prefix = prefix
+
+    def read(self, document: Mapping[str, Any]) -> Configuration:
+        valid = (*_TOP, *_TABLES, "options")
+        for key in document:
+            if key not in valid:
+                raise self._unknown((key,), valid)
+        top = {key: self._value((key,), document[key], kind) for key, kind in _TOP.items() if key in document}
+        tables = {key: self._table(key, document[key], kind) for key, kind in _TABLES.items() if key in document}
+        fail_on = str(top.pop("fail_on", "error"))
+        if fail_on not in FAIL_ON:
+            raise DocumentError(
+                f"fail_on = {fail_on!r}", where=self._where(("fail_on",)), expected=f"one of {', '.join(FAIL_ON)}"
+            )
+        if "gate_roles" in top:
+            top["gate_roles"] = tuple(role.value for role in top["gate_roles"])
+        own = {key: top.pop(key) for key in ("accept_partial", "jobs") if key in top}
+        source = SourceSettings(**top, **tables, options=self._options(document.get("options", {})))
+        return Configuration(source, fail_on, path=str(self._path), base=str(self._path.parent), **own)
+
+    def _table(self, name: str, table: object, kind: type[msgspec.Struct]) -> msgspec.Struct:
+        if not isinstance(table, dict):
+            raise DocumentError(f"{name} = {table!r}", where=self._where((name,)), expected=f"a table [{name}]")
+        fields = {field.name: field.type for field in msgspec.structs.fields(kind)}
+        for key in table:
+            if key not in fields:
+                raise self._unknown((name, key), tuple(fields))
+        return kind(**{key: self._value((name, key), value, fields[key]) for key, value in table.items()})
+
+    def _options(self, options: object) -> dict[str, dict[str, object]]:
+        if not isinstance(options, dict) or not all(isinstance(table, dict) for table in options.values()):
+            raise DocumentError(
+                f"options = {options!r}", where=self._where(("options",)), expected="tables [options.<plug-in>]"
+            )
+        return options
+
+    def _value(self, keys: tuple[str, ...], value: object, kind: Any) -> Any:
+        try:
+            return msgspec.convert(value, kind)
+        except msgspec.ValidationError as error:
+            raise DocumentError(
+                f"{'.'.join(keys)} = {value!r}",
+                where=self._where(keys),
+                expected=str(error).removeprefix("Expected ").split(" - at")[0],
+            ) from error
+
+    def _unknown(self, keys: tuple[str, ...], valid: tuple[str, ...]) -> DocumentError:
+        near = difflib.get_close_matches(keys[-1], valid, 1)
+        return DocumentError(
+            f"unknown key {'.'.join(keys)!r}",
+            where=self._where(keys),
+            expected=f"one of {', '.join(valid)}",
+            advice=f"Did you mean {near[0]!r}?" if near else "",
+        )
+
+    def _where(self, keys: tuple[str, ...]) -> Location:
+        """Find the line of a key; TOML readers give values without places."""
+        *table, last = (*self._prefix, *keys)
+        current: list[str] = []
+        whole = ".".join((*table, last))
+        for number, line in enumerate(self._lines, 1):
+            if header := re.match(r"\s*\[\[?\s*([^\]]+?)\s*\]", line):
+                current = [part.strip().strip("\"'") for part in header[1].split(".")]
+                if ".".join(current) == whole:
+                    return Location(str(self._path), number, line.index("[") + 1)
+            elif match := re.match(r"\s*([\w.\"'-]+)\s*=", line):
+                key = [part.strip("\"'") for part in match[1].split(".")]
+                if ".".join((*current, *key)) == whole:
+                    return Location(str(self._path), number, match.start(1) + 1)
+        return Location(str(self._path))

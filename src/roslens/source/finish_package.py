@@ -1,0 +1,90 @@
+"""From what was measured of a package to its result: judged, suppressed, gated, counted."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+
+import msgspec
+
+from roslens.judge.quality_model import QualityModel
+from roslens.judge.thresholds import judge_entities
+from roslens.model.entity import Entity
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding
+from roslens.model.result import PackageResult
+from roslens.model.source import Package, SourceFile
+from roslens.plugins.outcome import Outcome
+from roslens.source.analyse_package import MeasuredPackage
+from roslens.source.metrics import rcv, rqv
+from roslens.source.settings import SourceSettings
+from roslens.source.workspace.suppress import suppressed
+
+
+class Finisher:
+    """Judges packages by the models of a run and marks which findings count for its gate."""
+
+    def __init__(
+        self,
+        settings: SourceSettings,
+        models: Sequence[QualityModel],
+        packages: Mapping[str, Package],
+        files: Mapping[str, tuple[SourceFile, ...]],
+        failures: Iterable[Failure],
+    ) -> None:
+        """``failures`` of reading and finding are handed to the package that each names."""
+        self._gate_roles = frozenset(settings.gate_roles)
+        self._models = models
+        self._packages = packages
+        self._files = files
+        self._failures: dict[str, list[Failure]] = defaultdict(list)
+        for failure in failures:
+            if failure.package:
+                self._failures[failure.package].append(failure)
+
+    def finish(self, measured: MeasuredPackage, outcome: Outcome) -> PackageResult:
+        """Return the package's result with ``rqv`` and ``rcv`` among its values."""
+        files = self._files[measured.package]
+        roles = {file.path: file.role.value for file in files}
+        entities = with_measurements(measured.entities, outcome)
+        findings = []
+        for finding in (*outcome.findings, *judge_entities(self._models, entities)):
+            hushed = measured.suppressions.get(finding.path)
+            if hushed and suppressed(finding.rule, finding.tags, finding.line, hushed):
+                continue
+            if finding.path and roles.get(finding.path, "own") not in self._gate_roles:
+                findings.append(msgspec.structs.replace(finding, gated=False))
+            else:
+                findings.append(finding)
+        findings.sort(key=_place)
+        return PackageResult(
+            package=self._packages[measured.package],
+            files=files,
+            entities=_with_counts(entities, findings),
+            findings=tuple(findings),
+            failures=(*self._failures[measured.package], *measured.failures, *outcome.failures),
+        )
+
+
+def with_measurements(entities: Sequence[Entity], outcome: Outcome) -> tuple[Entity, ...]:
+    """Return the entities with what plug-ins measured of them."""
+    if not outcome.measurements:
+        return tuple(entities)
+    extra: dict[str, dict[str, float]] = defaultdict(dict)
+    for measurement in outcome.measurements:
+        extra[measurement.entity][measurement.quantity] = measurement.value
+    return tuple(
+        msgspec.structs.replace(entity, values={**entity.values, **extra[entity.id]}) if entity.id in extra else entity
+        for entity in entities
+    )
+
+
+def _with_counts(entities: Sequence[Entity], findings: Sequence[Finding]) -> tuple[Entity, ...]:
+    package, *others = entities
+    gated = [finding for finding in findings if finding.gated]
+    counts = {rqv.QUANTITY.key: rqv.of_findings(gated), rcv.QUANTITY.key: rcv.of_findings(gated)}
+    return (msgspec.structs.replace(package, values={**package.values, **counts}), *others)
+
+
+def _place(finding: Finding) -> tuple[str, int, int, str, str]:
+    return (finding.path, finding.line, finding.column, finding.rule, finding.entity)

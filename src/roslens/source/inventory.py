@@ -1,0 +1,95 @@
+"""Which files there are, in which language and role, with which content.
+
+Reading is the cost: a file whose size, time stamp and inode are those of the last run is not opened.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.model.source import Language, Location, Role, SourceFile
+from roslens.source.keys import content_hash, key_of
+from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
+from roslens.source.workspace.languages import classify, language_by_name
+from roslens.store.cache import FileStat
+
+LARGEST_UNNAMED_BYTES = 1 << 20
+"""A larger file whose name tells no language is not opened to find out."""
+
+
+class Inventory(msgspec.Struct, frozen=True):
+    """The files of each package id, what could not be read, and what the cache should learn."""
+
+    files: dict[str, tuple[SourceFile, ...]]
+    failures: tuple[Failure, ...]
+    learned: dict[str, FileStat]
+
+
+def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Mapping[str, FileStat]) -> Inventory:
+    """Classify and hash every file; ``known`` is what the cache remembers.
+
+    Files without a language of interest are left out.
+    """
+    rules = key_of(settings)[:8]
+    files: dict[str, tuple[SourceFile, ...]] = {}
+    failures: list[Failure] = []
+    learned: dict[str, FileStat] = {}
+    for found in workspace.packages:
+        kept: list[SourceFile] = []
+        for entry in found.files:
+            stat = known.get(entry.path)
+            if stat is None or not _unchanged(stat, entry, rules):
+                try:
+                    stat = _look_into(Path(workspace.root), entry, settings, rules)
+                except OSError as error:
+                    failures.append(_unreadable(found, entry, error))
+                    continue
+                learned[entry.path] = stat
+            if stat.language != Language.OTHER.value:
+                kept.append(
+                    SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash)
+                )
+        files[found.package.id] = tuple(kept)
+    return Inventory(files, tuple(failures), learned)
+
+
+def _unchanged(stat: FileStat, entry: FoundFile, rules: str) -> bool:
+    return (
+        stat.size == entry.size
+        and stat.mtime_ns == entry.mtime_ns
+        and stat.inode == entry.inode
+        and stat.rules == rules
+    )
+
+
+def _look_into(root: Path, entry: FoundFile, settings: WorkspaceSettings, rules: str) -> FileStat:
+    named = language_by_name(entry.path)
+    if named is Language.OTHER or (named is None and entry.size > LARGEST_UNNAMED_BYTES):
+        return FileStat(entry.size, entry.mtime_ns, entry.inode, "", Language.OTHER.value, Role.OWN.value, rules)
+    content = (root / entry.path).read_bytes()
+    classified = classify(entry.path, content, settings)
+    return FileStat(
+        entry.size,
+        entry.mtime_ns,
+        entry.inode,
+        content_hash(content),
+        classified.language.value,
+        classified.role.value,
+        rules,
+    )
+
+
+def _unreadable(found: FoundPackage, entry: FoundFile, error: OSError) -> Failure:
+    return Failure(
+        tool="read",
+        what=f"cannot read the file: {error.strerror or error}",
+        expected="a file that can be read",
+        advice="Check its permissions, or add it to `ignore` below [workspace] in roslens.toml",
+        location=Location(entry.path),
+        package=found.package.id,
+    )

@@ -1,0 +1,25 @@
+"""What a long step tells whoever watches it."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+
+class Progress(Protocol):
+    """Receives steps as they begin and items as they are done."""
+
+    def step(self, title: str, total: int) -> None:
+        """Begin a step of ``total`` items (0: unknown)."""
+
+    def advance(self, count: int = 1, item: str = "") -> None:
+        """Say that ``count`` more items are done, the last of them ``item``."""
+
+
+class Silent:
+    """Nobody watches."""
+
+    def step(self, title: str, total: int) -> None:
+        """Do nothing."""
+
+    def advance(self, count: int = 1, item: str = "") -> None:
+        """Do nothing."""

@@ -1,0 +1,30 @@
+"""Habits that the tree shows: short files with names that say something."""
+
+from pathlib import Path
+
+SOURCE = Path(__file__).parents[2] / "src" / "roslens"
+LONGEST = 500
+NAMELESS = {"util", "utils", "helper", "helpers", "common", "base", "manager", "handler", "data", "misc"}
+
+
+def modules() -> list[Path]:
+    found = sorted(SOURCE.rglob("*.py"))
+    assert len(found) > 50
+    return found
+
+
+def test_no_file_grows_over_500_lines():
+    long = {str(path.relative_to(SOURCE)): n for path in modules() if (n := path.read_text().count("\n")) > LONGEST}
+    assert not long, f"split by idea: {long}"
+
+
+def test_every_name_says_what_it_is():
+    nameless = [str(path.relative_to(SOURCE)) for path in modules() if path.stem in NAMELESS]
+    assert not nameless, f"find the verb or noun: {nameless}"
+
+
+def test_no_machine_path_and_no_open_end_is_left():
+    for path in modules():
+        text = path.read_text()
+        for mark in ("TO" + "DO", "FIX" + "ME", "X" * 3, "NotImplemented" + "Error"):
+            assert mark not in text, f"{path}: {mark}"

@@ -1,0 +1,84 @@
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.commands.init import TEMPLATE
+from roslens.cli.configuration import Configuration, find_configuration, read_configuration
+from roslens.model.errors import DocumentError, UsageError
+from roslens.source.settings import SourceSettings
+
+
+def written(folder: Path, text: str, name: str = "roslens.toml") -> Path:
+    path = folder / name
+    path.write_text(text, "utf-8")
+    return path
+
+
+def test_the_template_says_what_the_defaults_are(tmp_path: Path):
+    read = read_configuration(written(tmp_path, TEMPLATE))
+    assert read.source == SourceSettings()
+    assert (read.fail_on, read.jobs, read.accept_partial) == ("error", 0, False)
+
+
+def test_every_setting_is_in_the_template(tmp_path: Path):
+    import msgspec
+
+    for field in msgspec.structs.fields(SourceSettings):
+        if isinstance(field.type, type) and issubclass(field.type, msgspec.Struct):
+            for inner in msgspec.structs.fields(field.type):
+                assert f"{inner.name} =" in TEMPLATE or f"[{field.name}.{inner.name}]" in TEMPLATE, inner.name
+        elif field.name != "options":
+            assert f"\n{field.name} =" in TEMPLATE, field.name
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "says"),
+    [
+        ('modells = ["ros"]', ":1:1", "Did you mean 'models'"),
+        ("[counting]\nlambdas = true\nlamdas = false\n", ":3:1", "Did you mean 'lambdas'"),
+        ("[workspace]\nignore = 3\n", ":2:1", "array"),
+        ('models = ["ros"\njobs = 1', ":2:", "TOML"),
+        ('fail_on = "fatal"', ":1:1", "one of note, warning, error, never"),
+        ("counting = 3", ":1:1", "a table [counting]"),
+        ("options = 3", ":1:1", "[options.<plug-in>]"),
+        ('gate_roles = ["mine"]', ":1:1", "mine"),
+        ("[counting]\nduplicate_lines = 'x'\n", ":2:1", "int"),
+    ],
+)
+def test_errors_say_where_what_and_what_instead(tmp_path: Path, text: str, place: str, says: str):
+    path = written(tmp_path, text)
+    with pytest.raises(DocumentError) as caught:
+        read_configuration(path)
+    assert str(caught.value).startswith(f"{path}{place}")
+    assert says in str(caught.value)
+
+
+def test_no_utf8_is_told(tmp_path: Path):
+    path = tmp_path / "roslens.toml"
+    path.write_bytes(b"models = ['\xff']")
+    with pytest.raises(DocumentError, match="byte 11 is not UTF-8"):
+        read_configuration(path)
+
+
+def test_the_nearest_file_counts_and_the_search_ends_at_the_repository(tmp_path: Path):
+    repository = tmp_path / "repo"
+    deep = repository / "a" / "b"
+    deep.mkdir(parents=True)
+    (repository / ".git").mkdir()
+    written(tmp_path, "jobs = 7")
+    assert find_configuration(deep, None) == Configuration(base=str(deep))
+    written(repository, "jobs = 3")
+    assert find_configuration(deep, None).jobs == 3
+    written(repository / "a", "[tool.roslens]\njobs = 2\n", "pyproject.toml")
+    assert find_configuration(deep, None).jobs == 2
+
+
+def test_a_pyproject_error_names_its_line(tmp_path: Path):
+    path = written(tmp_path, "[tool.other]\nx = 1\n\n[tool.roslens.macros]\nblanck = []\n", "pyproject.toml")
+    with pytest.raises(DocumentError, match=r"pyproject.toml:5:1: unknown key 'macros.blanck'"):
+        read_configuration(path)
+
+
+def test_a_given_file_must_exist(tmp_path: Path):
+    with pytest.raises(UsageError, match="roslens init"):
+        find_configuration(tmp_path, "nowhere.toml")

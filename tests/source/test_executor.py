@@ -1,0 +1,24 @@
+import pytest
+
+from roslens.source.executor import InProcess, ProcessPool, executor_for
+
+# Workers can only run what they can import: built-in functions serve as the work.
+
+
+@pytest.mark.parametrize("executor", [InProcess(), ProcessPool(2)])
+def test_an_error_is_a_result_and_the_others_go_on(executor):
+    results = dict(executor.run(int, ["1", "2", "three", "4"]))
+    assert isinstance(results.pop("three"), ValueError)
+    assert results == {"1": 1, "2": 2, "4": 4}
+
+
+def test_a_task_that_kills_its_worker_loses_only_itself():
+    deadly = "__import__('os')._exit(9)"
+    results = dict(ProcessPool(2).run(eval, ["1", deadly, "3", "4", "5"]))
+    assert isinstance(results.pop(deadly), RuntimeError)
+    assert results == {"1": 1, "3": 3, "4": 4, "5": 5}
+
+
+def test_one_job_needs_no_process():
+    assert isinstance(executor_for(1), InProcess)
+    assert isinstance(executor_for(2), ProcessPool)

@@ -102,6 +102,12 @@ class FunctionFacts(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     identifiers in the body of a *member* function (empty for others). ``eloc`` is the number of
     lines of the body that hold an executable token (rules in docs/reference/metrics).
     ``approximate`` is true when a part of it could not be parsed.
+
+    Python only: ``aside_counts`` says how much of ``counts`` is inside ``assert`` statements, local classes and the
+    decorators, defaults and annotations of nested functions, where some tools do not look; ``header_counts``
+    what stands in the defaults and annotations of the function itself, which are evaluated where it is defined
+    and therefore are part of the ``counts`` of what encloses it. Its ``identifiers`` are the names that it
+    reaches through its first parameter or the name of its class.
     """
 
     name: str
@@ -129,6 +135,8 @@ class FunctionFacts(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     calls: tuple[str, ...] = ()
     identifiers: tuple[str, ...] = ()
     approximate: bool = False
+    aside_counts: dict[str, int] = {}
+    header_counts: dict[str, int] = {}
 
 
 class FieldFacts(msgspec.Struct, frozen=True, array_like=True, gc=False):

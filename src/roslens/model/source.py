@@ -114,13 +114,17 @@ class Url(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Export(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A tag below ``<export>``: its text, attributes and, as one text, its children."""
+    """A tag below ``<export>``: its text, attributes and, as one text, its children.
+
+    ``active`` is whether its condition (REP-149) holds.
+    """
 
     tag: str
     location: Location
     text: str = ""
     attributes: dict[str, str] = {}
     content: str = ""
+    active: bool = True
 
 
 class Package(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -1,0 +1,251 @@
+"""The packages below given paths and the files of each, from one walk over the folders.
+
+Nothing but manifests is opened.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from posixpath import dirname
+
+import msgspec
+
+from roslens.model.errors import UsageError
+from roslens.model.failure import Failure
+from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Package
+from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.globs import compiled
+from roslens.source.workspace.languages import language_by_name
+from roslens.source.workspace.manifest import MANIFEST_NAME, MAXIMUM_SIZE, nameless_package, read_manifest
+from roslens.source.workspace.walk import FoundFile, PackageFolder, Walked, repository_of, walk
+
+__all__ = ["FoundFile", "FoundPackage", "ManifestReader", "Workspace", "find_workspace", "root_of"]
+
+ManifestReader = Callable[[bytes, str, Mapping[str, str]], tuple[Package | None, tuple[Failure, ...]]]
+"""Takes content, path and environment as :func:`read_manifest` does; a cached one saves its time."""
+
+
+class FoundPackage(msgspec.Struct, frozen=True):
+    """A package, its absolute folder and its files, sorted by path; none of them belongs to a package inside it."""
+
+    package: Package
+    folder: str
+    files: tuple[FoundFile, ...]
+
+
+class Workspace(msgspec.Struct, frozen=True):
+    """The packages found, sorted by path, and what could not be read. ``root`` is absolute."""
+
+    root: str
+    packages: tuple[FoundPackage, ...]
+    failures: tuple[Failure, ...]
+
+
+def find_workspace(
+    paths: Sequence[str | Path], settings: WorkspaceSettings, *, read: ManifestReader = read_manifest
+) -> Workspace:
+    """Find the packages below ``paths``; what is above them is not looked at.
+
+    The root is the given folder, or what several given folders have in common. Source files in no package make up a
+    package with the id ``(outside packages)``. Packages of the same name all get an id ``name@path``.
+
+    Args:
+        paths: folders; none means the current one. The path of a package.xml means its folder.
+        settings: what to ignore, and the environment for conditions.
+        read: reads a manifest.
+
+    Raises:
+        UsageError: a path does not exist or is a file.
+    """
+    starts = _starts(paths)
+    root = _common(starts)
+    seen = walk(root, starts, compiled(settings.ignore))
+    seen.repositories.update(_repositories_above(root, starts))
+    failures = list(seen.failures)
+    packages = [_package(folder, root, settings, seen.repositories, read, failures) for folder in seen.packages[1:]]
+    packages = _distinct(packages, failures)
+    if outside := _outside(seen.packages[0]):
+        packages.append(outside)
+    packages.sort(key=lambda found: (found.package.path, found.package.id))
+    if not packages:
+        failures.append(_empty(starts, root, seen))
+    failures.sort(key=_place)
+    return Workspace(root, tuple(packages), tuple(failures))
+
+
+def root_of(paths: Sequence[str | Path]) -> Path:
+    """Return the root that :func:`find_workspace` takes for ``paths``.
+
+    Raises:
+        UsageError: a path does not exist or is a file.
+    """
+    return Path(_common(_starts(paths)))
+
+
+def _starts(paths: Sequence[str | Path]) -> list[str]:
+    """Return the resolved folders, sorted, without those inside another one."""
+    found: list[str] = []
+    for folder in sorted({_folder(path) for path in paths or (".",)}):
+        if not any(folder.startswith(start.rstrip("/") + "/") for start in found):
+            found.append(folder)
+    return found
+
+
+def _folder(path: str | Path) -> str:
+    given = Path(path)
+    if given.is_dir():
+        return os.path.realpath(given)
+    if given.name == MANIFEST_NAME and given.is_file():
+        return os.path.realpath(given.parent)
+    if os.path.lexists(given):
+        raise UsageError(f'"{path}" is no folder', expected="folders with packages", advice="Give the folder it is in.")
+    raise UsageError(
+        f'"{path}" does not exist', expected="folders with packages", advice="Check the path and the current folder."
+    )
+
+
+def _common(starts: Sequence[str]) -> str:
+    return starts[0] if len(starts) == 1 else os.path.commonpath(starts)
+
+
+def _repositories_above(root: str, starts: Sequence[str]) -> set[str]:
+    """Return the folders from the root down to the given ones, below the root, that hold ``.git``."""
+    top = Path(root)
+    folders = {parent for start in starts for parent in Path(start).parents if parent.is_relative_to(top)}
+    holding = (folder.relative_to(top).as_posix() for folder in folders if os.path.lexists(folder / ".git"))
+    return {"" if path == "." else path for path in holding}
+
+
+def _package(
+    folder: PackageFolder,
+    root: str,
+    settings: WorkspaceSettings,
+    repositories: set[str],
+    read: ManifestReader,
+    failures: list[Failure],
+) -> FoundPackage:
+    path = f"{folder.path}/{MANIFEST_NAME}" if folder.path else MANIFEST_NAME
+    package: Package | None = None
+    try:
+        with Path(folder.folder, MANIFEST_NAME).open("rb") as file:
+            package, wrong = read(file.read(MAXIMUM_SIZE + 1), path, settings.environment)
+    except OSError as error:
+        what = f"the manifest cannot be read, {error.strerror}"
+        wrong = (
+            Failure(
+                "workspace",
+                what,
+                "a package.xml that can be read",
+                "Check its permissions; the folder names the package until then.",
+                Location(path),
+                entity=f"file:{path}",
+                partial=True,
+            ),
+        )
+    if package is None:
+        package = nameless_package(Path(folder.folder).name or "root", folder.path or ".", path)
+    repository = repository_of(folder.path, repositories, root)
+    failures.extend(f if f.package else msgspec.structs.replace(f, package=package.id) for f in wrong)
+    files = tuple(sorted(folder.files, key=_path))
+    return FoundPackage(msgspec.structs.replace(package, repository=repository), folder.folder, files)
+
+
+def _distinct(packages: list[FoundPackage], failures: list[Failure]) -> list[FoundPackage]:
+    """Return the packages with ids that no two of them share; each name that is doubled is a failure."""
+    places: dict[str, list[Package]] = {}
+    for found in packages:
+        places.setdefault(found.package.name, []).append(found.package)
+    doubled = {name: group for name, group in places.items() if len(group) > 1}
+    if not doubled:
+        return packages
+    for name, group in doubled.items():
+        where = ", ".join(f'"{package.path}"' for package in group)
+        failures.append(
+            Failure(
+                "workspace",
+                f'{len(group)} packages have the name "{name}", in {where}',
+                "each name once in a workspace",
+                f'Rename or hide (COLCON_IGNORE) all but one; they are shown as "{name}@<path>".',
+                group[1].manifest,
+                package=f"{name}@{group[1].path}",
+                partial=True,
+            )
+        )
+    renamed = {package.path: f"{name}@{package.path}" for name, group in doubled.items() for package in group}
+    for number, failure in enumerate(failures):
+        if failure.package in doubled and failure.location:
+            place = dirname(failure.location.path) or "."
+            failures[number] = msgspec.structs.replace(failure, package=renamed.get(place, failure.package))
+    return [
+        msgspec.structs.replace(found, package=msgspec.structs.replace(found.package, id=renamed[found.package.path]))
+        if found.package.path in renamed
+        else found
+        for found in packages
+    ]
+
+
+_SOURCE = frozenset(
+    (
+        Language.C,
+        Language.CPP,
+        Language.PYTHON,
+        Language.LAUNCH_PYTHON,
+        Language.LAUNCH_XML,
+        Language.LAUNCH_YAML,
+        Language.MSG,
+        Language.SRV,
+        Language.ACTION,
+        Language.URDF,
+        Language.XACRO,
+    )
+)
+
+
+def _outside(folder: PackageFolder) -> FoundPackage | None:
+    """Return the pseudo package of the source files in no package, with their CMake files."""
+    languages = [(file, language_by_name(file.path)) for file in folder.files]
+    if not any(language in _SOURCE for _, language in languages):
+        return None
+    kept = [file for file, language in languages if language in _SOURCE or language is Language.CMAKE]
+    package = Package(
+        id=OUTSIDE_PACKAGES,
+        name=OUTSIDE_PACKAGES,
+        path=".",
+        manifest=Location("."),
+        description="Source files that belong to no package",
+    )
+    return FoundPackage(package, folder.folder, tuple(sorted(kept, key=_path)))
+
+
+def _empty(starts: Sequence[str], root: str, seen: Walked) -> Failure:
+    where = os.path.relpath(starts[0], root) if len(starts) > 1 else "."
+    advice = "Give the folder of a package or of a workspace."
+    if seen.hidden:
+        path, marker = min(seen.hidden.items())
+        advice = f'Remove "{marker}", which hides "{path}", or give another folder.'
+    elif around := _package_around(starts[0]):
+        advice = f'Give "{around}", the package around it.'
+    return Failure(
+        "workspace",
+        f"no package and no source file below {', '.join(repr(start) for start in starts)}",
+        f"folders with a {MANIFEST_NAME}",
+        advice,
+        Location(where),
+    )
+
+
+def _package_around(folder: str) -> str:
+    for parent in Path(folder).parents:
+        if (parent / MANIFEST_NAME).is_file():
+            return str(parent)
+    return ""
+
+
+def _path(file: FoundFile) -> str:
+    return file.path
+
+
+def _place(failure: Failure) -> tuple[Location, str]:
+    return failure.location or Location(""), failure.what

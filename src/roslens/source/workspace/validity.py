@@ -1,0 +1,192 @@
+"""What REP-127, REP-140 and REP-149 demand of a manifest, tag by tag.
+
+The demands are those that ``catkin_pkg`` enforces, so that what passes here builds, and a dependency without a name
+is one more.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.source.workspace.elements import Element
+
+Fault = tuple[Element, str, str, str]
+"""An element, what was found (quoted), what was expected, what to do."""
+
+CONSTRAINTS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
+
+_FORMAT_1 = ("build_depend", "buildtool_depend", "run_depend", "test_depend", "conflict", "replace")
+_FORMAT_2 = (
+    "build_depend",
+    "build_export_depend",
+    "buildtool_depend",
+    "buildtool_export_depend",
+    "conflict",
+    "depend",
+    "doc_depend",
+    "exec_depend",
+    "replace",
+    "test_depend",
+)
+
+DEPENDENCY_TAGS = frozenset((*_FORMAT_1, *_FORMAT_2, "group_depend"))
+
+_MAXIMUM_EMAIL = 320  # RFC 3696: 64 + 1 + 255
+_EMAIL = re.compile(r"[-a-zA-Z0-9_%+]+(\.[-a-zA-Z0-9_%+]+)*@[-a-zA-Z0-9%]+(\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}$", re.ASCII)
+_NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*$", re.ASCII)
+_VERSION = re.compile(r"[0-9]+\.[0-9]+\.[0-9]+$", re.ASCII)
+
+
+def faults_of(root: Element, *, complete: bool = True) -> Iterator[Fault]:
+    """Yield what is wrong with a ``<package>`` element, in no particular order.
+
+    Args:
+        root: the element.
+        complete: false where the rest of the document could not be read, so that a missing tag is no fault.
+    """
+    form = root.attributes.get("format", "1").strip()
+    if form not in ("1", "2", "3"):
+        yield root, f'the format is "{form}"', "1, 2 or 3", 'Write <package format="3">.'
+        form = "3"
+    parts: dict[str, list[Element]] = {}
+    for element in root.elements():
+        parts.setdefault(element.tag, []).append(element)
+    yield from _required(root, parts, complete=complete)
+    yield from _texts(parts)
+    yield from _people(parts)
+    yield from _tags(root, int(form))
+    yield from _relations(root, parts, int(form))
+
+
+def _required(root: Element, parts: dict[str, list[Element]], *, complete: bool) -> Iterator[Fault]:
+    for tag in ("name", "version", "description", "maintainer", "license"):
+        if tag not in parts and complete:
+            advice = "Add it; the folder names the package until then." if tag == "name" else "Add it."
+            yield root, f"the manifest has no <{tag}>", f"<{tag}>", advice
+    for tag in ("name", "version", "description", "export"):
+        for element in parts.get(tag, [])[1:]:
+            yield element, f"<{tag}> stands a second time", f"one <{tag}>", "Remove one of them."
+
+
+def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
+    for element in parts.get("name", ())[:1]:
+        if not _NAME.match(element.text()):
+            expected = "lower-case letters, digits, underscores and dashes, a letter first"
+            yield element, f'the name is "{_short(element.text())}"', expected, "Rename the package."
+    for element in parts.get("version", ())[:1]:
+        compatibility = element.attributes.get("compatibility")
+        for text in (element.text(), *([] if compatibility is None else [compatibility])):
+            if not _VERSION.match(text):
+                yield element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
+    for element in parts.get("description", ())[:1]:
+        if not element.markup():
+            yield element, "the description is empty", "a sentence on what the package is for", "Write one."
+    for element in parts.get("license", ()):
+        if not element.text():
+            yield element, "the licence is empty", "a name like Apache-2.0", "Name the licence."
+
+
+def _people(parts: dict[str, list[Element]]) -> Iterator[Fault]:
+    for element in (*parts.get("maintainer", ()), *parts.get("author", ())):
+        email = element.attributes.get("email")
+        name = _short(element.text())
+        if email and (len(email) > _MAXIMUM_EMAIL or not _EMAIL.match(email)):
+            what = f'the e-mail address of "{name}" is "{_short(email)}"'
+            yield element, what, "an address like name@example.org", "Correct it."
+        elif email == "" or (email is None and element.tag == "maintainer"):
+            what = f'the {element.tag} "{name}" has no e-mail address'
+            yield element, what, f'<{element.tag} email="name@example.org">', "Add the address."
+
+
+def _tags(root: Element, form: int) -> Iterator[Fault]:
+    known = _known(form)
+    yield from _attributes(root, ("format",))
+    for element in root.elements():
+        if element.tag not in known:
+            expected, advice = _instead(element.tag, form)
+            yield element, f"<{element.tag}> is no tag of format {form}", expected, advice
+            continue
+        yield from _attributes(element, known[element.tag])
+        if element.tag not in ("description", "export"):
+            for child in element.elements():
+                yield child, f"<{child.tag}> stands inside <{element.tag}>", "text only", "Move or remove it."
+
+
+def _attributes(element: Element, known: tuple[str, ...]) -> Iterator[Fault]:
+    for name in element.attributes:
+        if name not in known and name != "xmlns" and ":" not in name:
+            expected = ", ".join(known) or "no attributes"
+            if name == "condition":
+                expected = "conditions in manifests of format 3 only"
+            yield element, f'<{element.tag}> has the attribute "{name}"', expected, "Remove or correct it."
+
+
+def _known(form: int) -> dict[str, tuple[str, ...]]:
+    """Return the tags of a format with the attributes each may have."""
+    constraints = (*CONSTRAINTS, "condition") if form == 3 else CONSTRAINTS
+    known: dict[str, tuple[str, ...]] = {
+        "name": (),
+        "version": ("compatibility",),
+        "description": (),
+        "maintainer": ("email",),
+        "license": ("file",) if form == 3 else (),
+        "url": ("type",),
+        "author": ("email",),
+        "export": (),
+    }
+    known.update(dict.fromkeys(_FORMAT_1 if form == 1 else _FORMAT_2, constraints))
+    if form == 3:
+        known["group_depend"] = known["member_of_group"] = ("condition",)
+    return known
+
+
+def _instead(tag: str, form: int) -> tuple[str, str]:
+    if tag == "run_depend":
+        return "<exec_depend>", "Rename it."
+    if tag in ("exec_depend", "depend") and form == 1:
+        return "<run_depend> (and <build_depend>)", 'Rename it, or write <package format="3">.'
+    if tag in DEPENDENCY_TAGS or tag == "member_of_group":
+        return "a tag of that format", 'Write <package format="3">, which has it.'
+    return "a tag of REP-149", "Move it below <export> or remove it."
+
+
+def _relations(root: Element, parts: dict[str, list[Element]], form: int) -> Iterator[Fault]:
+    names = {element.text() for element in parts.get("name", ())[:1]}
+    groups = {element.text() for element in parts.get("member_of_group", ())}
+    for element in root.elements():
+        tag = element.tag
+        if tag not in DEPENDENCY_TAGS:
+            continue
+        text = element.text()
+        if not text:
+            yield element, f"<{tag}> is empty", "the name of a package", "Name the package or remove the tag."
+        elif tag == "group_depend":
+            if text in groups and form == 3:
+                what = f'the package depends on the group "{text}" and is a member of it'
+                yield element, what, "one of them", "Remove <group_depend> or <member_of_group>."
+        elif text in names and tag not in ("conflict", "replace"):
+            yield element, f'the package depends on itself by <{tag}> "{_short(text)}"', "another package", "Remove it."
+    yield from _redundant(parts, form)
+
+
+def _redundant(parts: dict[str, list[Element]], form: int) -> Iterator[Fault]:
+    """Yield general dependencies that a specific one repeats word for word."""
+    general = "test_depend" if form == 1 else "depend"
+    specific = ("build_depend", "run_depend") if form == 1 else ("build_depend", "build_export_depend", "exec_depend")
+    if general not in parts:
+        return
+    named = {_sentence(element): tag for tag in specific for element in parts.get(tag, ())}
+    for element in parts.get(general, ()):
+        if other := named.get(_sentence(element)):
+            text = _short(element.text())
+            what = f'<{general}> "{text}" says the same as <{other}>'
+            yield element, what, "each dependency once", f"Remove the <{other if form > 1 else general}>."
+
+
+def _sentence(element: Element) -> tuple[str | None, ...]:
+    return (element.text(), *(element.attributes.get(key) for key in (*CONSTRAINTS, "condition")))
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 80 else text[:79] + "…"

@@ -133,8 +133,12 @@ class _Reader:
         for key in document:
             if key not in valid:
                 raise self._unknown((key,), valid)
-        top = {key: self._value((key,), document[key], kind) for key, kind in _TOP.items() if key in document}
-        tables = {key: self._table(key, document[key], kind) for key, kind in _TABLES.items() if key in document}
+        top: dict[str, Any] = {
+            key: self._value((key,), document[key], kind) for key, kind in _TOP.items() if key in document
+        }
+        tables: dict[str, Any] = {
+            key: self._table(key, document[key], kind) for key, kind in _TABLES.items() if key in document
+        }
         fail_on = str(top.pop("fail_on", "error"))
         if fail_on not in FAIL_ON:
             raise DocumentError(

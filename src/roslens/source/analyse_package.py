@@ -58,6 +58,23 @@ def measure_task(task: PackageTask) -> MeasuredPackage:
             gc.enable()
 
 
+def nothing_measured(task: PackageTask, error: BaseException) -> MeasuredPackage:
+    """Return what is left of a package whose measuring ended in ``error``: its name and a failure."""
+    import traceback
+
+    failure = Failure(
+        tool="metrics",
+        what=f"the package could not be measured: {type(error).__name__}: {error}",
+        expected="measurements of its files, classes and functions",
+        advice="Please report it with the package: this is a fault of roslens",
+        entity=str(EntityId(EntityKind.PACKAGE, task.package.id)),
+        package=task.package.id,
+        detail="".join(traceback.format_exception(error)),
+    )
+    entity = Entity(str(EntityId(EntityKind.PACKAGE, task.package.id)), EntityKind.PACKAGE, task.package.name)
+    return MeasuredPackage(task.package.id, (entity,), (failure,), {}, {})
+
+
 def _measure(task: PackageTask) -> MeasuredPackage:
     from roslens.source.metrics.measure_file import measure_file
     from roslens.source.metrics.measure_package import measure_package

@@ -6,19 +6,20 @@ packages that changed -> let plug-ins look at them -> judge -> keep -> measure t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import os
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.model.quantity import Quantity
 from roslens.model.result import RunHeader, WorkspaceResult
-from roslens.model.source import Language, SourceFile
+from roslens.source.chosen_models import chosen_models, model_text
 from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, key_of
+from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
 from roslens.source.settings import SourceSettings
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
@@ -26,6 +27,7 @@ from roslens.source.workspace.find import FoundPackage, Workspace, find_workspac
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
     from roslens.plugins.discovery import Discovered
+    from roslens.plugins.outcome import Outcome
     from roslens.source.analyse_package import MeasuredPackage, PackageTask
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
@@ -38,8 +40,8 @@ class Clock(msgspec.Struct, frozen=True):
     epoch_s: float
 
 
-class Outcome(msgspec.Struct, frozen=True):
-    """Which run answers the question, and whether it had to be made."""
+class Answer(msgspec.Struct, frozen=True):
+    """Which run answers the question, whether it had to be made, and how many packages were measured for it."""
 
     run: int
     fresh: bool
@@ -58,7 +60,7 @@ def analyse(
     jobs: int = 0,
     progress: Progress | None = None,
     log: Path | None = None,
-) -> Outcome:
+) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 
     Args:
@@ -77,14 +79,15 @@ def analyse(
         DocumentError: a quality model is wrong.
         StoreError: the store cannot be written.
     """
-    from roslens.source.plugin_stage import discover_plugins
-
     watch = progress or Silent()
     watch.step("Looking for packages", 0)
     workspace = find_workspace(paths, settings.workspace)
     inventory = take_inventory(workspace, settings.workspace, cache.stats(now_s=clock.epoch_s))
-    plugins = discover_plugins(settings, base)
+    plugins = discover_plugins(settings, base, log)
     shaping = _shaping(settings, base, plugins)
+    if is_wide([member for member in plugins.members if not member.builtin]):
+        # What such a plug-in says of one package may come from a file of any other.
+        shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
     units = {
         found.package.id: key_of(shaping, found.package, inventory.files[found.package.id])
         for found in workspace.packages
@@ -93,7 +96,7 @@ def analyse(
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
     if (known := store.run_with(key)) is not None:
-        return Outcome(known, fresh=False, measured=0, packages=len(units))
+        return Answer(known, fresh=False, measured=0, packages=len(units))
     return _run(_Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log), store, cache, watch)
 
 
@@ -112,35 +115,118 @@ class _Run(msgspec.Struct, frozen=True):
 
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
     """Return a key of everything besides files that shapes a package's result."""
-    models = [_model_text(name, base) for name in settings.models]
-    members = [(member.manifest.name, member.manifest.version, member.fingerprint) for member in plugins.members]
-    shaping = msgspec.structs.replace(settings, plugins=())
-    return key_of(analyser_version(), shaping, models, members)
+    models = [model_text(name, base) for name in settings.models]
+    members = [(member.name, member.manifest.version, member.fingerprint) for member in plugins.members]
+    # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
+    return key_of(analyser_version(), msgspec.structs.replace(settings, plugins=()), models, members)
 
 
-def _model_text(name: str, base: Path) -> str:
-    path = base / name
-    return path.read_text("utf-8", "replace") if path.is_file() else name
-
-
-def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Outcome:
+def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     from roslens.source.finish_package import Finisher
-    from roslens.source.plugin_stage import PluginStage
+    from roslens.source.metrics.table import QUANTITIES
 
-    stage = PluginStage(run.plugins, run.settings, run.workspace, run.inventory.files, jobs=run.jobs, log=run.log)
-    finisher = Finisher(run.settings, _models(run, stage.quantities), run.workspace, run.inventory.files)
+    offered = {quantity.key: quantity for member in run.plugins.members for quantity in member.manifest.quantities}
+    models = chosen_models(run.settings.models, run.base, {**QUANTITIES, **offered})
+    wanted = frozenset(constraint.quantity for model in models for constraint in model.constraints)
+    files = run.inventory.files
+    packages = {found.package.id: found.package for found in run.workspace.packages}
+    finisher = Finisher(run.settings, models, packages, files, (*run.workspace.failures, *run.inventory.failures))
     changed = [found for found in run.workspace.packages if not store.has_unit(run.units[found.package.id])]
     header = _header(run)
+    rest: list[Outcome] = []
+    stage = PluginStage(
+        run.plugins, run.settings, wanted, run.workspace, files, jobs=run.jobs or os.cpu_count() or 1, log=run.log
+    )
     with stage, store.writing(header) as writer:
-        for measured in _measure(run, changed, cache, watch):
-            outcome = stage.run_package(measured)
-            writer.add(run.units[measured.package], finisher.finish(measured, outcome))
+        for measured, said in _looked_at(stage, _measured(run, changed, cache, watch), rest):
+            writer.add(run.units[measured.package], finisher.finish(measured, said))
         fresh = {found.package.id for found in changed}
         for found in run.workspace.packages:
             if found.package.id not in fresh:
                 writer.reuse(run.units[found.package.id])
-        number = writer.complete(_workspace_result(run, stage, finisher), header)
-    return Outcome(number, fresh=True, measured=len(changed), packages=len(run.units))
+        number = writer.complete(_workspace_result(run, stage, models, rest), header)
+    return Answer(number, fresh=True, measured=len(changed), packages=len(run.units))
+
+
+def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress) -> Iterator[MeasuredPackage]:
+    """Measure packages, the largest first, and keep what was learned of their files."""
+    from roslens.source.analyse_package import measure_task, nothing_measured
+
+    tasks = sorted((_task(run, found, cache) for found in changed), key=lambda task: -_bytes(task))
+    watch.step("Measuring packages", len(tasks))
+    for task, result in executor_for(run.jobs).run(measure_task, tasks):
+        if isinstance(result, BaseException):
+            measured = nothing_measured(task, result)
+        else:
+            measured = result
+            cache.put(measured.analyses)
+        watch.advance(item=measured.package)
+        yield measured
+
+
+def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
+    from roslens.source.analyse_package import PackageTask
+
+    syntax = key_of(analyser_version(), run.settings.macros)
+    files = run.inventory.files[found.package.id]
+    return PackageTask(
+        package=found.package,
+        root=run.workspace.root,
+        files=files,
+        facts_keys={
+            file.path: f"{file.content_hash}:{file.language.value}:{syntax}"
+            for file in files
+            if file.language.parsed_as
+        },
+        counting=run.settings.counting,
+        macros=run.settings.macros,
+        cache=str(cache.path) if cache.path else "",
+    )
+
+
+def _bytes(task: PackageTask) -> int:
+    return sum(file.size for file in task.files if file.language.parsed_as)
+
+
+def _looked_at(
+    stage: PluginStage, packages: Iterator[MeasuredPackage], rest: list[Outcome]
+) -> Iterator[tuple[MeasuredPackage, Outcome]]:
+    """Yield each package with what plug-ins say of it; what they say of no package goes to ``rest``."""
+    if not stage.wide:
+        for measured in packages:
+            yield measured, stage.run_package(measured)
+        return
+    all_measured = sorted(packages, key=lambda measured: measured.package)
+    outcomes = [stage.run_package(measured) for measured in all_measured]
+    shares, none = shared_out(stage.run_workspace(all_measured, outcomes), stage.files)
+    rest.append(none)
+    for measured, outcome in zip(all_measured, outcomes, strict=True):
+        share = shares.get(measured.package)
+        yield measured, outcome + share if share else outcome
+
+
+def _workspace_result(
+    run: _Run, stage: PluginStage, models: Sequence[QualityModel], rest: Sequence[Outcome]
+) -> WorkspaceResult:
+    from roslens.judge.quality_model import rules_of
+    from roslens.source.metrics.measure_workspace import measure_workspace
+    from roslens.source.metrics.table import QUANTITIES
+
+    failures: list[Failure] = [
+        failure for failure in (*run.workspace.failures, *run.inventory.failures) if not failure.package
+    ]
+    rules = {rule.id: rule for rule in (*stage.rules, *(rule for model in models for rule in rules_of(model)))}
+    return WorkspaceResult(
+        package_values=measure_workspace([found.package for found in run.workspace.packages]),
+        findings=tuple(finding for outcome in rest for finding in outcome.findings),
+        failures=(
+            *failures,
+            *run.plugins.failures,
+            *(failure for outcome in rest for failure in outcome.failures),
+        ),
+        rules=tuple(rules[key] for key in sorted(rules)),
+        quantities=tuple({**QUANTITIES, **stage.quantities}.values()),
+    )
 
 
 def _header(run: _Run) -> RunHeader:
@@ -152,7 +238,7 @@ def _header(run: _Run) -> RunHeader:
         root=run.workspace.root,
         started=run.clock.utc,
         commit=commit_of(run.workspace.root),
-        tools=tool_versions(run.plugins),
+        tools=tool_versions(run.plugins.members),
         configuration=msgspec.to_builtins(run.settings),
         models=run.settings.models,
     )

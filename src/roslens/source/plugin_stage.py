@@ -1,0 +1,170 @@
+"""Plug-ins in a run: which take part, what each package's hooks say, what those that see all packages say."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding, RuleInfo
+from roslens.model.quantity import Measurement, Quantity
+from roslens.model.source import SourceFile
+from roslens.plugins.discovery import Discovered, discover
+from roslens.plugins.member import Member
+from roslens.plugins.outcome import Outcome
+from roslens.plugins.points import FileInput, PackageInput, WorkspaceInput
+from roslens.source.analyse_package import MeasuredPackage
+from roslens.source.settings import SourceSettings
+from roslens.source.workspace.find import Workspace
+
+if TYPE_CHECKING:
+    from roslens.plugins.pool import ProcessWorkers
+
+BUILTIN = ("roslens.source.tools.cccc:plugin",)
+"""Plug-ins that come with roslens, as ``module:attribute``."""
+
+
+def discover_plugins(settings: SourceSettings, base: Path, log: Path | None = None) -> Discovered:
+    """Return the plug-ins that are there for ``settings``; relative paths start from ``base``."""
+    return discover(settings.plugins, disable=settings.disable, base=base, builtin=BUILTIN, log=log)
+
+
+class PluginStage(AbstractContextManager["PluginStage"]):
+    """The plug-ins of one run, with worker processes that live as long as it does."""
+
+    def __init__(
+        self,
+        found: Discovered,
+        settings: SourceSettings,
+        wanted: frozenset[str],
+        workspace: Workspace,
+        files: Mapping[str, tuple[SourceFile, ...]],
+        *,
+        jobs: int,
+        log: Path | None = None,
+    ) -> None:
+        """Take the plug-ins that have something to say.
+
+        One that comes with roslens runs only where a quality model asks for a quantity that it
+        gives (``wanted``): a foreign tool on every file costs more than all the rest.
+        """
+        self._settings = settings
+        self._workspace = workspace
+        self.files = files
+        self._jobs = jobs
+        self._log = log
+        self._workers: ProcessWorkers | None = None
+        self.members = tuple(member for member in found.members if takes_part(member, wanted))
+
+    @property
+    def wide(self) -> bool:
+        """Whether a plug-in looks at several packages at once, so that all must be measured before any is finished."""
+        return is_wide(self.members)
+
+    @property
+    def rules(self) -> tuple[RuleInfo, ...]:
+        """The rules of all plug-ins that take part."""
+        return tuple(rule for member in self.members for rule in member.manifest.rules)
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        """The quantities of all plug-ins that take part."""
+        return {quantity.key: quantity for member in self.members for quantity in member.manifest.quantities}
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """End the worker processes."""
+        if self._workers is not None:
+            self._workers.__exit__(kind, error, trace)
+
+    def run_package(self, measured: MeasuredPackage) -> Outcome:
+        """Return what the file and package hooks of all plug-ins say of a package."""
+        members = [member for member in self.members if {"file", "package"} & set(member.manifest.scopes)]
+        if not members:
+            return Outcome()
+        from roslens.plugins.isolation import run_package
+
+        return run_package(
+            members,
+            self._input(measured),
+            root=self._workspace.root,
+            options=self._settings.options,
+            jobs=self._jobs or 1,
+            workers=self._shared_workers(),
+        )
+
+    def run_workspace(self, measured: Sequence[MeasuredPackage], outcomes: Sequence[Outcome]) -> Outcome:
+        """Return what the hooks that see all packages say."""
+        from roslens.plugins.isolation import run_plugins
+
+        given = WorkspaceInput(self._workspace.root, tuple(self._input(package) for package in measured))
+        return run_plugins(
+            self.members,
+            given,
+            options=self._settings.options,
+            jobs=self._jobs or 1,
+            workers=self._shared_workers(),
+            findings=[finding for outcome in outcomes for finding in outcome.findings],
+            measurements=[measurement for outcome in outcomes for measurement in outcome.measurements],
+        )
+
+    def _shared_workers(self) -> ProcessWorkers:
+        if self._workers is None:
+            from roslens.plugins.pool import ProcessWorkers
+
+            limit = self._settings.time_limit_s
+            self._workers = ProcessWorkers(self._jobs or 1, time_limit_s=limit, log=self._log).__enter__()
+        return self._workers
+
+    def _input(self, measured: MeasuredPackage) -> PackageInput:
+        found = next(found for found in self._workspace.packages if found.package.id == measured.package)
+        root = Path(self._workspace.root)
+        files = tuple(
+            FileInput(file.path, str(root / file.path), file.language, file.role, measured.package, b"")
+            for file in self.files[measured.package]
+        )
+        return PackageInput(found.package, found.folder, files, measured.entities)
+
+
+def takes_part(member: Member, wanted: frozenset[str]) -> bool:
+    """Return whether a plug-in runs: all that users add do, built-in ones when a model wants what they give."""
+    return not member.builtin or any(quantity.key in wanted for quantity in member.manifest.quantities)
+
+
+def is_wide(members: Sequence[Member]) -> bool:
+    """Return whether a plug-in looks at several packages at once."""
+    return any({"repository", "workspace", "results"} & set(member.manifest.scopes) for member in members)
+
+
+def shared_out(outcome: Outcome, files: Mapping[str, tuple[SourceFile, ...]]) -> tuple[dict[str, Outcome], Outcome]:
+    """Give each package what an outcome says of it; return that by package id, and the rest."""
+    owner = {file.path: package for package, held in files.items() for file in held}
+
+    def package_of(path: str, entity: str) -> str:
+        kind, _, name = entity.partition(":")
+        if kind == "package" and name in files:
+            return name
+        return owner.get(path) or owner.get(name.partition("#")[0], "")
+
+    findings: dict[str, list[Finding]] = defaultdict(list)
+    for finding in outcome.findings:
+        findings[package_of(finding.path, finding.entity)].append(finding)
+    measurements: dict[str, list[Measurement]] = defaultdict(list)
+    for measurement in outcome.measurements:
+        measurements[package_of("", measurement.entity)].append(measurement)
+    failures: dict[str, list[Failure]] = defaultdict(list)
+    for failure in outcome.failures:
+        place = failure.location.path if failure.location else ""
+        named = failure.package if failure.package in files else package_of(place, failure.entity)
+        failures[named].append(failure)
+    parts = {
+        package: Outcome(tuple(findings[package]), tuple(measurements[package]), tuple(failures[package]))
+        for package in sorted({*findings, *measurements, *failures})
+    }
+    rest = parts.pop("", Outcome())
+    return parts, rest

@@ -1,0 +1,208 @@
+"""Whatever is wrong with the input: a clear message, the right exit code, everything else still analysed."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+CLEAN, FOUND, BAD_INPUT, NOT_ANALYSED = 0, 1, 2, 3
+
+
+def checked(roslens, robot, *more: str):
+    done = roslens("check", robot.root, "--format", "json", "--jobs", "1", *more)
+    return done, done.json()
+
+
+def names(report: dict) -> set[str]:
+    return {package["name"] for package in report["packages"]}
+
+
+def whats(report: dict) -> str:
+    return " | ".join(f"{failure['what']} {failure.get('location', '')}" for failure in report["failures"])
+
+
+def test_a_clean_workspace_is_clean(roslens, robot):
+    robot.package("good")
+    done, report = checked(roslens, robot)
+    assert (done.code, report["failures"], report["findings"]) == (CLEAN, [], [])
+
+
+def test_a_path_that_does_not_exist(roslens):
+    done = roslens("check", "nowhere")
+    assert done.code == BAD_INPUT
+    assert "nowhere" in done.err
+    assert "does not exist" in done.err
+
+
+def test_an_empty_workspace(roslens, robot):
+    done = roslens("check", robot.root)
+    assert done.code == NOT_ANALYSED
+    assert "package.xml" in done.out + done.err
+
+
+def test_broken_xml_loses_only_what_it_says(roslens, robot):
+    robot.package("good")
+    (robot.package("bad") / "package.xml").write_text("<package><name>bad</name><version>")
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    assert "bad/package.xml" in whats(report)
+    assert "good" in names(report)
+    assert any(entity["path"] == "bad/src/one.cpp" for entity in report["entities"])
+
+
+def test_a_package_without_a_name(roslens, robot):
+    robot.package("good")
+    path = robot.package("nameless") / "package.xml"
+    path.write_text(path.read_text().replace("<name>nameless</name>", ""))
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    assert "name" in whats(report)
+    assert names(report) == {"good", "nameless"}
+
+
+def test_two_packages_of_one_name(roslens, robot):
+    robot.package("twin", folder="a/twin")
+    robot.package("twin", folder="b/twin")
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    assert {package["id"] for package in report["packages"]} == {"package:twin@a/twin", "package:twin@b/twin"}
+    assert "a/twin" in whats(report)
+    assert "b/twin" in whats(report)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may read every file")
+def test_an_unreadable_file(roslens, robot):
+    path = robot.package("good") / "src" / "locked.cpp"
+    path.write_text("int x;")
+    path.chmod(0)
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    assert "locked.cpp" in whats(report)
+
+
+def test_a_file_that_does_not_parse_is_measured_but_for_that_place(roslens, robot):
+    robot.package("good", bad__cpp="int f() { return 1; }\nint g( { if if ] }\nint h() { return 2; }\n")
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    (failure, *_) = report["failures"]
+    assert failure["location"]["line"] == 2
+    assert failure["partial"]
+    assert any(entity["name"].endswith("f") for entity in report["entities"])
+    assert checked(roslens, robot, "--accept-partial")[0].code == CLEAN
+
+
+def test_odd_bytes_stop_nothing(roslens, robot):
+    source = robot.package("odd") / "src"
+    (source / "latin1.cpp").write_bytes("// caf\u00e9\nint a() { return 1; }\n".encode("latin-1"))
+    (source / "bom.py").write_bytes(b"\xef\xbb\xbfdef a():\n    return 1\n")
+    (source / "crlf.cpp").write_bytes(b"int c()\r\n{\r\n  return 1;\r\n}\r\n")
+    (source / "zero.cpp").write_bytes(b"int z() { return 1; }\n\0\0\0\n")
+    (source / "empty.cpp").write_bytes(b"")
+    (source / "loop").symlink_to(source)
+    done, report = checked(roslens, robot)
+    measured = {entity["path"] for entity in report["entities"] if entity["kind"] == "file"}
+    assert {f"odd/src/{name}" for name in ("latin1.cpp", "bom.py", "crlf.cpp", "zero.cpp", "empty.cpp")} <= measured
+    assert done.code in (CLEAN, NOT_ANALYSED)
+
+
+@pytest.mark.slow
+def test_ten_megabytes_are_only_slow(roslens, robot):
+    source = robot.package("big") / "src"
+    (source / "big.cpp").write_text(
+        "// table\nint table[] = {" + "1234567, " * 1_100_000 + "};\nint f() { return 1; }\n"
+    )
+    done, report = checked(roslens, robot)
+    assert done.code == CLEAN, whats(report)
+
+
+PLUGIN = """
+import os, time
+from roslens.plugins.points import Manifest
+from roslens.model.finding import RuleInfo
+manifest = Manifest(name="{name}", interface="1.0", version="1", text="A plug-in.", languages=("cpp",),
+    rules=(RuleInfo(id="{name}.rule", title="t", description="d", rationale="r"),))
+def analyse_file(file, report):
+    report.finding("{name}.rule", "seen", line=1)
+    {body}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "says"),
+    [
+        ("raiser", "raise KeyError('boom')", "boom"),
+        ("hanger", "time.sleep(600)", "s"),
+        ("quitter", "os._exit(7)", ""),
+        ("nonsense", "report.finding('nonsense.other', 'x')", "nonsense.other"),
+    ],
+)
+def test_a_bad_plugin_is_a_failure_and_the_rest_stands(roslens, robot, name: str, body: str, says: str):
+    robot.package("good")
+    (robot.root / "bad.py").write_text(PLUGIN.format(name=name, body=body))
+    (robot.root / "fine.py").write_text(PLUGIN.format(name="fine", body="pass"))
+    (robot.root / "roslens.toml").write_text('plugins = ["bad.py", "fine.py"]\ntime_limit_s = 2\n')
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    failures = [failure for failure in report["failures"] if failure["tool"] == name]
+    assert failures, report["failures"]
+    assert says in whats(report)
+    assert any(finding["rule"] == "fine.rule" for finding in report["findings"])
+    assert any(entity["kind"] == "function" for entity in report["entities"])
+
+
+def test_a_plugin_that_is_not_there(roslens, robot):
+    robot.package("good")
+    (robot.root / "roslens.toml").write_text('plugins = ["nowhere.py"]\n')
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    assert "nowhere.py" in str(report["failures"])
+
+
+def test_a_model_with_a_typo(roslens, robot):
+    robot.package("good")
+    (robot.root / "mine.yaml").write_text("model: mine\nconstrains: []\n")
+    (robot.root / "roslens.toml").write_text('models = ["mine.yaml"]\n')
+    done = roslens("check", robot.root)
+    assert done.code == BAD_INPUT
+    assert "mine.yaml:" in done.err
+
+
+def test_a_model_that_is_not_there_names_the_nearest(roslens, robot):
+    robot.package("good")
+    done = roslens("check", robot.root, "--model", "hiss")
+    assert done.code == BAD_INPUT
+    assert "his" in done.err
+
+
+def test_a_configuration_with_a_typo(roslens, robot):
+    robot.package("good")
+    (robot.root / "roslens.toml").write_text('modles = ["ros"]\n')
+    done = roslens("check", robot.root)
+    assert done.code == BAD_INPUT
+    assert "roslens.toml:1:1" in done.err
+    assert "models" in done.err
+
+
+def test_a_full_disk_says_so_and_leaves_no_half_report(roslens, robot, tmp_path: Path):
+    if not Path("/dev/full").exists():
+        pytest.skip("this platform has no /dev/full")
+    robot.package("good")
+    done = roslens("check", robot.root, "--format", "json", "-o", "/dev/full/report.json")
+    assert done.code == BAD_INPUT
+    assert "/dev/full" in done.err
+
+
+def test_a_wrong_tag_expression_points_at_the_place(roslens, robot):
+    robot.package("good")
+    done = roslens("check", robot.root, "--tag", "ros and (metrics")
+    assert done.code == BAD_INPUT
+    assert "ros and (metrics" in done.err
+
+
+def test_nothing_was_checked_yet(roslens, robot):
+    for verb in ("report", "serve", "clean"):
+        done = roslens(verb, robot.root)
+        assert done.code == BAD_INPUT
+        assert "roslens check" in done.err

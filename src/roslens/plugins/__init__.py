@@ -1,1 +1,1 @@
-"""Placeholder."""
+"""The seam: what a plug-in declares, how it is found, loaded, ordered, isolated and checked."""

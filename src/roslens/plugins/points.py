@@ -16,13 +16,14 @@ It is found through the entry-point group ``roslens.plugins`` or by a path in ``
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Protocol, runtime_checkable
 
 import msgspec
 
 from roslens.model.entity import Entity
-from roslens.model.finding import RuleInfo
-from roslens.model.quantity import Quantity
+from roslens.model.finding import Finding, RuleInfo
+from roslens.model.quantity import Measurement, Quantity
 from roslens.model.source import Language, Package, Role
 
 INTERFACE_VERSION = "1.0"
@@ -50,7 +51,7 @@ class Manifest(msgspec.Struct, frozen=True, omit_defaults=True):
         name: unique, lower case, letters digits and ``_``.
         interface: the version of this page it was written for.
         version: of the plug-in; part of the key of cached results.
-        scopes: any of file, package, repository, workspace, configuration; a hook for each.
+        scopes: any of file, package, repository, workspace, results, configuration; a hook for each.
         languages: values of :class:`~roslens.model.source.Language`; empty means every file.
         needs: quantities (their keys) that other plug-ins give and that must be measured first,
             programs as ``program:NAME``, or plug-ins as ``plugin:NAME``.
@@ -72,7 +73,10 @@ class Manifest(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class FileInput(msgspec.Struct, frozen=True):
-    """A file as a hook sees it. ``path`` is below the workspace root, ``absolute`` opens it."""
+    """A file as a hook sees it. ``path`` is below the workspace root, ``absolute`` opens it.
+
+    ``entities`` are the file's classes and functions as far as they are known.
+    """
 
     path: str
     absolute: str
@@ -81,12 +85,14 @@ class FileInput(msgspec.Struct, frozen=True):
     package: str
     content: bytes
     options: dict[str, Any] = {}
+    entities: tuple[Entity, ...] = ()
 
 
 class PackageInput(msgspec.Struct, frozen=True):
     """A package as a hook sees it: its manifest, folder, files and what was measured before.
 
-    ``files`` have empty ``content``: read the ones you need through ``absolute``.
+    ``folder`` is absolute. ``files`` have empty ``content``: read the ones you need through
+    ``absolute``. ``entities`` hold what was measured before, also by the plug-ins this one needs.
     """
 
     package: Package
@@ -97,11 +103,26 @@ class PackageInput(msgspec.Struct, frozen=True):
 
 
 class WorkspaceInput(msgspec.Struct, frozen=True):
-    """All packages; also given to ``repository`` hooks with the packages of one repository."""
+    """All packages; also given to ``repository`` hooks with the packages of one repository.
+
+    ``scratch`` is a folder for temporary files that lives as long as the run and is shared by its
+    plug-ins. What is left in ``artifacts`` is kept for the user; it is empty where nothing is kept.
+    """
 
     root: str
     packages: tuple[PackageInput, ...]
     repository: str = ""
+    options: dict[str, Any] = {}
+    scratch: str = ""
+    artifacts: str = ""
+
+
+class ResultsInput(msgspec.Struct, frozen=True):
+    """What all plug-ins reported, for the hook that runs after every other."""
+
+    workspace: WorkspaceInput
+    findings: tuple[Finding, ...] = ()
+    measurements: tuple[Measurement, ...] = ()
     options: dict[str, Any] = {}
 
 
@@ -124,7 +145,9 @@ class Report(Protocol):
     ) -> None:
         """Report one occurrence of ``rule``; ``path`` defaults to the file analysed.
 
-        ``context`` is the flagged source text; it makes the fingerprint survive line moves.
+        ``path`` is below the workspace root, below the package's folder, or absolute. ``entity``
+        defaults to the innermost class or function around ``line``. ``context`` is the flagged
+        source text, by default the line's; it makes the fingerprint survive line moves.
         """
 
     def measurement(self, quantity: str, value: float, *, entity: str = "") -> None:
@@ -133,12 +156,29 @@ class Report(Protocol):
     def failure(self, what: str, *, expected: str = "", advice: str = "", line: int = 0) -> None:
         """Report what could not be analysed; what was reported before stays."""
 
+    def attempt(
+        self, step: str, call: Callable[[], object], *, path: str = "", package: str = "", always: bool = False
+    ) -> bool:
+        """Run a part of a long hook so that it fails alone; return whether it ran to its end.
+
+        The time limit starts anew. An exception becomes a failure that names ``step`` (unique in
+        the hook), ``path`` and the id of ``package``. When a part hangs or takes the process down,
+        the hook starts again in a new process, without the parts that are done and the one that
+        failed; ``always`` makes a part run again then, for what others need in memory.
+        """
+        ...
+
 
 HOOKS = {
     "file": "analyse_file",
     "package": "analyse_package",
     "repository": "analyse_repository",
     "workspace": "analyse_workspace",
+    "results": "analyse_results",
     "configuration": "analyse_configuration",
 }
-"""Scope to name of the hook; each takes its input and a :class:`Report` and returns nothing."""
+"""Scope to name of the hook; each takes its input and a :class:`Report` and returns nothing.
+
+``results`` runs once, after all others. ``configuration`` is reserved: no hook of this scope is called
+before applications are extracted.
+"""

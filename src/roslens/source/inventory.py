@@ -15,7 +15,7 @@ from roslens.model.source import Language, Location, Role, SourceFile
 from roslens.source.keys import content_hash, key_of
 from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
-from roslens.source.workspace.languages import classify, language_by_name
+from roslens.source.workspace.languages import classify, header_language, language_by_name
 from roslens.store.cache import FileStat
 
 LARGEST_UNNAMED_BYTES = 1 << 20
@@ -54,8 +54,20 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
                 kept.append(
                     SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash)
                 )
-        files[found.package.id] = tuple(kept)
+        files[found.package.id] = _with_headers(kept)
     return Inventory(files, tuple(failures), learned)
+
+
+def _with_headers(files: list[SourceFile]) -> tuple[SourceFile, ...]:
+    """Return the files with their ``.h`` headers in the language of the package."""
+    headers = header_language(file.path for file in files)
+    return tuple(
+        msgspec.structs.replace(file, language=headers) if _is_open_header(file, headers) else file for file in files
+    )
+
+
+def _is_open_header(file: SourceFile, headers: Language) -> bool:
+    return file.path.endswith(".h") and file.language in (Language.C, Language.CPP) and file.language is not headers
 
 
 def _unchanged(stat: FileStat, entry: FoundFile, rules: str) -> bool:

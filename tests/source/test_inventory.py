@@ -1,0 +1,65 @@
+from pathlib import Path
+
+import msgspec
+
+from roslens.model.source import Language, Role
+from roslens.source.inventory import take_inventory
+from roslens.source.keys import content_hash
+from roslens.source.settings import WorkspaceSettings
+from roslens.source.workspace.find import Workspace, find_workspace
+
+MANIFEST = (
+    "<package format='2'><name>{}</name><version>1.0.0</version><description>d</description>"
+    "<maintainer email='a@b.c'>a</maintainer><license>BSD</license></package>"
+)
+
+
+def workspace(root: Path, **files: str) -> Workspace:
+    for key, text in {"package__xml": MANIFEST.format("arm"), **files}.items():
+        path = root / "arm" / key.replace("__", ".")
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
+    return find_workspace([root], WorkspaceSettings())
+
+
+def test_files_have_language_role_and_hash(tmp_path: Path):
+    found = take_inventory(workspace(tmp_path, a__cpp="int a;", test_b__py="x = 1"), WorkspaceSettings(), {})
+    files = {file.path: file for file in found.files["arm"]}
+    assert files["arm/a.cpp"].language is Language.CPP
+    assert files["arm/a.cpp"].content_hash == content_hash(b"int a;")
+    assert files["arm/test_b.py"].role is Role.TEST
+
+
+def test_what_is_known_is_not_opened(tmp_path: Path):
+    seen = workspace(tmp_path, a__cpp="int a;")
+    first = take_inventory(seen, WorkspaceSettings(), {})
+    (tmp_path / "arm" / "a.cpp").chmod(0)
+    lied = {path: stat._replace(content_hash="told by the cache") for path, stat in first.learned.items()}
+    second = take_inventory(seen, WorkspaceSettings(), lied)
+    assert second.learned == {}
+    assert {file.content_hash for file in second.files["arm"]} == {"told by the cache"}
+
+
+def test_other_settings_look_again(tmp_path: Path):
+    seen = workspace(tmp_path, a__cpp="int a;")
+    first = take_inventory(seen, WorkspaceSettings(), {})
+    second = take_inventory(seen, WorkspaceSettings(vendored=("arm/**",)), first.learned)
+    assert {file.role for file in second.files["arm"] if file.path.endswith(".cpp")} == {Role.VENDORED}
+
+
+def test_a_header_is_c_only_among_c(tmp_path: Path):
+    found = take_inventory(workspace(tmp_path, a__c="int a;", a__h="int a;"), WorkspaceSettings(), {})
+    assert {file.language for file in found.files["arm"] if file.path.endswith(".h")} == {Language.C}
+    found = take_inventory(workspace(tmp_path, b__cpp="int b;"), WorkspaceSettings(), {})
+    assert {file.language for file in found.files["arm"] if file.path.endswith(".h")} == {Language.CPP}
+
+
+def test_a_file_that_went_away_meanwhile_is_a_failure(tmp_path: Path):
+    seen = workspace(tmp_path, a__cpp="int a;", b__cpp="int b;")
+    (tmp_path / "arm" / "a.cpp").unlink()
+    found = take_inventory(seen, WorkspaceSettings(), {})
+    (failure,) = found.failures
+    assert failure.location is not None
+    assert failure.location.path == "arm/a.cpp"
+    assert failure.package == "arm"
+    assert "arm/b.cpp" in msgspec.json.encode(found.files).decode()

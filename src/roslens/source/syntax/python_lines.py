@@ -1,0 +1,37 @@
+"""Where lines begin in Python source, and which of them are executed."""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
+from itertools import accumulate, compress, product
+from zlib import crc32
+
+_PUNCTUATION = tuple("".join(marks) for length in (1, 2, 3) for marks in product("()[]{},:;", repeat=length))
+_NOT_EXECUTED = frozenset(crc32(text.encode()) for text in (*_PUNCTUATION, "else:", "try:", "finally:"))
+
+
+class LineMap:
+    """Lines of a source text: numbers of positions, and how many lines of a span are executed.
+
+    A line is executed when it holds a token, but not when it holds nothing besides at most three brackets, commas,
+    colons and semicolons, nor when it is a bare ``else:``, ``try:`` or ``finally:``. Comments and docstrings hold no
+    token; every line of another string does.
+    """
+
+    def __init__(self, source: bytes, hashes: Sequence[int], numbers: Sequence[int]) -> None:
+        """Find the line starts of ``source``; the hashes of its code lines and their numbers tell what is on them."""
+        self._starts = list(accumulate(map(len, source.splitlines(keepends=True)), initial=0))
+        self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in hashes]))
+
+    def number(self, position: int) -> int:
+        """Return the 1-based line of a byte position."""
+        return bisect_right(self._starts, position)
+
+    def start(self, line: int) -> int:
+        """Return the position that a line begins at."""
+        return self._starts[line - 1]
+
+    def executed(self, first: int, last: int) -> int:
+        """Return how many of the lines from ``first`` to ``last`` are executed."""
+        return bisect_right(self._executed, last) - bisect_left(self._executed, first)

@@ -1,0 +1,70 @@
+"""Which class is meant where a type's name is used."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslens.source.metrics.class_names import ClassNames
+from roslens.source.metrics.language_library import in_cpp_library, in_python_library
+
+_ALIAS_WORDS = (
+    "Ptr ConstPtr SharedPtr ConstSharedPtr UniquePtr WeakPtr ConstWeakPtr iterator const_iterator reverse_iterator "
+    "value_type size_type key_type mapped_type reference const_reference type Request Response Goal Result Feedback"
+)
+_NESTED_ALIASES = frozenset(_ALIAS_WORDS.split())
+"""Names inside a class that stand for the class: pointers to it and, of ROS interfaces, their parts."""
+
+_POINTER_ENDINGS = ("ConstPtr", "Ptr")
+
+
+def used_classes(names: Iterable[str], scope: str, known: ClassNames, syntax: str) -> set[str]:
+    """Return the classes that ``names`` mean inside ``scope``.
+
+    Classes of the package appear under their full name; others as written, but without the aliases
+    that stand for them (``nav_msgs::Odometry::ConstPtr`` and ``nav_msgs::OdometryConstPtr`` are
+    ``nav_msgs::Odometry``), and once where they are written with and without their scope. What
+    belongs to the language's own library is left out.
+    """
+    meaning = _cpp_class if syntax == "cpp" else _python_class
+    separator = "::" if syntax == "cpp" else "."
+    found = {one for name in names if (one := meaning(name, scope, known))}
+    scoped = {name.rpartition(separator)[2] for name in found if separator in name}
+    return {name for name in found if separator in name or name not in scoped}
+
+
+def _cpp_class(written: str, scope: str, known: ClassNames) -> str | None:
+    name = written.removeprefix("::")
+    found = known.find(name, scope)
+    if found or in_cpp_library(name):
+        return found
+    first, _, last = name.rpartition("::")
+    while first and last in _NESTED_ALIASES:
+        name = first
+        first, _, last = name.rpartition("::")
+    pointed_to = _without_pointer(name)
+    found = known.find(name, scope) or known.find(pointed_to, scope) or _holder(first, scope, known)
+    if found:
+        return found
+    return pointed_to if first else name
+
+
+def _without_pointer(name: str) -> str:
+    for ending in _POINTER_ENDINGS:
+        if name.endswith(ending) and not name.endswith("::" + ending):
+            return name.removesuffix(ending)
+    return name
+
+
+def _holder(name: str, scope: str, known: ClassNames) -> str | None:
+    """Return the class of the package that an enumeration or alias inside it is named by."""
+    while name:
+        found = known.find(name, scope)
+        if found:
+            return found
+        name = name.rpartition("::")[0]
+    return None
+
+
+def _python_class(name: str, scope: str, known: ClassNames) -> str | None:
+    found = known.find(name, scope)
+    return found or (None if in_python_library(name) else name)

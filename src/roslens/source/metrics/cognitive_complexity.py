@@ -1,0 +1,69 @@
+"""Cognitive complexity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from roslens.model.entity import EntityKind
+from roslens.model.quantity import Fold, Quantity
+from roslens.source.metrics.countable import countable, countable_control
+from roslens.source.settings import CountingSettings
+from roslens.source.syntax.facts import Control, FunctionFacts
+
+QUANTITY = Quantity(
+    key="cognitive_complexity",
+    title="Cognitive complexity",
+    unit="",
+    kinds=(EntityKind.FUNCTION,),
+    text="How hard the flow of a function is to follow: breaks in it count, and count more the deeper they are nested.",
+    folds=(Fold.MEAN, Fold.MAX),
+    formula="sum over the function of: if, ?:, switch / match, for, while, do, catch / except and #if: 1 + nesting; "
+    "elif, else (of loops and try, too) and #else: 1; goto: 1; every sequence of like && or ||: 1; a function that "
+    "calls itself: 1. Nesting rises by one inside each of the structures named first, inside elif and else, inside a "
+    "lambda, and for a function inside a function",
+    source="SonarSource, Cognitive Complexity, version 1.7, 2023, appendix B",
+    limits="Recursion through other functions is not seen. `a || b && c || d` counts two sequences, as clang-tidy "
+    "does; the white paper's reading from left to right has three. A comprehension counts none. A Python function "
+    "inside a function is measured on its own, with nesting 1, and not added to the outer one. Without "
+    "`counting.alternatives` only the first arm of an `#if` counts, and `#if` none; without `counting.lambdas` "
+    "lambdas are passed over.",
+    decimals=1,
+)
+
+_STRUCTURES = frozenset({"if", "ternary", "switch", "for", "while", "do", "catch"})
+_ARMS = frozenset({"elif", "else", "loop_else", "try_else"})
+_OPERATORS = frozenset({"and", "or"})
+_PREPROCESSOR = frozenset({"preproc_if", "preproc_else"})
+_COUNTED = _STRUCTURES | _ARMS | _OPERATORS | _PREPROCESSOR | {"goto"}
+
+
+def of_function(facts: FunctionFacts, counting: CountingSettings) -> float:
+    """Return the cognitive complexity of a function."""
+    counts = facts.counts
+    recursion = "recursion" in counts and "recursion" in countable(facts, counting)
+    if _COUNTED.isdisjoint(counts):
+        return 1 if recursion else 0
+    control = countable_control(facts, counting)
+    return recursion + _of_control(control, 1 if facts.nested_in else 0, arms_of_if=counting.alternatives)
+
+
+def _of_control(control: Sequence[Control], start: int, *, arms_of_if: bool) -> int:
+    total = 0
+    # From the function inwards: the roles around an event, the nesting they stand at, the nesting inside them.
+    roles, around, inside = ["function"], [start], [start]
+    for event in control:
+        role, above = event.role, min(event.depth, len(roles) - 1) + 1
+        del roles[above:], around[above:], inside[above:]
+        nesting = inside[-1] if event.part == "body" else around[-1]
+        deeper = nesting + 1
+        if role in _STRUCTURES or (role == "preproc_if" and arms_of_if):
+            total += 1 + nesting
+        elif role in _ARMS or (role == "preproc_else" and arms_of_if):
+            total += 1
+        elif role != "lambda":
+            deeper = nesting
+            total += role == "goto" or (role in _OPERATORS and roles[-1] != role)
+        roles.append(role)
+        around.append(nesting)
+        inside.append(deeper)
+    return total

@@ -1,0 +1,202 @@
+"""YAML text as a tree of nodes that know their place. Built from events: no object is ever constructed."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import msgspec
+
+from roslens.model.errors import DocumentError
+from roslens.model.source import Location
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+MAX_DEPTH = 20
+"""Lists and tables inside each other; no document of ours needs five."""
+
+MAX_BYTES = 1_000_000
+_BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
+_UNREADABLE = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+class Place(msgspec.Struct, frozen=True, array_like=True):
+    """Where a node begins: 1-based line, 0-based column in characters."""
+
+    line: int
+    column: int
+
+
+class Scalar(msgspec.Struct, frozen=True):
+    """A single value as written; ``plain`` when it stands without quotes."""
+
+    place: Place
+    text: str
+    plain: bool
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is no value at all (``key:``, ``key: ~`` or ``key: null``)."""
+        return self.plain and self.text in {"", "~", "null", "Null", "NULL"}
+
+
+class Items(msgspec.Struct, frozen=True):
+    """A list."""
+
+    place: Place
+    nodes: tuple[Node, ...]
+
+
+class Table(msgspec.Struct, frozen=True):
+    """A mapping from texts to nodes, with the place of each key."""
+
+    place: Place
+    nodes: dict[str, Node]
+    keys: dict[str, Place]
+
+
+Node = Scalar | Items | Table
+
+
+class Tree(msgspec.Struct, frozen=True):
+    """A document: its name as shown in messages, its text, its outermost node (None when empty)."""
+
+    shown: str
+    text: str
+    root: Node | None
+
+    def location(self, place: Place) -> Location:
+        """Return a place as a location with its column in bytes."""
+        return _location(self.shown, self.text, place)
+
+
+def read_tree(content: bytes, shown: str) -> Tree:
+    """Read a YAML document.
+
+    Args:
+        content: the bytes of the file.
+        shown: the name of the file in messages.
+
+    Raises:
+        DocumentError: the bytes are not UTF-8, the text is no YAML, holds several documents, nests too deeply or
+            names a key twice.
+    """
+    text = _decode(content, shown)
+    return Tree(shown, text, _Builder(shown, text).build())
+
+
+def _decode(content: bytes, shown: str) -> str:
+    if len(content) > MAX_BYTES:
+        raise DocumentError(f"a file of {len(content):,} bytes", where=shown, expected=f"at most {MAX_BYTES:,} bytes")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        before = error.object[: error.start]
+        line_start = before.rfind(b"\n") + 1
+        raise DocumentError(
+            f"byte 0x{error.object[error.start]:02x} is not UTF-8",
+            where=Location(shown, before.count(b"\n") + 1, error.start - line_start + 1),
+            expected="a text file in UTF-8",
+            advice="Save the file in that encoding",
+        ) from None
+
+
+def _location(shown: str, text: str, place: Place) -> Location:
+    lines = _BREAK.split(text)
+    before = lines[place.line - 1][: place.column] if place.line <= len(lines) else ""
+    return Location(shown, place.line, len(before.encode()) + 1)
+
+
+class _Builder:
+    """Builds nodes from the events of one text."""
+
+    def __init__(self, shown: str, text: str) -> None:
+        self._shown = shown
+        self._text = text
+        self._anchors: dict[str, Node] = {}
+        self._events: Iterator[Any] = iter(())
+
+    def build(self) -> Node | None:
+        import yaml
+
+        if unreadable := _UNREADABLE.search(self._text):
+            lines = _BREAK.split(self._text[: unreadable.start()])
+            place = Place(len(lines), len(lines[-1]))
+            self._fail(place, f"character {unreadable[0]!r}", "text without control characters", "Remove it")
+        root: Node | None = None
+        try:
+            self._events = yaml.parse(self._text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+            for event in self._events:
+                if isinstance(event, yaml.DocumentStartEvent):
+                    if root is not None:
+                        self._fail(_place(event), "a second document", "one document in a file", "Remove from `---` on")
+                    root = self._node(next(self._events), 0)
+        except yaml.MarkedYAMLError as error:
+            self._broken(error)
+        return None if isinstance(root, Scalar) and root.empty else root
+
+    def _node(self, event: Any, depth: int) -> Node:
+        import yaml
+
+        if depth > MAX_DEPTH:
+            self._fail(_place(event), f"more than {MAX_DEPTH} levels", "lists and tables that are less deeply nested")
+        if isinstance(event, yaml.AliasEvent):
+            if event.anchor not in self._anchors:
+                self._fail(_place(event), f"'*{event.anchor}' refers to nothing", f"an anchor '&{event.anchor}' before")
+            return self._anchors[event.anchor]
+        if event.tag:
+            self._fail(_place(event), f"the YAML tag {event.tag!r}", "a value without a tag", "Remove it")
+        node: Node
+        if isinstance(event, yaml.ScalarEvent):
+            node = Scalar(_place(event), event.value, event.style in {None, ""})
+        elif isinstance(event, yaml.SequenceStartEvent):
+            node = Items(_place(event), tuple(self._list(depth)))
+        else:
+            node = self._table(_place(event), depth)
+        if event.anchor:
+            self._anchors[event.anchor] = node
+        return node
+
+    def _list(self, depth: int) -> Iterator[Node]:
+        import yaml
+
+        while not isinstance(event := next(self._events), yaml.SequenceEndEvent):
+            yield self._node(event, depth + 1)
+
+    def _table(self, place: Place, depth: int) -> Table:
+        import yaml
+
+        nodes: dict[str, Node] = {}
+        keys: dict[str, Place] = {}
+        while not isinstance(event := next(self._events), yaml.MappingEndEvent):
+            key = self._node(event, depth + 1)
+            if not isinstance(key, Scalar):
+                self._fail(key.place, "a list or table as a key", "a word before the colon")
+            if key.text in keys:
+                first = keys[key.text].line
+                self._fail(key.place, f"key {key.text!r} a second time", f"it once (first in line {first})")
+            keys[key.text] = key.place
+            nodes[key.text] = self._node(next(self._events), depth + 1)
+        return Table(place, nodes, keys)
+
+    def _fail(self, place: Place, what: str, expected: str, advice: str = "") -> NoReturn:
+        raise DocumentError(what, where=_location(self._shown, self._text, place), expected=expected, advice=advice)
+
+    def _broken(self, error: Any) -> NoReturn:
+        mark = error.problem_mark or error.context_mark
+        place = Place(mark.line + 1, mark.column)
+        lines = _BREAK.split(self._text)
+        line = lines[mark.line] if mark.line < len(lines) else ""
+        if "\t" in line[: len(line) - len(line.lstrip())]:
+            column = line.index("\t")
+            self._fail(Place(place.line, column), "a tab in the indentation", "spaces", "Replace the tab by spaces")
+        quoted = f" at {line.strip()[:60]!r}" if line.strip() else ""
+        context = f" {error.context}" if error.context else ""
+        self._fail(
+            place, f"cannot be read as YAML{quoted}: {error.problem}{context}", "`key: value` lines and `- ` lists"
+        )
+
+
+def _place(event: Any) -> Place:
+    return Place(event.start_mark.line + 1, event.start_mark.column)

@@ -207,7 +207,7 @@ def _other_encoding(content: bytes, reading: _Reading, fault: Fault) -> tuple[st
         return None
     what = f'the byte "0x{content[bad]:02X}" is not UTF-8'
     advice = "Save the file as UTF-8; it was read as Latin-1."
-    return "iso-8859-1", Fault(what, bad, "text in the encoding that the file declares, or UTF-8", advice)
+    return "iso-8859-1", Fault(what, bad, "UTF-8 or a declared encoding", advice)
 
 
 def _broken(content: bytes, reason: str, offset: int) -> Fault:

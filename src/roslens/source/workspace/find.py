@@ -205,10 +205,10 @@ _SOURCE = frozenset(
 
 def _outside(folder: PackageFolder) -> FoundPackage | None:
     """Return the pseudo package of the source files in no package, with their CMake files."""
-    languages = [(file, language_by_name(file.path)) for file in folder.files]
-    if not any(language in _SOURCE for _, language in languages):
+    source = [file for file in folder.files if _is_source(file.path)]
+    if not source:
         return None
-    kept = [file for file, language in languages if language in _SOURCE or language is Language.CMAKE]
+    kept = source + [file for file in folder.files if language_by_name(file.path) is Language.CMAKE]
     package = Package(
         id=OUTSIDE_PACKAGES,
         name=OUTSIDE_PACKAGES,
@@ -217,6 +217,12 @@ def _outside(folder: PackageFolder) -> FoundPackage | None:
         description="Source files that belong to no package",
     )
     return FoundPackage(package, folder.folder, tuple(sorted(kept, key=_path)))
+
+
+def _is_source(path: str) -> bool:
+    language = language_by_name(path)
+    # Where the content decides what it is, it is source either way.
+    return language in _SOURCE or (language is None and path.endswith((".py", ".test")))
 
 
 def _empty(starts: Sequence[str], root: str, seen: Walked) -> Failure:
@@ -229,7 +235,7 @@ def _empty(starts: Sequence[str], root: str, seen: Walked) -> Failure:
         advice = f'Give "{around}", the package around it.'
     return Failure(
         "workspace",
-        f"no package and no source file below {', '.join(repr(start) for start in starts)}",
+        "no package and no source file below " + ", ".join(f'"{start}"' for start in starts),
         f"folders with a {MANIFEST_NAME}",
         advice,
         Location(where),

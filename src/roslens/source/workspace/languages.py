@@ -43,7 +43,7 @@ def language_by_name(path: str) -> Language | None:
     if not dot or not stem:
         return None
     language = _BY_SUFFIX.get(suffix) or _BY_SUFFIX.get(suffix.lower(), Language.OTHER)
-    if language in _LAUNCH_OF:
+    if language in _LAUNCH_OF and suffix not in _XML_ONLY:
         return _launch_by_name(language, folder, stem)
     return None if suffix in _OPEN else language
 
@@ -100,6 +100,8 @@ _BY_SUFFIX = {
     "urdf": Language.URDF,
     "xacro": Language.XACRO,
 }
+
+_XML_ONLY = frozenset(("sdf", "world", "xsd", "ui"))
 
 _OPEN = frozenset(("test", "cfg"))
 """Suffixes of rostest files and of dynamic_reconfigure's Python scripts, but of other things too."""

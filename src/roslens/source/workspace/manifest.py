@@ -150,15 +150,21 @@ class _Reader:
         )
 
     def _build_type(self, exports: tuple[Export, ...]) -> str:
-        active = [export for export in exports if export.tag == "build_type" and export.active and export.text]
+        active = [export for export in exports if export.tag == "build_type" and export.active]
+        if not active:
+            return DEFAULT_BUILD_TYPE
+        first = active[0]
+        if not first.text or first.content:
+            advice = f'Write one; "{DEFAULT_BUILD_TYPE}" was taken.'
+            expected = "a name like ament_cmake"
+            self.failures.append(_failure(self._path, "<build_type> has no name", expected, advice, first.location))
+            return DEFAULT_BUILD_TYPE
         if len(active) > 1:
             types = ", ".join(f'"{export.text}"' for export in active)
-            advice = f'Give them conditions that exclude each other; "{active[0].text}" was taken.'
+            advice = f'Give them conditions that exclude each other; "{first.text}" was taken.'
             what = f"{len(active)} build types hold at once, {types}"
-            self.failures.append(
-                _failure(self._path, what, "one <build_type>", advice, active[1].location),
-            )
-        return active[0].text if active else DEFAULT_BUILD_TYPE
+            self.failures.append(_failure(self._path, what, "one <build_type>", advice, active[1].location))
+        return first.text
 
     def _holds(self, element: Element) -> bool:
         condition = element.attributes.get("condition")

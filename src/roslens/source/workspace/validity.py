@@ -171,7 +171,7 @@ def _relations(root: Element, parts: dict[str, list[Element]], form: int) -> Ite
 
 
 def _redundant(parts: dict[str, list[Element]], form: int) -> Iterator[Fault]:
-    """Yield general dependencies that a specific one repeats word for word."""
+    """Yield general dependencies that a specific or an earlier general one says word for word."""
     general = "test_depend" if form == 1 else "depend"
     specific = ("build_depend", "run_depend") if form == 1 else ("build_depend", "build_export_depend", "exec_depend")
     if general not in parts:
@@ -182,6 +182,8 @@ def _redundant(parts: dict[str, list[Element]], form: int) -> Iterator[Fault]:
             text = _short(element.text())
             what = f'<{general}> "{text}" says the same as <{other}>'
             yield element, what, "each dependency once", f"Remove the <{other if form > 1 else general}>."
+        elif form > 1:
+            named[_sentence(element)] = general
 
 
 def _sentence(element: Element) -> tuple[str | None, ...]:

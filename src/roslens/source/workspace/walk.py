@@ -154,7 +154,7 @@ class _Walker:
         try:
             stat = Path(absolute).stat()
         except OSError as error:
-            if language_by_name(path) is not Language.OTHER:
+            if language_by_name(path) not in (None, Language.OTHER):
                 what = f'the link to "{_shown(os.fspath(Path(absolute).readlink()))}" leads nowhere, {error.strerror}'
                 self._fail(path, what, "a link to a file that exists")
             return

@@ -1,0 +1,72 @@
+"""Opening SQLite the way both the store and the cache need it."""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+from pathlib import Path
+from urllib.parse import quote
+
+
+def connect(path: Path | None, *, wait_s: float, writable: bool = True) -> sqlite3.Connection:
+    """Open the file, or a database in memory for None.
+
+    Statements commit on their own unless a transaction was begun. Several threads may read through one connection.
+    A file in a folder that cannot be written (a read-only medium) can still be read.
+
+    Args:
+        path: of the file; it is made if it is missing and ``writable``.
+        wait_s: how long a statement waits for another process's lock.
+        writable: whether the file may be made and changed.
+
+    Raises:
+        sqlite3.Error: the file cannot be opened.
+    """
+    writable = writable and (path is None or os.access(path.parent, os.W_OK))
+    connection = sqlite3.connect(
+        _address(path, writable=writable),
+        timeout=wait_s,
+        isolation_level=None,
+        check_same_thread=False,
+        uri=True,
+    )
+    try:
+        connection.execute("PRAGMA foreign_keys = ON")
+        # With a write-ahead log, a power failure may then lose the last commit, never the file.
+        connection.execute("PRAGMA synchronous = NORMAL")
+    except BaseException:
+        connection.close()
+        raise
+    return connection
+
+
+def write_ahead(connection: sqlite3.Connection) -> None:
+    """Make a new file one whose last commit can be read while another process writes.
+
+    Raises:
+        sqlite3.Error: the file cannot be written.
+    """
+    # Only before the first page is written: freed pages can then be given back without rewriting the file.
+    connection.execute("PRAGMA auto_vacuum = INCREMENTAL")
+    connection.execute("PRAGMA journal_mode = WAL")
+
+
+def shrink(connection: sqlite3.Connection) -> None:
+    """Give pages that are no longer used back to the file system.
+
+    Raises:
+        sqlite3.Error: the file cannot be written.
+    """
+    # Not execute(): that takes a single step, and each step frees a single page.
+    connection.executescript("PRAGMA incremental_vacuum")
+
+
+def _address(path: Path | None, *, writable: bool) -> str:
+    if path is None:
+        return ":memory:"
+    address = f"file:{quote(str(path.absolute()))}"
+    if writable:
+        return f"{address}?mode=rwc"
+    # Without a log beside it the file is complete; SQLite could not make the log's index in such a folder anyway.
+    alone = not os.access(path.parent, os.W_OK) and not path.with_name(path.name + "-wal").exists()
+    return f"{address}?mode=ro&immutable=1" if alone else f"{address}?mode=ro"

@@ -1,0 +1,72 @@
+"""One writer at a time: wait for the other one, or say which it is."""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+import time
+from pathlib import Path
+
+from roslens.model.errors import StoreError
+from roslens.store.sqlite_errors import as_store_errors
+
+_POLL_MS = 100
+
+
+def claim(connection: sqlite3.Connection, path: Path | None, started: str, wait_s: float) -> None:
+    """Begin the one transaction that may write, or wait for the one that does.
+
+    Who holds the lock must be readable by those who wait, so its name is committed first; the lock is then taken
+    again, and the name checked, because another process may have slipped in between.
+
+    Raises:
+        StoreError: the lock was not free in time; names the process that holds it.
+    """
+    me = (os.getpid(), started)
+    deadline = time.monotonic() + wait_s
+    with as_store_errors(path):
+        before = connection.execute("PRAGMA busy_timeout").fetchone()[0]
+        # Short waits in SQLite, the long one here: an interrupt is then answered at once.
+        connection.execute(f"PRAGMA busy_timeout = {_POLL_MS}")
+        try:
+            while True:
+                _begin(connection, path, deadline, wait_s)
+                if connection.execute("SELECT pid, started FROM writer").fetchone() == me:
+                    return
+                connection.execute("INSERT OR REPLACE INTO writer (only, pid, started) VALUES (1, ?, ?)", me)
+                connection.execute("COMMIT")
+        except BaseException:
+            release(connection)
+            raise
+        finally:
+            connection.execute(f"PRAGMA busy_timeout = {before}")
+
+
+def release(connection: sqlite3.Connection) -> None:
+    """Discard what was not committed."""
+    if connection.in_transaction:
+        connection.execute("ROLLBACK")
+
+
+def _begin(connection: sqlite3.Connection, path: Path | None, deadline: float, wait_s: float) -> None:
+    while True:
+        try:
+            connection.execute("BEGIN IMMEDIATE")
+        except sqlite3.OperationalError as error:
+            if "locked" not in str(error):
+                raise
+            if time.monotonic() >= deadline:
+                raise _taken(connection, path, wait_s) from error
+        else:
+            return
+
+
+def _taken(connection: sqlite3.Connection, path: Path | None, wait_s: float) -> StoreError:
+    pid, started = connection.execute("SELECT pid, started FROM writer").fetchone() or ("unknown", "")
+    since = f", started {started}" if started else ""
+    return StoreError(
+        f"another run is writing to the store (process {pid}{since})",
+        where=str(path or "the store in memory"),
+        expected=f"the store to be free within {wait_s:g} s",
+        advice="Wait until it is finished, or run with --no-store",
+    )

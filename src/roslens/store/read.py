@@ -1,0 +1,271 @@
+"""Reading one complete run: what reports and pages ask, answered with SQL and loaded only as far as it is asked."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Collection, Iterable, Iterator
+from functools import cached_property
+from itertools import groupby
+from operator import itemgetter
+from pathlib import Path
+
+import msgspec
+
+from roslens.model.entity import Entity, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.quantity import Quantity
+from roslens.model.result import PackageResult, PackageSummary, RunHeader, WorkspaceResult
+from roslens.model.source import SourceFile
+from roslens.model.tags import TagFilter, tag_filter
+from roslens.store import rows
+from roslens.store.columns import columns_of
+from roslens.store.question import Conditions, Run
+from roslens.store.sqlite_errors import as_store_errors
+from roslens.store.values import (
+    PackageValues,
+    all_numbers,
+    extreme_numbers,
+    named_numbers,
+    with_package_values,
+)
+
+_decode_rules = msgspec.json.Decoder(tuple[RuleInfo, ...]).decode
+_decode_quantities = msgspec.json.Decoder(tuple[Quantity, ...]).decode
+
+
+class RunView:
+    """One complete run.
+
+    Everything comes in a fixed order: packages by id (files outside packages last), within a package files, entities
+    and failures as analysed and findings by path, line and column; what belongs to no package comes last, under the
+    package ``""``. Methods that return iterators read while they are iterated. All of them raise StoreError when the
+    store cannot be read.
+    """
+
+    def __init__(self, connection: sqlite3.Connection, path: Path | None, run: int, header: RunHeader) -> None:
+        """Use :meth:`roslens.store.runs.Store.view`."""
+        self._run = Run(connection, path, run)
+        self.id = run
+        self.header = header
+
+    @cached_property
+    def workspace(self) -> WorkspaceResult:
+        """What only the packages together show."""
+        with as_store_errors(self._run.path):
+            rules, quantities, unit = self._run.connection.execute(
+                "SELECT vocabulary.rules, vocabulary.quantities, run.workspace "
+                "FROM run JOIN vocabulary ON vocabulary.id = run.vocabulary WHERE run.id = ?",
+                (self.id,),
+            ).fetchone()
+            package_values: dict[str, dict[str, float]] = {}
+            for package, quantity, value in self._run.connection.execute(
+                "SELECT package, quantity, value FROM package_value WHERE run = ? ORDER BY package, quantity",
+                (self.id,),
+            ):
+                package_values.setdefault(package, {})[quantity] = value
+            return WorkspaceResult(
+                package_values=package_values,
+                findings=_unit_findings(self._run.connection, unit),
+                failures=_unit_failures(self._run.connection, unit),
+                rules=_decode_rules(rules),
+                quantities=_decode_quantities(quantities),
+            )
+
+    @cached_property
+    def _package_values(self) -> dict[str, dict[str, float]]:
+        values: dict[str, dict[str, float]] = {}
+        with as_store_errors(self._run.path):
+            for package, quantity, value in self._run.connection.execute(
+                "SELECT package, quantity, value FROM package_value WHERE run = ? ORDER BY package, quantity",
+                (self.id,),
+            ):
+                values.setdefault(package, {})[quantity] = value
+        return values
+
+    def rules(self) -> tuple[RuleInfo, ...]:
+        """Return every rule that a finding of the run may name."""
+        return self.workspace.rules
+
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Return everything that may have been measured."""
+        return self.workspace.quantities
+
+    def packages(self) -> tuple[PackageSummary, ...]:
+        """Return the summaries of all packages, with what only the packages together show among their values."""
+        with as_store_errors(self._run.path):
+            found = self._run.connection.execute(
+                "SELECT unit.summary FROM run_unit CROSS JOIN unit ON unit.id = run_unit.unit "
+                "WHERE run_unit.run = ? AND unit.package <> '' ORDER BY run_unit.position",
+                (self.id,),
+            ).fetchall()
+        return tuple(self._with_package_values(rows.to_summary(row[0])) for row in found)
+
+    def package(self, package: str) -> PackageResult | None:
+        """Return everything known of the package with this id."""
+        with as_store_errors(self._run.path):
+            found = self._run.connection.execute(
+                "SELECT unit.id FROM run_unit JOIN unit ON unit.id = run_unit.unit "
+                "WHERE run_unit.run = ? AND unit.package = ? AND unit.package <> ''",
+                (self.id, package),
+            ).fetchone()
+            return read_unit(self._run.connection, found[0], self._package_values) if found else None
+
+    def files(self, *, package: str | None = None, path: str | None = None) -> Iterator[tuple[str, SourceFile]]:
+        """Yield package ids and files."""
+        where = Conditions()
+        where.package(package)
+        where.equal("file.path", path)
+        for row in self._run.rows(f"unit.package, {rows.FILE}", "file", where, unit=True):
+            yield row[0], rows.to_file(row[1:])
+
+    def entities(
+        self, *, package: str | None = None, kind: EntityKind | None = None, path: str | None = None
+    ) -> Iterator[Entity]:
+        """Yield entities with their values; packages have what only the packages together show among theirs."""
+        where = Conditions()
+        where.package(package)
+        where.equal("entity.kind", kind.value if kind else None)
+        where.equal("entity.path", path)
+        yield from self._entities(where, kind)
+
+    def entity(self, identity: str) -> Entity | None:
+        """Return the entity with this id (its text form)."""
+        where = Conditions()
+        where.equal("entity.id", identity)
+        kind, _, name = identity.partition(":")
+        if kind in {EntityKind.FILE.value, EntityKind.CLASS.value, EntityKind.FUNCTION.value}:
+            where.equal("entity.path", name.partition("#")[0])
+        elif kind == EntityKind.PACKAGE.value:
+            where.package(name)
+        return next(self._entities(where, None), None)
+
+    def _entities(self, where: Conditions, kind: EntityKind | None) -> Iterator[Entity]:
+        found = self._run.rows(f"run_unit.unit, entity.position, {rows.ENTITY}", "entity", where)
+        for unit, group in groupby(found, key=itemgetter(0)):
+            columns = columns_of(self._run.connection, unit, kind.value if kind else None)
+            for row in group:
+                values = with_package_values(row[2], columns.values(row[3], row[1]), self._package_values)
+                yield rows.to_entity(row[2:], values)
+
+    def findings(
+        self,
+        *,
+        package: str | None = None,
+        rule: str | None = None,
+        path: str | None = None,
+        include_tags: Iterable[str] = (),
+        exclude_tags: Iterable[str] = (),
+        tags: TagFilter | None = None,
+        severity: Severity | Collection[Severity] | None = None,
+        limit: int | None = None,
+        offset: int = 0,
+    ) -> Iterator[Finding]:
+        """Yield the findings that meet all conditions.
+
+        Args:
+            package: id of the package; ``""`` for what belongs to no package.
+            rule: id of the rule.
+            path: of the file, below the workspace root.
+            include_tags: at least one of these tags, when there are any.
+            exclude_tags: none of these tags.
+            tags: a condition on the tags, besides the two lists.
+            severity: exactly this one, or one of these.
+            limit: at most so many.
+            offset: without the first so many.
+        """
+        where = self._finding_conditions(package, rule, path, severity)
+        known = _tag_sets(self._run.connection)
+        where.tags(tag_filter(include_tags, exclude_tags).both(tags or TagFilter()), known)
+        for row in self._run.rows(rows.FINDING, "finding", where, limit=limit, offset=offset):
+            yield rows.to_finding(row, known)
+
+    def count_findings(
+        self,
+        *,
+        package: str | None = None,
+        rule: str | None = None,
+        path: str | None = None,
+        include_tags: Iterable[str] = (),
+        exclude_tags: Iterable[str] = (),
+        tags: TagFilter | None = None,
+        severity: Severity | Collection[Severity] | None = None,
+    ) -> int:
+        """Return how many findings meet all conditions; see :meth:`findings`."""
+        where = self._finding_conditions(package, rule, path, severity)
+        where.tags(
+            tag_filter(include_tags, exclude_tags).both(tags or TagFilter()),
+            _tag_sets(self._run.connection),
+        )
+        for row in self._run.rows("count(*)", "finding", where, order=""):
+            return int(row[0])
+        return 0
+
+    def failures(self, *, package: str | None = None) -> tuple[Failure, ...]:
+        """Return what could not be done."""
+        where = Conditions()
+        where.package(package)
+        return tuple(rows.to_failure(row) for row in self._run.rows(rows.FAILURE, "failure", where))
+
+    def values_of(self, quantity: str, kind: EntityKind) -> list[tuple[str, str, float]]:
+        """Return entity id, package id and value of every entity of the kind that has the quantity."""
+        return named_numbers(self._run, self._package_values, quantity, kind)
+
+    def numbers_of(self, quantity: str, kind: EntityKind) -> list[float]:
+        """Return every value of the quantity among entities of the kind: what a distribution needs, and quick."""
+        return all_numbers(self._run, self._package_values, quantity, kind)
+
+    def extremes_of(
+        self, quantity: str, kind: EntityKind, count: int = 20, *, highest: bool = True
+    ) -> list[tuple[Entity, str, float]]:
+        """Return entity, package id and value of the ``count`` highest (or lowest) values, the most extreme first."""
+        return extreme_numbers(self._run, self._package_values, quantity, kind, count, highest=highest)
+
+    def _with_package_values(self, summary: PackageSummary) -> PackageSummary:
+        more = self._package_values.get(summary.id)
+        return msgspec.structs.replace(summary, values={**summary.values, **more}) if more else summary
+
+    def _finding_conditions(
+        self, package: str | None, rule: str | None, path: str | None, severity: Severity | Collection[Severity] | None
+    ) -> Conditions:
+        where = Conditions()
+        where.package(package)
+        where.equal("finding.rule", rule)
+        where.equal("finding.path", path)
+        if severity is not None:
+            wanted = [severity] if isinstance(severity, Severity) else severity
+            where.one_of("finding.severity", [item.value for item in wanted])
+        return where
+
+
+def read_unit(connection: sqlite3.Connection, unit: int, package_values: PackageValues | None = None) -> PackageResult:
+    """Return the package's result that the unit holds; its own entity gets its ``package_values`` too."""
+    manifest = rows.to_package(connection.execute("SELECT manifest FROM unit WHERE id = ?", (unit,)).fetchone()[0])
+    columns = columns_of(connection, unit)
+    return PackageResult(
+        package=manifest,
+        files=tuple(map(rows.to_file, _of_unit(connection, rows.FILE, "file", unit))),
+        entities=tuple(
+            rows.to_entity(row[1:], with_package_values(row[1], columns.values(row[2], row[0]), package_values or {}))
+            for row in _of_unit(connection, f"position, {rows.ENTITY}", "entity", unit)
+        ),
+        findings=_unit_findings(connection, unit),
+        failures=_unit_failures(connection, unit),
+    )
+
+
+def _unit_findings(connection: sqlite3.Connection, unit: int) -> tuple[Finding, ...]:
+    known = _tag_sets(connection)
+    return tuple(rows.to_finding(row, known) for row in _of_unit(connection, rows.FINDING, "finding", unit))
+
+
+def _unit_failures(connection: sqlite3.Connection, unit: int) -> tuple[Failure, ...]:
+    return tuple(map(rows.to_failure, _of_unit(connection, rows.FAILURE, "failure", unit)))
+
+
+def _of_unit(connection: sqlite3.Connection, columns: str, table: str, unit: int) -> sqlite3.Cursor:
+    return connection.execute(f"SELECT {columns} FROM {table} WHERE unit = ? ORDER BY position", (unit,))  # noqa: S608 - names of this package
+
+
+def _tag_sets(connection: sqlite3.Connection) -> dict[int, tuple[str, ...]]:
+    return {number: rows.to_texts(text) for number, text in connection.execute("SELECT id, tags FROM tag_set")}

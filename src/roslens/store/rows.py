@@ -1,0 +1,200 @@
+"""Between model values and rows of tables: writing and reading side by side, so that they cannot drift apart."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+import msgspec
+
+from roslens.model.entity import Entity, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding, Severity
+from roslens.model.result import PackageSummary, RunHeader
+from roslens.model.source import Language, Location, Package, Role, SourceFile
+from roslens.store.encodable import storable_number
+
+Row = tuple[Any, ...]
+
+FILE = "path, language, role, size, content_hash"
+ENTITY = "id, kind, name, path, line, end_line, parent, approximate"
+FINDING = (
+    'rule, severity, message, path, line, "column", end_line, end_column, entity, tag_set, tool, fingerprint, '
+    "quantity, value, bound, model, gated"
+)
+FAILURE = "tool, what, expected, advice, location, entity, package, partial, detail"
+RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models'
+
+_encode = msgspec.json.Encoder().encode
+_decode = msgspec.json.decode
+_decode_summary = msgspec.json.Decoder(PackageSummary).decode
+_decode_package = msgspec.json.Decoder(Package).decode
+_decode_location = msgspec.json.Decoder(Location).decode
+_decode_texts = msgspec.json.Decoder(tuple[str, ...]).decode
+
+_KINDS = {kind.value: kind for kind in EntityKind}
+_SEVERITIES = {severity.value: severity for severity in Severity}
+_LANGUAGES = {language.value: language for language in Language}
+_ROLES = {role.value: role for role in Role}
+
+
+def to_json(value: object) -> str:
+    """Return the value as JSON text."""
+    return _encode(value).decode()
+
+
+def to_texts(text: str) -> tuple[str, ...]:
+    """Read a JSON array of texts."""
+    return _decode_texts(text)
+
+
+def to_summary(text: str) -> PackageSummary:
+    """Read a summary."""
+    return _decode_summary(text)
+
+
+def to_package(text: str) -> Package:
+    """Read a package as its manifest declares it."""
+    return _decode_package(text)
+
+
+def file_rows(unit: int, files: Iterable[SourceFile]) -> Iterator[Row]:
+    """Yield ``unit, position, FILE``."""
+    for position, file in enumerate(files):
+        yield (unit, position, file.path, file.language.value, file.role.value, file.size, file.content_hash)
+
+
+def to_file(row: Row) -> SourceFile:
+    """Read ``FILE``."""
+    path, language, role, size, content_hash = row
+    return SourceFile(path, _LANGUAGES[language], _ROLES[role], size, content_hash)
+
+
+def entity_rows(unit: int, entities: Iterable[Entity]) -> Iterator[Row]:
+    """Yield ``unit, position, ENTITY``."""
+    for position, entity in enumerate(entities):
+        yield (
+            unit,
+            position,
+            entity.id,
+            entity.kind.value,
+            entity.name,
+            entity.path,
+            entity.line,
+            entity.end_line,
+            entity.parent,
+            entity.approximate,
+        )
+
+
+def to_entity(row: Row, values: dict[str, float]) -> Entity:
+    """Read ``ENTITY``; its values come from elsewhere."""
+    identity, kind, name, path, line, end_line, parent, approximate = row
+    return Entity(identity, _KINDS[kind], name, path, line, end_line, parent, bool(approximate), values)
+
+
+def finding_rows(unit: int, findings: Iterable[Finding], tags_of: Callable[[tuple[str, ...]], int]) -> Iterator[Row]:
+    """Yield ``unit, position, FINDING``; ``tags_of`` gives the number of a set of tags."""
+    for position, finding in enumerate(findings):
+        yield (
+            unit,
+            position,
+            finding.rule,
+            finding.severity.value,
+            finding.message,
+            finding.path,
+            finding.line,
+            finding.column,
+            finding.end_line,
+            finding.end_column,
+            finding.entity,
+            tags_of(finding.tags),
+            finding.tool,
+            finding.fingerprint,
+            finding.quantity,
+            storable_number(finding.value),
+            storable_number(finding.bound),
+            finding.model,
+            finding.gated,
+        )
+
+
+def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
+    """Read ``FINDING``; ``tags`` maps numbers to sets of tags."""
+    rule, severity, *middle, tag_set, tool, fingerprint, quantity, value, bound, model, gated = row
+    message, path, line, column, end_line, end_column, entity = middle
+    return Finding(
+        rule,
+        _SEVERITIES[severity],
+        message,
+        path,
+        line,
+        column,
+        end_line,
+        end_column,
+        entity,
+        tags[tag_set],
+        tool,
+        fingerprint,
+        quantity,
+        value,
+        bound,
+        model,
+        bool(gated),
+    )
+
+
+def failure_rows(unit: int, failures: Iterable[Failure]) -> Iterator[Row]:
+    """Yield ``unit, position, FAILURE``."""
+    for position, failure in enumerate(failures):
+        yield (
+            unit,
+            position,
+            failure.tool,
+            failure.what,
+            failure.expected,
+            failure.advice,
+            to_json(failure.location) if failure.location else None,
+            failure.entity,
+            failure.package,
+            failure.partial,
+            failure.detail,
+        )
+
+
+def to_failure(row: Row) -> Failure:
+    """Read ``FAILURE``."""
+    tool, what, expected, advice, location, entity, package, partial, detail = row
+    place = _decode_location(location) if location else None
+    return Failure(tool, what, expected, advice, place, entity, package, bool(partial), detail)
+
+
+def run_row(header: RunHeader) -> Row:
+    """Return ``RUN``."""
+    return (
+        header.key,
+        header.root,
+        to_json(header.paths),
+        header.started,
+        header.seconds,
+        header.commit,
+        to_json(header.tools),
+        to_json(header.configuration),
+        to_json(header.models),
+    )
+
+
+def to_header(row: Row) -> RunHeader:
+    """Read ``RUN``."""
+    key, root, paths, started, seconds, commit, tools, configuration, models = row
+    return RunHeader(
+        key,
+        root,
+        to_texts(paths),
+        started,
+        seconds,
+        commit,
+        _decode(tools),
+        _decode(configuration),
+        to_texts(models),
+    )

@@ -1,0 +1,191 @@
+"""The store: complete runs, the units they share, and the one run that is being written."""
+
+from __future__ import annotations
+
+import sqlite3
+from pathlib import Path
+from types import TracebackType
+
+import msgspec
+
+from roslens.model.errors import StoreError
+from roslens.model.result import PackageResult, PackageSummary, RunHeader
+from roslens.store import rows
+from roslens.store.connect import connect, shrink
+from roslens.store.folder import prepare_folder
+from roslens.store.lock import claim, release
+from roslens.store.migrate import migrate
+from roslens.store.read import RunView, read_unit
+from roslens.store.sqlite_errors import as_store_errors
+from roslens.store.write import RunWriter
+
+WAIT_S = 10.0
+"""How long a run waits for another one that is writing."""
+
+
+class StoredRun(msgspec.Struct, frozen=True):
+    """A complete run with how much it holds."""
+
+    id: int
+    header: RunHeader
+    packages: int
+    files: int
+    entities: int
+    findings: int
+    failures: int
+
+
+class Store:
+    """All complete runs of a workspace; a context manager.
+
+    One thread writes; several may read through one store.
+    """
+
+    def __init__(self, connection: sqlite3.Connection, path: Path | None, wait_s: float) -> None:
+        """Use :meth:`open`."""
+        self._connection = connection
+        self._path = path
+        self._wait_s = wait_s
+
+    @classmethod
+    def open(cls, path: Path | None, *, wait_s: float = WAIT_S) -> Store:
+        """Open the store at ``path``, made if it is missing; None keeps everything in memory.
+
+        Args:
+            path: of the SQLite file.
+            wait_s: how long to wait for another process that is writing.
+
+        Raises:
+            StoreError: the file cannot be opened, is no store, or a newer roslens wrote it.
+        """
+        with as_store_errors(path):
+            if path is not None and not path.exists():
+                prepare_folder(path.parent)
+            connection = connect(path, wait_s=wait_s)
+            try:
+                migrate(connection, path)
+            except BaseException:
+                connection.close()
+                raise
+        return cls(connection, path, wait_s)
+
+    def close(self) -> None:
+        """Close the file; views of this store are of no more use."""
+        self._connection.close()
+
+    def __enter__(self) -> Store:
+        """Return the store itself."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close the file."""
+        self.close()
+
+    def run_with(self, key: str) -> int | None:
+        """Return the newest complete run of this key.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        with as_store_errors(self._path):
+            return self._connection.execute("SELECT max(id) FROM run WHERE key = ?", (key,)).fetchone()[0]  # type: ignore[no-any-return]
+
+    def latest(self) -> int | None:
+        """Return the newest complete run.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        with as_store_errors(self._path):
+            return self._connection.execute("SELECT max(id) FROM run").fetchone()[0]  # type: ignore[no-any-return]
+
+    def has_unit(self, key: str) -> bool:
+        """Return whether the result of a package is kept under ``key``.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        with as_store_errors(self._path):
+            return self._connection.execute("SELECT 1 FROM unit WHERE key = ?", (key,)).fetchone() is not None
+
+    def unit(self, key: str) -> PackageResult | None:
+        """Return the result kept under ``key``, without what only the packages together show.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        with as_store_errors(self._path):
+            found = self._connection.execute("SELECT id FROM unit WHERE key = ?", (key,)).fetchone()
+            return read_unit(self._connection, found[0]) if found else None
+
+    def unit_summary(self, key: str) -> PackageSummary | None:
+        """Return the summary of the result kept under ``key``.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        with as_store_errors(self._path):
+            found = self._connection.execute("SELECT summary FROM unit WHERE key = ?", (key,)).fetchone()
+            return rows.to_summary(found[0]) if found else None
+
+    def writing(self, header: RunHeader) -> RunWriter:
+        """Return the writer of a new run, to be used in a ``with`` block; see :class:`RunWriter`."""
+        return RunWriter(self._connection, self._path, header.started, self._wait_s)
+
+    def runs(self) -> tuple[StoredRun, ...]:
+        """Return all complete runs, newest first.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        with as_store_errors(self._path):
+            found = self._connection.execute(
+                f"SELECT id, packages, files, entities, findings, failures, {rows.RUN} FROM run ORDER BY id DESC"  # noqa: S608 - column names of rows.py
+            ).fetchall()
+        return tuple(StoredRun(row[0], rows.to_header(row[6:]), *row[1:6]) for row in found)
+
+    def view(self, run: int | None = None) -> RunView:
+        """Return what there is to read of a run; of the newest one for None.
+
+        Raises:
+            StoreError: there is no such run, or the store cannot be read.
+        """
+        number = self.latest() if run is None else run
+        where = str(self._path or "the store in memory")
+        if number is None:
+            raise StoreError("no run was completed yet", where=where, advice="Run `roslens check` first")
+        with as_store_errors(self._path):
+            found = self._connection.execute(f"SELECT {rows.RUN} FROM run WHERE id = ?", (number,)).fetchone()  # noqa: S608 - column names of rows.py
+            known = [row[0] for row in self._connection.execute("SELECT id FROM run ORDER BY id")]
+        if found is None:
+            raise StoreError(
+                f"there is no run {number}",
+                where=where,
+                expected=f"one of {', '.join(map(str, known[-10:]))}" if known else "a complete run",
+                advice="" if known else "Run `roslens check` first",
+            )
+        return RunView(self._connection, self._path, number, rows.to_header(found))
+
+    def prune(self, keep: int) -> int:
+        """Remove all but the newest ``keep`` runs with everything only they hold; return how many were removed.
+
+        Raises:
+            StoreError: the store cannot be written, or another run is being written.
+        """
+        claim(self._connection, self._path, "to remove old runs", self._wait_s)
+        try:
+            with as_store_errors(self._path):
+                removed = self._connection.execute(
+                    "DELETE FROM run WHERE id NOT IN (SELECT id FROM run ORDER BY id DESC LIMIT ?)", (max(0, keep),)
+                ).rowcount
+                self._connection.execute(
+                    "DELETE FROM unit WHERE id NOT IN (SELECT unit FROM run_unit UNION SELECT workspace FROM run)"
+                )
+                self._connection.execute("DELETE FROM vocabulary WHERE id NOT IN (SELECT vocabulary FROM run)")
+                self._connection.execute("COMMIT")
+                shrink(self._connection)
+        finally:
+            release(self._connection)
+        return removed

@@ -1,0 +1,84 @@
+"""From what SQLite says to what a user can do about it."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from roslens.model.errors import StoreError
+
+_ADVICE = (
+    # (what SQLite's message contains, what was found, what was expected, what to do next)
+    (
+        "disk is full",
+        "the disk is full",
+        "room for the results of the run",
+        "Free some space, or run with --no-store; earlier runs are still there",
+    ),
+    ("locked", "the store is in use by another process", "the store to be free", "Wait until it is finished"),
+    (
+        "not a database",
+        "the file is no SQLite database",
+        "a store written by roslens",
+        "Move the file away; `roslens check` makes a new one",
+    ),
+    (
+        "malformed",
+        "the store is damaged",
+        "a complete SQLite database",
+        "Move the file away; `roslens check` makes a new one",
+    ),
+    (
+        "disk I/O error",
+        "the disk failed",
+        "a disk that can be read and written",
+        "Check the disk; if the file is damaged, move it away and `roslens check` makes a new one",
+    ),
+    (
+        "readonly",
+        "the store cannot be written",
+        "a file and a folder that may be written",
+        "Check their permissions, or run with --no-store",
+    ),
+    (
+        "unable to open",
+        "the store cannot be opened",
+        "a file in a folder that may be read and written",
+        "Check the permissions of the folder, or run with --no-store",
+    ),
+)
+
+
+def store_error(path: Path | None, error: Exception) -> StoreError | None:
+    """Return the error in the message form; None for one that only a bug of roslens explains."""
+    where = str(path) if path else "the store in memory"
+    if isinstance(error, OSError):
+        return StoreError(
+            f"the store cannot be used ({error.strerror or str(error)!r})",
+            where=where,
+            expected="a folder with room that may be read and written",
+            advice="Check its permissions, or run with --no-store",
+        )
+    text = str(error)
+    for said, what, expected, advice in _ADVICE:
+        if said in text:
+            return StoreError(f"{what} ({text!r})", where=where, expected=expected, advice=advice)
+    return None
+
+
+@contextmanager
+def as_store_errors(path: Path | None) -> Iterator[None]:
+    """Turn errors of SQLite inside the block into errors that say what to do.
+
+    Raises:
+        StoreError: SQLite failed for a reason that a user can do something about.
+    """
+    try:
+        yield
+    except (sqlite3.Error, OSError) as error:
+        known = store_error(path, error)
+        if known is None:
+            raise
+        raise known from error

@@ -1,0 +1,89 @@
+"""From a package's result to what overview, graph and terminal need of it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+
+from roslens.model.entity import EntityKind
+from roslens.model.finding import Finding, Severity
+from roslens.model.result import PackageResult, PackageSummary, RuleCount
+from roslens.model.source import Dependency, Package
+from roslens.store.encodable import storable_values
+
+_NO_EDGE = frozenset({"conflict", "replace", "group"})
+"""Kinds of dependency that do not need the other package."""
+
+
+def summarise(result: PackageResult) -> PackageSummary:
+    """Return the summary of a package.
+
+    ``rules`` has one count for each rule, severity and set of tags, so that filters on severities and tags are exact on
+    summaries; most severe first, then most frequent. Its example is the first occurrence that counts for gates (the
+    first of all if none does), written ``path:line: message``.
+    """
+    package = result.package
+    kinds = Counter(entity.kind for entity in result.entities)
+    own = next((entity for entity in result.entities if entity.kind is EntityKind.PACKAGE), None)
+    return PackageSummary(
+        id=package.id,
+        name=package.name,
+        path=package.path,
+        version=package.version,
+        build_type=package.build_type,
+        description=" ".join(package.description.split()),
+        repository=package.repository,
+        metapackage=package.metapackage,
+        dependencies=dependencies_of(package),
+        values=storable_values(own.values) if own else {},
+        rules=_rule_counts(result.findings),
+        files=len(result.files),
+        classes=kinds[EntityKind.CLASS],
+        functions=kinds[EntityKind.FUNCTION],
+        failures=len(result.failures),
+        languages=dict(sorted(Counter(file.language.value for file in result.files).items())),
+        roles=dict(sorted(Counter(file.role.value for file in result.files).items())),
+    )
+
+
+def dependencies_of(package: Package) -> tuple[str, ...]:
+    """Return the names of the packages that this one needs: conditions hold, each once, sorted."""
+    return tuple(sorted({dependency.name for dependency in package.dependencies if _needed(dependency)}))
+
+
+def _needed(dependency: Dependency) -> bool:
+    return dependency.active and dependency.kind not in _NO_EDGE
+
+
+class _Group:
+    __slots__ = ("count", "example", "gated")
+
+    def __init__(self) -> None:
+        self.count = 0
+        self.gated = 0
+        self.example: Finding | None = None
+
+
+def _rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
+    groups: dict[tuple[str, Severity, tuple[str, ...]], _Group] = {}
+    for finding in findings:
+        key = (finding.rule, finding.severity, finding.tags)
+        group = groups.get(key)
+        if group is None:
+            group = groups[key] = _Group()
+        if group.example is None or (finding.gated and not group.gated):
+            group.example = finding
+        group.count += 1
+        group.gated += finding.gated
+    counts = [
+        RuleCount(rule, severity, group.count, group.gated, _example(group.example), tags)
+        for (rule, severity, tags), group in groups.items()
+    ]
+    return tuple(sorted(counts, key=lambda count: (-count.severity.rank, -count.count, count.rule, count.tags)))
+
+
+def _example(finding: Finding | None) -> str:
+    if finding is None:
+        return ""
+    place = f"{finding.path}:{finding.line}" if finding.path and finding.line else finding.path or finding.entity
+    return f"{place}: {finding.message}" if place else finding.message

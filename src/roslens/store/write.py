@@ -1,0 +1,232 @@
+"""Writing one run: everything in one transaction, seen by nobody before it is complete."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from hashlib import blake2b
+from pathlib import Path
+from types import TracebackType
+
+from roslens.model.errors import StoreError
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding
+from roslens.model.result import PackageResult, RunHeader, WorkspaceResult
+from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.store import rows
+from roslens.store.columns import by_kind, measured_rows
+from roslens.store.encodable import encodable, storable_values
+from roslens.store.lock import claim, release
+from roslens.store.sqlite_errors import as_store_errors
+from roslens.store.summary import summarise
+
+
+class RunWriter:
+    """Collects the units of one run; a context manager made by :meth:`roslens.store.runs.Store.writing`.
+
+    Inside the block the store is locked for other writers; readers keep seeing the runs before. Leaving the block
+    without :meth:`complete` discards everything, and so does the death of the process.
+    """
+
+    def __init__(self, connection: sqlite3.Connection, path: Path | None, started: str, wait_s: float) -> None:
+        """``started`` tells a waiting process whom it waits for; ``wait_s`` is how long this one waits."""
+        self._connection = connection
+        self._path = path
+        self._started = started
+        self._wait_s = wait_s
+        self._units: dict[int, str] = {}
+
+    def __enter__(self) -> RunWriter:
+        """Lock the store for writing.
+
+        Raises:
+            StoreError: another process has been writing for all of the time allowed.
+        """
+        claim(self._connection, self._path, self._started, self._wait_s)
+        with as_store_errors(self._path):
+            self._tag_sets = _TagSets(self._connection)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Discard the run unless it is complete."""
+        release(self._connection)
+
+    def add(self, key: str, result: PackageResult) -> None:
+        """Keep a package's result under ``key``; findings are kept in order of their places.
+
+        Raises:
+            StoreError: the store cannot be written.
+        """
+        with self._open():
+            unit = self._find(key)
+            if unit is None:
+                try:
+                    unit = self._add(key, result)
+                except UnicodeEncodeError:
+                    self._connection.execute("DELETE FROM unit WHERE key = ?", (key,))
+                    unit = self._add(key, encodable(result))
+        self._units[unit] = result.package.id
+
+    def reuse(self, key: str) -> None:
+        """Take the package's result that an earlier run kept under ``key``.
+
+        Raises:
+            StoreError: the result is gone, because its run was removed in the meantime.
+        """
+        with self._open():
+            found = self._connection.execute("SELECT id, package FROM unit WHERE key = ?", (key,)).fetchone()
+        if found is None:
+            raise StoreError(
+                f"the result {key!r} is no longer in the store",
+                where=str(self._path or "the store in memory"),
+                expected="the results of earlier runs to stay while this one is written",
+                advice="Run the same command again",
+            )
+        self._units[found[0]] = found[1]
+
+    def complete(self, workspace: WorkspaceResult, header: RunHeader) -> int:
+        """Make the run visible and return its number.
+
+        Raises:
+            StoreError: the store cannot be written; the run is discarded.
+        """
+        with self._open():
+            try:
+                run = self._insert_run(workspace, header)
+            except UnicodeEncodeError:
+                run = self._insert_run(encodable(workspace), encodable(header))
+            self._connection.execute("COMMIT")
+        return run
+
+    @contextmanager
+    def _open(self) -> Iterator[None]:
+        # SQLite ends the transaction itself on some errors; what came after would be visible at once.
+        if not self._connection.in_transaction:
+            raise StoreError(
+                "the run that is being written was discarded after an error",
+                where=str(self._path or "the store in memory"),
+                expected="no further results for it",
+                advice="Run the same command again",
+            )
+        with as_store_errors(self._path):
+            yield
+
+    def _find(self, key: str) -> int | None:
+        found = self._connection.execute("SELECT id FROM unit WHERE key = ?", (key,)).fetchone()
+        return found[0] if found else None
+
+    def _add(self, key: str, result: PackageResult) -> int:
+        connection = self._connection
+        entities = by_kind(result.entities)
+        findings = sorted(result.findings, key=_place)
+        unit = _inserted(
+            connection.execute(
+                "INSERT INTO unit (key, package, manifest, summary) VALUES (?, ?, ?, ?)",
+                (key, result.package.id, rows.to_json(result.package), rows.to_json(summarise(result))),
+            )
+        )
+        connection.executemany(_insert("file", f"position, {rows.FILE}"), rows.file_rows(unit, result.files))
+        connection.executemany(_insert("entity", f"position, {rows.ENTITY}"), rows.entity_rows(unit, entities))
+        connection.executemany(_insert("measured", 'kind, quantity, first, "values"'), measured_rows(unit, entities))
+        self._insert_findings(unit, findings, result.failures)
+        return unit
+
+    def _insert_findings(self, unit: int, findings: Iterable[Finding], failures: Iterable[Failure]) -> None:
+        self._connection.executemany(
+            _insert("finding", f"position, {rows.FINDING}"),
+            rows.finding_rows(unit, findings, self._tag_sets.number_of),
+        )
+        self._connection.executemany(_insert("failure", f"position, {rows.FAILURE}"), rows.failure_rows(unit, failures))
+
+    def _insert_run(self, workspace: WorkspaceResult, header: RunHeader) -> int:
+        connection = self._connection
+        units = sorted(self._units, key=lambda unit: _package_order(self._units[unit]))
+        own = self._insert_workspace(workspace)
+        counts = _counts(connection, [*units, own])
+        run = _inserted(
+            connection.execute(
+                f"INSERT INTO run ({rows.RUN}, vocabulary, workspace, packages, files, entities, findings, failures) "  # noqa: S608 - column names of this module
+                f"VALUES ({', '.join('?' * 16)})",
+                (*rows.run_row(header), self._vocabulary(workspace), own, len(units), *counts),
+            )
+        )
+        connection.executemany(
+            "INSERT INTO run_unit (run, position, unit) VALUES (?, ?, ?)",
+            [(run, position, unit) for position, unit in enumerate((*units, own))],
+        )
+        connection.executemany(
+            "INSERT INTO package_value (run, package, quantity, value) VALUES (?, ?, ?, ?)",
+            [
+                (run, package, quantity, value)
+                for package, values in workspace.package_values.items()
+                for quantity, value in storable_values(values).items()
+            ],
+        )
+        return run
+
+    def _insert_workspace(self, workspace: WorkspaceResult) -> int:
+        unit = _inserted(self._connection.execute("INSERT INTO unit (key, package) VALUES (NULL, '')"))
+        self._insert_findings(unit, sorted(workspace.findings, key=_place), workspace.failures)
+        return unit
+
+    def _vocabulary(self, workspace: WorkspaceResult) -> int:
+        rules, quantities = rows.to_json(workspace.rules), rows.to_json(workspace.quantities)
+        digest = blake2b(f"{rules}\0{quantities}".encode(), digest_size=16).hexdigest()
+        found = self._connection.execute("SELECT id FROM vocabulary WHERE digest = ?", (digest,)).fetchone()
+        if found:
+            return int(found[0])
+        return _inserted(
+            self._connection.execute(
+                "INSERT INTO vocabulary (digest, rules, quantities) VALUES (?, ?, ?)", (digest, rules, quantities)
+            )
+        )
+
+
+class _TagSets:
+    """Numbers for sets of tags, which many findings share."""
+
+    def __init__(self, connection: sqlite3.Connection) -> None:
+        self._connection = connection
+        known = connection.execute("SELECT id, tags FROM tag_set")
+        self._numbers = {rows.to_texts(text): number for number, text in known}
+
+    def number_of(self, tags: tuple[str, ...]) -> int:
+        number = self._numbers.get(tags)
+        if number is None:
+            number = _inserted(self._connection.execute("INSERT INTO tag_set (tags) VALUES (?)", (rows.to_json(tags),)))
+            self._numbers[tags] = number
+        return number
+
+
+def _inserted(cursor: sqlite3.Cursor) -> int:
+    number = cursor.lastrowid
+    assert number is not None  # noqa: S101 - only for the type checker: it was an INSERT
+    return number
+
+
+def _insert(table: str, columns: str) -> str:
+    marks = ", ".join("?" * (columns.count(",") + 2))
+    return f"INSERT INTO {table} (unit, {columns}) VALUES ({marks})"  # noqa: S608 - names of this package
+
+
+def _counts(connection: sqlite3.Connection, units: Iterable[int]) -> tuple[int, ...]:
+    """Return how many files, entities, findings and failures the units have."""
+    wanted = rows.to_json(list(units))
+    return tuple(
+        connection.execute(
+            f"SELECT count(*) FROM {table} WHERE unit IN (SELECT value FROM json_each(?))",  # noqa: S608 - names below
+            (wanted,),
+        ).fetchone()[0]
+        for table in ("file", "entity", "finding", "failure")
+    )
+
+
+def _place(finding: Finding) -> tuple[str, int, int, str, str, str]:
+    return (finding.path, finding.line, finding.column, finding.rule, finding.entity, finding.message)
+
+
+def _package_order(package: str) -> tuple[bool, str]:
+    return (package == OUTSIDE_PACKAGES, package)

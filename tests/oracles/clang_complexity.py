@@ -29,6 +29,7 @@ def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("sources", type=Path)
     arguments.add_argument("--include", action="append", default=[])
+    arguments.add_argument("--quote", action="append", default=[], help='folders for #include "…" only')
     arguments.add_argument("--skip", default="", help="regular expression of paths to leave out")
     options = arguments.parse_args()
     compiled = 0
@@ -38,7 +39,7 @@ def main() -> int:
         if path.suffix in SUFFIXES and not (options.skip and re.search(options.skip, str(path)))
     ]
     for path in files:
-        rows = table_of(path, options.include)
+        rows = table_of(path, options.include, options.quote)
         if rows is None:
             continue
         compiled += 1
@@ -49,11 +50,12 @@ def main() -> int:
     return 0
 
 
-def table_of(path: Path, includes: list[str]) -> list[tuple[int, str, int]] | None:
+def table_of(path: Path, includes: list[str], quotes: list[str]) -> list[tuple[int, str, int]] | None:
     """Return line, name and complexity of each function in the file; None where Clang finds an error."""
     from clang import cindex
 
     flags = ["-x", "c++", "-std=c++14", "-w", *(f"-I{folder}" for folder in includes)]
+    flags += [f"-iquote{folder}" for folder in quotes]
     flags += ["-isystem", max(map(str, Path("/usr/lib/gcc/x86_64-linux-gnu").glob("*/include")))]
     unit = cindex.Index.create().parse(str(path), args=flags)
     if any(diagnostic.severity >= cindex.Diagnostic.Error for diagnostic in unit.diagnostics):

@@ -13,17 +13,18 @@ def depths(parents: Mapping[str, Set[str]]) -> dict[str, int]:
     """
     found: dict[str, int] = {}
     for start in parents:
-        path = [start]
-        on_path = {start}
+        path = [] if start in found else [start]
+        on_path = set(path)
         while path:
-            name = path[-1]
-            above = parents.get(name, frozenset())
-            unknown = next((one for one in sorted(above) if one not in found and one not in on_path), None)
-            if unknown is not None:
+            above = parents[path[-1]]
+            unknown = min(
+                (one for one in above & parents.keys() if one not in found and one not in on_path), default=""
+            )
+            if unknown:
                 path.append(unknown)
                 on_path.add(unknown)
                 continue
-            known = [found[one] for one in above if one in found]
-            found[name] = 1 + max(known, default=0) if above else 0
-            on_path.discard(path.pop())
+            name = path.pop()
+            on_path.discard(name)
+            found[name] = 1 + max((found.get(one, 0) for one in above), default=-1)
     return found

@@ -41,7 +41,9 @@ _PYTHON_NAMES_WORDS = (
     "StandardError StopAsyncIteration StopIteration SyntaxError SystemError SystemExit TimeoutError TypeError "
     "UnicodeDecodeError UnicodeEncodeError UnicodeError UserWarning ValueError Warning ZeroDivisionError "
     "BrokenPipeError ChildProcessError ConnectionAbortedError ConnectionError ConnectionRefusedError "
-    "ConnectionResetError BlockingIOError ProcessLookupError"
+    "ConnectionResetError BlockingIOError ProcessLookupError BytesWarning EncodingWarning ImportWarning "
+    "IndentationError FloatingPointError PendingDeprecationWarning PythonFinalizationError SyntaxWarning TabError "
+    "UnboundLocalError UnicodeTranslateError UnicodeWarning WindowsError EnvironmentError"
 )
 _PYTHON_NAMES = frozenset(_PYTHON_NAMES_WORDS.split())
 

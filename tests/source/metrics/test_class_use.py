@@ -1,0 +1,48 @@
+from __future__ import annotations
+
+import pytest
+
+from roslens.source.metrics.class_names import ClassNames
+from roslens.source.metrics.class_use import used_classes
+
+CPP = ClassNames(["nav::Grid", "nav::Planner", "nav::Planner::Node"], "::")
+
+
+@pytest.mark.parametrize(
+    ("written", "classes"),
+    [
+        ("Grid", {"nav::Grid"}),
+        ("::nav::Grid", {"nav::Grid"}),
+        ("GridPtr", {"nav::Grid"}),
+        ("Grid::SharedPtr", {"nav::Grid"}),
+        ("Grid::Mode", {"nav::Grid"}),
+        ("Planner::Node", {"nav::Planner::Node"}),
+        ("Node", {"nav::Planner::Node"}),
+        ("ros::NodeHandle", {"ros::NodeHandle"}),
+        ("ros::NodeHandle ::ros::NodeHandle", {"ros::NodeHandle"}),
+        ("nav_msgs::Path nav_msgs::Path::ConstPtr nav_msgs::PathConstPtr nav_msgs::PathPtr", {"nav_msgs::Path"}),
+        ("srv::SetMap::Request::SharedPtr srv::SetMap::Response", {"srv::SetMap"}),
+        ("NodeHandle ros::NodeHandle", {"ros::NodeHandle"}),
+        ("geometry::Pose tf::Pose", {"geometry::Pose", "tf::Pose"}),
+        ("QWidget", {"QWidget"}),
+        ("std::vector uint8_t T boost::shared_ptr std::vector::iterator string", set()),
+        ("::Ptr ::", {"Ptr"}),
+    ],
+)
+def test_names_of_cpp_mean_classes(written, classes):
+    assert used_classes(written.split(), "nav::Planner", CPP, "cpp") - {""} == classes
+
+
+@pytest.mark.parametrize(
+    ("written", "classes"),
+    [
+        ("Grid", {"nav.grid.Grid"}),
+        ("grid.Grid", {"nav.grid.Grid"}),
+        ("rospy.Publisher Publisher", {"rospy.Publisher"}),
+        ("int List typing.Any ValueError", set()),
+        ("Thread", {"Thread"}),
+    ],
+)
+def test_names_of_python_mean_classes(written, classes):
+    known = ClassNames(["nav.grid.Grid", "nav.planner.Planner"], ".")
+    assert used_classes(written.split(), "nav.planner.Planner", known, "python") == classes

@@ -1,0 +1,19 @@
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from roslens.source.metrics import methods
+from roslens.source.metrics.class_in_package import ClassInPackage
+from roslens.source.settings import CountingSettings
+from roslens.source.syntax.facts import ClassFacts, MethodFacts
+
+FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
+
+
+def test_values_worked_out_by_hand(check_example):
+    check_example("methods")
+
+
+def test_every_overload_counts():
+    facts = replace(FACTS, methods=(MethodFacts("move", "(int)"), MethodFacts("move", "(double)")))
+    assert methods.of_class(ClassInPackage(facts), CountingSettings()) == 2

@@ -153,7 +153,7 @@ def before(operand: Any, operator: bytes, text: bytes, path: str) -> int | None:
     if offset is None:
         return None
     head = re.sub(
-        rb"/\*.*?\*/|//[^\n]*", lambda match: b" " * len(match[0]), text[max(0, offset - 400) : offset], flags=re.S
+        rb"/\*.*?\*/|//[^\n]*", lambda match: b" " * len(match[0]), text[max(0, offset - 400) : offset], flags=re.DOTALL
     )
     match = re.search(rb"(?:%s)[\s(!~*&+-]*$" % operator, head)
     return offset if match else None

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.fold import fold, fold_parts, folded_from, folded_keys
+from roslens.judge.fold import fold_parts, fold_steps, folded_from, folded_keys
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.quantity import Fold, Quantity
 
@@ -19,6 +19,10 @@ def quantity(*folds: Fold, kinds: tuple[EntityKind, ...] = (FUNCTION,), key: str
 
 def entity(kind: EntityKind, **values: float) -> Entity:
     return Entity(id=f"{kind.value}:x", kind=kind, name="x", values=values)
+
+
+def fold(wanted: Quantity, values: list[float]) -> dict[str, float]:
+    return fold_parts(fold_steps([wanted], FILE), [entity(FUNCTION, q=value) for value in values])
 
 
 def test_first_fold_has_the_key_and_the_others_say_how():
@@ -93,8 +97,12 @@ def test_mean_of_a_package_is_over_functions_and_not_over_files():
         entity(CLASS, q=50.0),
     ]
     lines = quantity(Fold.SUM, kinds=(FUNCTION, FILE), key="lines")
-    assert fold_parts([quantity(Fold.MEAN, Fold.MAX), lines], PACKAGE, parts) == {"q": 4.0, "q.max": 8.0, "lines": 12.0}
+    assert fold_parts(fold_steps([quantity(Fold.MEAN, Fold.MAX), lines], PACKAGE), parts) == {
+        "q": 4.0,
+        "q.max": 8.0,
+        "lines": 12.0,
+    }
 
 
 def test_parts_without_the_quantity_leave_no_trace():
-    assert fold_parts([quantity(Fold.MEAN)], FILE, [entity(FUNCTION, other=1.0)]) == {}
+    assert fold_parts(fold_steps([quantity(Fold.MEAN)], FILE), [entity(FUNCTION, other=1.0)]) == {}

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
+import msgspec
+
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.quantity import Fold, Quantity
 
 _LEVELS = (EntityKind.FUNCTION, EntityKind.CLASS, EntityKind.FILE, EntityKind.PACKAGE)
+
+Folding = Callable[[Sequence[float]], float]
 
 
 def _mean(values: Sequence[float]) -> float:
     return sum(values) / len(values)
 
 
-_FOLDS: dict[Fold, Callable[[Sequence[float]], float]] = {
-    Fold.SUM: sum,
-    Fold.MEAN: _mean,
-    Fold.MAX: max,
-    Fold.MIN: min,
-}
+_FOLDS: dict[Fold, Folding] = {Fold.SUM: sum, Fold.MEAN: _mean, Fold.MAX: max, Fold.MIN: min}
+
+
+class FoldStep(msgspec.Struct, frozen=True, gc=False):
+    """How one quantity goes up to one kind of entity: from the parts of which kind, and to which keys."""
+
+    key: str
+    source: EntityKind
+    folds: tuple[tuple[str, Folding], ...]
 
 
 def folded_keys(quantity: Quantity) -> tuple[str, ...]:
@@ -30,21 +37,6 @@ def folded_keys(quantity: Quantity) -> tuple[str, ...]:
     return tuple(
         quantity.key if place == 0 else f"{quantity.key}.{fold.value}" for place, fold in enumerate(quantity.folds)
     )
-
-
-def fold(quantity: Quantity, values: Sequence[float]) -> dict[str, float]:
-    """Return the value of the whole for every fold of ``quantity``, by key.
-
-    Args:
-        quantity: says which folds, see :class:`~roslens.model.quantity.Quantity`.
-        values: those of the parts that have one, in a fixed order (sums of floats depend on it).
-
-    Returns:
-        Nothing where there are no values: a whole without measured parts is not measured either.
-    """
-    if not values:
-        return {}
-    return {key: float(_FOLDS[how](values)) for key, how in zip(folded_keys(quantity), quantity.folds, strict=True)}
 
 
 def folded_from(quantity: Quantity, kind: EntityKind) -> EntityKind | None:
@@ -61,25 +53,39 @@ def folded_from(quantity: Quantity, kind: EntityKind) -> EntityKind | None:
     return below[-1] if below else None
 
 
-def fold_parts(quantities: Iterable[Quantity], kind: EntityKind, parts: Sequence[Entity]) -> dict[str, float]:
+def fold_steps(quantities: Iterable[Quantity], kind: EntityKind) -> tuple[FoldStep, ...]:
+    """Return how ``quantities`` go up to entities of ``kind``; those that do not are left out."""
+    return tuple(
+        FoldStep(
+            quantity.key,
+            source,
+            tuple((key, _FOLDS[how]) for key, how in zip(folded_keys(quantity), quantity.folds, strict=True)),
+        )
+        for quantity in quantities
+        if (source := folded_from(quantity, kind)) is not None
+    )
+
+
+def fold_parts(steps: Iterable[FoldStep], parts: Iterable[Entity]) -> dict[str, float]:
     """Return what the ``parts`` say about the file or package that they are in.
 
     Args:
-        quantities: what to fold; those that do not go up to ``kind`` are passed over.
-        kind: of the whole.
-        parts: every entity in the whole, at any depth, in a fixed order.
+        steps: made by :func:`fold_steps` for the kind of the whole.
+        parts: every entity in the whole, at any depth, in a fixed order (sums of floats depend on it).
 
     Returns:
-        Values by key, in the order of ``quantities``.
+        Values by key, in the order of the steps. A quantity without a single measured part is not
+        there: zero would pass as measured.
     """
-    by_kind: dict[EntityKind, list[dict[str, float]]] = {}
+    by_kind: dict[EntityKind, list[dict[str, float]]] = {kind: [] for kind in _LEVELS}
     for part in parts:
-        by_kind.setdefault(part.kind, []).append(part.values)
+        if part.kind in by_kind:
+            by_kind[part.kind].append(part.values)
     folded: dict[str, float] = {}
-    for quantity in quantities:
-        source = folded_from(quantity, kind)
-        if source is None:
-            continue
-        key = quantity.key
-        folded.update(fold(quantity, [values[key] for values in by_kind.get(source, ()) if key in values]))
+    for step in steps:
+        key = step.key
+        values = [one[key] for one in by_kind[step.source] if key in one]
+        if values:
+            for folded_key, folding in step.folds:
+                folded[folded_key] = float(folding(values))
     return folded

@@ -39,6 +39,7 @@ def test_names_of_cpp_mean_classes(written, classes):
         ("Grid", {"nav.grid.Grid"}),
         ("grid.Grid", {"nav.grid.Grid"}),
         ("rospy.Publisher Publisher", {"rospy.Publisher"}),
+        ("SetMap.Request SetMap.Response srv.SetMap", {"srv.SetMap"}),
         ("int List typing.Any ValueError", set()),
         ("Thread", {"Thread"}),
     ],

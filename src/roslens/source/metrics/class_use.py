@@ -7,12 +7,15 @@ from collections.abc import Iterable
 from roslens.source.metrics.class_names import ClassNames
 from roslens.source.metrics.language_library import in_cpp_library, in_python_library
 
+_PARTS_OF_INTERFACES = frozenset({"Request", "Response", "Goal", "Result", "Feedback"})
+"""Names inside a service or action of ROS."""
+
 _ALIAS_WORDS = (
     "Ptr ConstPtr SharedPtr ConstSharedPtr UniquePtr WeakPtr ConstWeakPtr iterator const_iterator reverse_iterator "
-    "value_type size_type key_type mapped_type reference const_reference type Request Response Goal Result Feedback"
+    "value_type size_type key_type mapped_type reference const_reference type"
 )
-_NESTED_ALIASES = frozenset(_ALIAS_WORDS.split())
-"""Names inside a class that stand for the class: pointers to it and, of ROS interfaces, their parts."""
+_NESTED_ALIASES = _PARTS_OF_INTERFACES.union(_ALIAS_WORDS.split())
+"""Names inside a class that stand for it."""
 
 _POINTER_ENDINGS = ("ConstPtr", "Ptr")
 
@@ -67,4 +70,9 @@ def _holder(name: str, scope: str, known: ClassNames) -> str | None:
 
 def _python_class(name: str, scope: str, known: ClassNames) -> str | None:
     found = known.find(name, scope)
+    if not found:
+        first, _, last = name.rpartition(".")
+        if first and last in _PARTS_OF_INTERFACES:
+            name = first
+            found = known.find(name, scope)
     return found or (None if in_python_library(name) else name)

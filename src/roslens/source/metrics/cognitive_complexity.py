@@ -34,6 +34,7 @@ _STRUCTURES = frozenset({"if", "ternary", "switch", "for", "while", "do", "catch
 _ARMS = frozenset({"elif", "else", "loop_else", "try_else"})
 _OPERATORS = frozenset({"and", "or"})
 _PREPROCESSOR = frozenset({"preproc_if", "preproc_else"})
+_DEPTHS = 12
 _COUNTED = _STRUCTURES | _ARMS | _OPERATORS | _PREPROCESSOR | {"goto"}
 
 
@@ -49,21 +50,27 @@ def of_function(facts: FunctionFacts, counting: CountingSettings) -> float:
 
 def _of_control(control: Sequence[Control], start: int, *, arms_of_if: bool) -> int:
     total = 0
-    # From the function inwards: the roles around an event, the nesting they stand at, the nesting inside them.
-    roles, around, inside = ["function"], [start], [start]
+    # By depth: the role around events of that depth, the nesting it stands at, and the nesting inside it.
+    roles, around, inside = ["function"] * _DEPTHS, [start] * _DEPTHS, [start] * _DEPTHS
     for event in control:
-        role, above = event.role, min(event.depth, len(roles) - 1) + 1
-        del roles[above:], around[above:], inside[above:]
-        nesting = inside[-1] if event.part == "body" else around[-1]
-        deeper = nesting + 1
+        role, depth = event.role, event.depth
+        while depth + 1 >= len(inside):
+            roles.append(roles[-1])
+            around.append(around[-1])
+            inside.append(inside[-1])
+        nesting = deeper = inside[depth] if event.part == "body" else around[depth]
         if role in _STRUCTURES or (role == "preproc_if" and arms_of_if):
-            total += 1 + nesting
+            deeper += 1
+            total += deeper
         elif role in _ARMS or (role == "preproc_else" and arms_of_if):
+            deeper += 1
             total += 1
-        elif role != "lambda":
-            deeper = nesting
-            total += role == "goto" or (role in _OPERATORS and roles[-1] != role)
-        roles.append(role)
-        around.append(nesting)
-        inside.append(deeper)
+        elif role in _OPERATORS:
+            total += roles[depth] != role
+        elif role == "goto":
+            total += 1
+        elif role == "lambda":
+            deeper += 1
+        depth += 1
+        roles[depth], around[depth], inside[depth] = role, nesting, deeper
     return total

@@ -26,24 +26,27 @@ QUANTITY = Quantity(
     decimals=1,
 )
 
-DECISIONS = (
-    "if",
-    "elif",
-    "for",
-    "while",
-    "do",
-    "case",
-    "catch",
-    "ternary",
-    "and",
-    "or",
-    "comprehension",
-    "comprehension_if",
-    "guard",
+DECISIONS = frozenset(
+    {
+        "if",
+        "elif",
+        "for",
+        "while",
+        "do",
+        "case",
+        "catch",
+        "ternary",
+        "and",
+        "or",
+        "comprehension",
+        "comprehension_if",
+        "guard",
+    }
 )
+"""Roles that are a decision."""
 
 
 def of_function(facts: FunctionFacts, counting: CountingSettings) -> float:
     """Return 1 plus the number of decisions in a function."""
     counts = countable(facts, counting)
-    return 1 + sum([counts[role] for role in DECISIONS if role in counts])
+    return 1 + sum([number for role, number in counts.items() if role in DECISIONS])

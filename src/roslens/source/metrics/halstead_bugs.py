@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Fold, Quantity
 from roslens.source.metrics import halstead_volume
-from roslens.source.syntax.facts import Halstead
 
 BITS_FOR_A_BUG = 3000
 """The volume that Halstead's data show to hold one error."""
@@ -25,6 +26,6 @@ QUANTITY = Quantity(
 )
 
 
-def of_halstead(counts: Halstead) -> float:
+def of_values(values: Mapping[str, float]) -> float:
     """Return the volume divided by 3000."""
-    return halstead_volume.of_halstead(counts) / BITS_FOR_A_BUG
+    return values[halstead_volume.QUANTITY.key] / BITS_FOR_A_BUG

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Fold, Quantity
 from roslens.source.metrics import halstead_difficulty, halstead_volume
-from roslens.source.syntax.facts import Halstead
 
 QUANTITY = Quantity(
     key="halstead_effort",
@@ -21,6 +22,6 @@ QUANTITY = Quantity(
 )
 
 
-def of_halstead(counts: Halstead) -> float:
+def of_values(values: Mapping[str, float]) -> float:
     """Return difficulty times volume."""
-    return halstead_difficulty.of_halstead(counts) * halstead_volume.of_halstead(counts)
+    return values[halstead_difficulty.QUANTITY.key] * values[halstead_volume.QUANTITY.key]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Fold, Quantity
 from roslens.source.metrics import halstead_effort
-from roslens.source.syntax.facts import Halstead
 
 STROUD = 18
 """Elementary discriminations of the mind in a second (Stroud 1967), as Halstead took it."""
@@ -24,6 +25,6 @@ QUANTITY = Quantity(
 )
 
 
-def of_halstead(counts: Halstead) -> float:
+def of_values(values: Mapping[str, float]) -> float:
     """Return the effort divided by 18."""
-    return halstead_effort.of_halstead(counts) / STROUD
+    return values[halstead_effort.QUANTITY.key] / STROUD

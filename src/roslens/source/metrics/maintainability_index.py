@@ -34,9 +34,9 @@ def unscaled(values: Mapping[str, float]) -> float | None:
     if not code:
         return None
     code /= values.get("files", 1)
-    volume = max(1.0, values["halstead_volume"])
+    volume = values["halstead_volume"]
     complexity = values.get("cyclomatic_complexity", 0.0)
-    return 171 - 5.2 * log(volume) - 0.23 * complexity - 16.2 * log(max(1.0, code))
+    return 171 - 5.2 * (log(volume) if volume > 1 else 0) - 0.23 * complexity - 16.2 * (log(code) if code > 1 else 0)
 
 
 def scaled(value: float) -> float:

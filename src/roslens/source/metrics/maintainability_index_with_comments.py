@@ -7,7 +7,7 @@ from math import sin, sqrt
 
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Quantity
-from roslens.source.metrics.maintainability_index import scaled, unscaled
+from roslens.source.metrics import maintainability_index
 
 QUANTITY = Quantity(
     key="maintainability_index_with_comments",
@@ -30,8 +30,10 @@ QUANTITY = Quantity(
 
 def of_values(values: Mapping[str, float]) -> float | None:
     """Return the index from the other values of a function, file or package."""
-    value = unscaled(values)
+    value = maintainability_index.unscaled(values)
     if value is None:
         return None
     comment = values["comment_lines"]
-    return scaled(value + 50 * sin(sqrt(2.4 * comment / (comment + values["loc"]))))
+    if comment:
+        value += 50 * sin(sqrt(2.4 * comment / (comment + values["loc"])))
+    return maintainability_index.scaled(value)

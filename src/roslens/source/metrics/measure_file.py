@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
-from roslens.judge.fold import fold_parts
+from roslens.judge.fold import fold_parts, fold_steps
 from roslens.model.entity import Entity, EntityKind
-from roslens.model.quantity import Quantity
 from roslens.source.metrics.table import QUANTITIES, metrics_with
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import FileFacts, FunctionFacts, Halstead, Lines
@@ -35,16 +33,16 @@ _OF_FUNCTION: dict[str, tuple[tuple[str, OfFunction], ...]] = {
 }
 
 
+_FROM_FUNCTIONS = tuple(
+    step for step in fold_steps(QUANTITIES.values(), EntityKind.FILE) if step.source is EntityKind.FUNCTION
+)
+
+
 @cache
 def _of_values(kind: EntityKind) -> tuple[tuple[str, OfValues], ...]:
     return tuple(
         (metric.QUANTITY.key, metric.of_values) for metric in metrics_with("of_values") if kind in metric.QUANTITY.kinds
     )
-
-
-@cache
-def _from_functions() -> tuple[Quantity, ...]:
-    return tuple(quantity for quantity in QUANTITIES.values() if EntityKind.FUNCTION in quantity.kinds)
 
 
 def measure_file(path: str, facts: FileFacts, counting: CountingSettings) -> tuple[Entity, ...]:
@@ -97,14 +95,15 @@ def add_derived(kind: EntityKind, values: dict[str, float]) -> None:
 
 def numbered(names: Iterator[str]) -> Iterator[str]:
     """Yield the names with ``~2``, ``~3``… behind the second, third… of the same."""
-    seen: Counter[str] = Counter()
+    seen: dict[str, int] = {}
     for name in names:
-        seen[name] += 1
-        yield name if seen[name] == 1 else f"{name}~{seen[name]}"
+        times = seen[name] = seen.get(name, 0) + 1
+        yield name if times == 1 else f"{name}~{times}"
 
 
 def _function_ids(path: str, facts: FileFacts) -> Iterator[str]:
-    return numbered(f"function:{path}#{one.qualified_name}{_bracketed(one.signature)}" for one in facts.functions)
+    start = f"function:{path}#"
+    return numbered(f"{start}{one.qualified_name}{_bracketed(one.signature)}" for one in facts.functions)
 
 
 def _bracketed(signature: str) -> str:
@@ -132,6 +131,6 @@ def _file_values(facts: FileFacts, functions: tuple[Entity, ...], counting: Coun
             values[key] = float(value)
     for key, of_counts in _OF_HALSTEAD:
         values[key] = float(of_counts(facts.halstead))
-    values.update(fold_parts(_from_functions(), EntityKind.FILE, functions))
+    values.update(fold_parts(_FROM_FUNCTIONS, functions))
     add_derived(EntityKind.FILE, values)
     return values

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from msgspec.structs import replace
 
-from roslens.judge.fold import fold_parts
+from roslens.judge.fold import fold_parts, fold_steps
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.source import Package, Role, SourceFile
 from roslens.source.metrics import duplicated_lines, files
@@ -24,7 +24,10 @@ MeasuredFile = tuple[SourceFile, FileFacts, tuple[Entity, ...]]
 _OF_CLASS: tuple[tuple[str, Callable[[ClassInPackage, CountingSettings], float | None]], ...] = tuple(
     (metric.QUANTITY.key, metric.of_class) for metric in metrics_with("of_class")
 )
-_FROM_CLASSES = tuple(quantity for quantity in QUANTITIES.values() if EntityKind.CLASS in quantity.kinds)
+_FROM_CLASSES = tuple(
+    step for step in fold_steps(QUANTITIES.values(), EntityKind.FILE) if step.source is EntityKind.CLASS
+)
+_TO_PACKAGE = fold_steps(QUANTITIES.values(), EntityKind.PACKAGE)
 
 
 def measure_package(
@@ -50,7 +53,7 @@ def measure_package(
         classes = tuple(_classes(number, file.path, facts, class_ids, joined, counting))
         functions = _functions(number, of_file[1:], class_ids, joined)
         values = {**of_file[0].values, duplicated_lines.QUANTITY.key: duplicated[number]}
-        values.update(fold_parts(_FROM_CLASSES, EntityKind.FILE, classes))
+        values.update(fold_parts(_FROM_CLASSES, classes))
         add_derived(EntityKind.FILE, values)
         parts = (replace(of_file[0], parent=package_id, values=values), *classes, *functions)
         entities.extend(parts)
@@ -69,7 +72,7 @@ def measure_package(
 def _package_values(sources: Iterable[SourceFile], own: Sequence[Entity]) -> dict[str, float]:
     of_files = float(files.of_files([file for file in sources if file.role is Role.OWN]))
     values = {files.QUANTITY.key: of_files}
-    folded = fold_parts(QUANTITIES.values(), EntityKind.PACKAGE, own)
+    folded = fold_parts(_TO_PACKAGE, own)
     values.update(folded or dict.fromkeys(("classes", "functions", "loc"), 0.0))
     add_derived(EntityKind.PACKAGE, values)
     return values

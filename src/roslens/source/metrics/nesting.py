@@ -28,6 +28,7 @@ QUANTITY = Quantity(
 
 _STRUCTURES = frozenset({"if", "for", "while", "do", "switch", "try"})
 _ARMS = frozenset({"elif", "else", "loop_else", "try_else", "catch", "finally"})
+_DEPTHS = 12
 
 
 def of_function(facts: FunctionFacts, counting: CountingSettings) -> float:
@@ -39,17 +40,19 @@ def of_function(facts: FunctionFacts, counting: CountingSettings) -> float:
 
 def _of_control(control: Sequence[Control]) -> int:
     deepest = 0
-    # From the function inwards: the levels around each event that holds the next, and the levels inside it.
-    around, inside = [0], [0]
+    # By depth: the levels around what holds the events of that depth, and the levels inside it.
+    around, inside = [0] * _DEPTHS, [0] * _DEPTHS
     for event in control:
-        role, above = event.role, min(event.depth, len(around) - 1) + 1
-        del around[above:], inside[above:]
-        level = inside[-1] if event.part == "body" else around[-1]
-        around.append(level)
+        role, depth = event.role, event.depth
+        while depth + 1 >= len(inside):
+            around.append(around[-1])
+            inside.append(inside[-1])
+        level = deeper = inside[depth] if event.part == "body" else around[depth]
         if role in _STRUCTURES:
-            level += 1
-            deepest = max(deepest, level)
+            deeper += 1
+            deepest = max(deepest, deeper)
         elif role in _ARMS:
-            level += 1
-        inside.append(level)
+            deeper += 1
+        depth += 1
+        around[depth], inside[depth] = level, deeper
     return deepest

@@ -37,8 +37,8 @@ QUANTITY = Quantity(
 )
 
 _BRANCHES = frozenset({"if", "for", "while", "do", "switch", "try", "ternary"})
-_LOOPS = frozenset({"for", "while", "do"})
 _LABELS = frozenset({"case", "default"})
+_ARMS = frozenset({"elif", "else", "loop_else", "catch", "try_else", "finally"})
 
 
 def of_function(facts: FunctionFacts, counting: CountingSettings) -> float:
@@ -68,7 +68,7 @@ class _Level:
         self.excess = 0
         # Arms read before the if, loop or try that they belong to.
         self.more_arms = 0
-        self.last_arm: int | None = None
+        self.last_arm = 0
         self.times = 1
         # Arms of the switch whose body this level is.
         self.paths_of_labels = 0
@@ -82,25 +82,28 @@ def _of_control(control: Sequence[Control], *, shared_arms: bool) -> int:
     # Read backwards, all that belongs to an event is known when the event comes.
     levels = [_Level()]
     for event in reversed(control):
-        depth = event.depth
-        while len(levels) <= depth:
-            levels.append(_Level())
-        below = levels[depth + 1] if len(levels) > depth + 1 else _NOTHING
-        del levels[depth + 1 :]
+        role, depth = event.role, event.depth
+        above = len(levels) - 1 - depth
+        if above < 1:
+            levels.extend([_Level() for _ in range(-above)])
+            below = _NOTHING
+        else:
+            below = levels[depth + 1]
+            del levels[depth + 1 :]
         level = levels[depth]
-        role = event.role
-        if role in _LABELS:
-            _add_label(role, level, below, shared_arms=shared_arms)
-        elif role in _BRANCHES:
-            _multiply(level, event.part, _of_structure(role, level, below))
-        elif not _add_arm(role, level, below) and below is not _NOTHING:
-            _multiply(level, event.part, below.body * below.condition)
         level.empty = False
+        if role in _BRANCHES:
+            _multiply(level, event.part, _of_structure(role, level, below))
+        elif role in _LABELS:
+            _add_label(role, level, below, shared_arms=shared_arms)
+        elif role in _ARMS:
+            _add_arm(role, level, below)
+        elif below is not _NOTHING:
+            _multiply(level, event.part, below.body * below.condition)
     return min(MOST, levels[0].body * levels[0].condition)
 
 
 def _multiply(level: _Level, part: str, paths: int) -> None:
-    paths = min(MOST, paths)
     if part == "body":
         level.body = min(MOST, level.body * paths)
         level.excess = min(MOST, level.excess + paths - 1)
@@ -108,17 +111,14 @@ def _multiply(level: _Level, part: str, paths: int) -> None:
         level.condition = min(MOST, level.condition * paths)
 
 
-def _add_arm(role: str, level: _Level, below: _Level) -> bool:
-    if role in ("else", "loop_else", "try_else"):
-        level.last_arm = below.body
-    elif role in ("elif", "catch"):
+def _add_arm(role: str, level: _Level, below: _Level) -> None:
+    if role in ("elif", "catch"):
         level.more_arms += below.body
         level.times = min(MOST, level.times * below.condition)
     elif role == "finally":
         level.times = min(MOST, level.times * below.body)
     else:
-        return False
-    return True
+        level.last_arm = below.body
 
 
 def _add_label(role: str, level: _Level, below: _Level, *, shared_arms: bool) -> None:
@@ -133,9 +133,8 @@ def _of_structure(role: str, level: _Level, below: _Level) -> int:
         return (2 + below.excess) * below.condition
     if role == "switch":
         return (below.paths_of_labels + (not below.default)) * below.body * below.condition
-    more, last, times = level.more_arms, level.last_arm, level.times
-    level.more_arms, level.last_arm, level.times = 0, None, 1
-    own = below.body
-    if role == "try":
-        return (own * (1 if last is None else last) + more) * times * below.condition
-    return (own + more + (1 if last is None else last)) * times * below.condition
+    last, own = level.last_arm, below.body
+    paths = own * (last or 1) if role == "try" else own + (last or 1)
+    paths = (paths + level.more_arms) * level.times * below.condition
+    level.more_arms, level.last_arm, level.times = 0, 0, 1
+    return paths

@@ -17,8 +17,8 @@ QUANTITY = Quantity(
     formula="number of its methods that are not private",
     source="MAC of the ROS and NASA SATC models; Santos et al., IROS 2016, measure it as CCCC's weighted methods per "
     "class by visibility, which this equals",
-    limits="Inherited methods do not count. Python: names with a leading underscore are private, `__init__` and its "
-    "like are not.",
+    limits="Inherited methods do not count. Python: names with two leading underscores are private, `__init__` and "
+    "its like are not.",
     decimals=1,
 )
 

@@ -12,7 +12,13 @@ from roslens.plugins.member import Member
 from roslens.plugins.points import FileInput, PackageInput
 
 FIXTURES = Path(__file__).parents[1] / "fixtures" / "plugins"
-LANGUAGES = {".py": Language.PYTHON, ".cpp": Language.CPP, ".h": Language.CPP, ".xml": Language.MANIFEST}
+LANGUAGES = {
+    ".py": Language.PYTHON,
+    ".cpp": Language.CPP,
+    ".h": Language.CPP,
+    ".xml": Language.MANIFEST,
+    ".msg": Language.MSG,
+}
 
 
 @pytest.fixture(scope="session")

@@ -56,6 +56,7 @@ def discover(
     Args:
         paths: files or folders of plug-ins, relative to ``base``.
         disable: names of plug-ins, or of their entry points, to leave out; they are not imported.
+            HAROS plug-ins may be named without their prefix.
         base: the folder that ``paths`` start from.
         builtin: plug-ins that come with roslens, as ``module:attribute``; imported in this process.
         search: folders to look for installed plug-ins in; None means ``sys.path``.
@@ -71,7 +72,8 @@ def discover(
             failures.append(found)
         else:
             candidates.append(found)
-    wanted = [candidate for candidate in candidates if candidate.label not in disable]
+    hidden = {name for given in disable for name in (given, HAROS_PREFIX + given)}
+    wanted = [candidate for candidate in candidates if candidate.label not in hidden]
     loaded = [_load_here(candidate) for candidate in wanted if candidate.builtin]
     foreign = [candidate for candidate in wanted if not candidate.builtin]
     if foreign:
@@ -86,8 +88,21 @@ def discover(
             members[item.name] = item
     labels = {candidate.label for candidate in candidates} | set(members)
     failures.extend(_misspelt(disable, labels))
-    kept = (members[name] for name in sorted(members) if name not in disable)
+    kept = (members[name] for name in sorted(members) if name not in hidden)
     return Discovered(tuple(kept), tuple(failures))
+
+
+def load_reference(reference: str, *, time_limit_s: float = LOAD_LIMIT_S) -> Member | Failure:
+    """Load one plug-in, given as ``module``, ``module:attribute`` or a path: for tests of plug-ins."""
+    if Path(reference).exists():
+        candidate = _from_path(reference, Path())
+        if isinstance(candidate, Failure):
+            return candidate
+    else:
+        module, _, attribute = reference.partition(":")
+        spec = LoadSpec(Source.MODULE, module=module, attribute=attribute)
+        candidate = _Candidate(module, f"module {module}", spec)
+    return next(_load_apart([candidate], time_limit_s, None))
 
 
 def _search_path(base: Path) -> list[str]:

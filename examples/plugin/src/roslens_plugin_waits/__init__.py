@@ -1,0 +1,1 @@
+"""A roslens plug-in that finds fixed waits in the code of a robot."""

@@ -1,17 +1,20 @@
-"""Opening SQLite the way both the store and the cache need it."""
+"""Opening SQLite the way both the store and the cache need it, once or once per reader."""
 
 from __future__ import annotations
 
 import os
 import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from threading import Lock
 from urllib.parse import quote
 
 
 def connect(path: Path | None, *, wait_s: float, writable: bool = True) -> sqlite3.Connection:
     """Open the file, or a database in memory for None.
 
-    Statements commit on their own unless a transaction was begun. Several threads may read through one connection.
+    Statements commit on their own unless a transaction was begun. Only one thread at a time may use a connection.
     A file in a folder that cannot be written (a read-only medium) can still be read.
 
     Args:
@@ -38,6 +41,58 @@ def connect(path: Path | None, *, wait_s: float, writable: bool = True) -> sqlit
         connection.close()
         raise
     return connection
+
+
+class Readers:
+    """Connections for readers: each has one to itself, so that any thread may read at any time.
+
+    A store in memory has but one connection; there only one thread may read.
+    """
+
+    def __init__(self, path: Path | None, main: sqlite3.Connection, wait_s: float) -> None:
+        """``main`` is the connection of the store itself."""
+        self._path = path
+        self._main = main
+        self._wait_s = wait_s
+        self._idle: list[sqlite3.Connection] = []
+        self._lock = Lock()
+        self._closed = False
+
+    @contextmanager
+    def one(self) -> Iterator[sqlite3.Connection]:
+        """Lend a connection for the length of the block.
+
+        Raises:
+            sqlite3.Error: the file cannot be opened, or the store was closed.
+        """
+        if self._path is None:
+            yield self._main
+            return
+        with self._lock:
+            if self._closed:
+                raise sqlite3.ProgrammingError("the store was closed")
+            connection = self._idle.pop() if self._idle else None
+        if connection is None:
+            connection = connect(self._path, wait_s=self._wait_s, writable=False)
+        try:
+            yield connection
+        finally:
+            self._take_back(connection)
+
+    def _take_back(self, connection: sqlite3.Connection) -> None:
+        with self._lock:
+            if self._closed:
+                connection.close()
+            else:
+                self._idle.append(connection)
+
+    def close(self) -> None:
+        """Close what is idle now, and the others when they come back."""
+        with self._lock:
+            self._closed = True
+            for connection in self._idle:
+                connection.close()
+            self._idle.clear()
 
 
 def write_ahead(connection: sqlite3.Connection) -> None:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Collection, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from roslens.model.tags import TagFilter
+from roslens.store.connect import Readers
 from roslens.store.rows import Row
 from roslens.store.sqlite_errors import as_store_errors
 
@@ -54,11 +56,21 @@ class Conditions:
 class Run:
     """The rows of one complete run."""
 
-    def __init__(self, connection: sqlite3.Connection, path: Path | None, number: int) -> None:
+    def __init__(self, readers: Readers, path: Path | None, number: int) -> None:
         """``path`` is that of the store, for messages."""
-        self.connection = connection
-        self.path = path
+        self._readers = readers
+        self._path = path
         self.number = number
+
+    @contextmanager
+    def reading(self) -> Iterator[sqlite3.Connection]:
+        """Lend a connection to read with.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        with as_store_errors(self._path), self._readers.one() as connection:
+            yield connection
 
     def rows(
         self,
@@ -95,5 +107,5 @@ class Run:
             f"SELECT {columns} FROM run_unit {join}CROSS JOIN {table} ON {table}.unit = run_unit.unit "  # noqa: S608 - names of this package; values are bound
             f"WHERE run_unit.run = ?{where.text}{sort}{cut}"
         )
-        with as_store_errors(self.path):
-            yield from self.connection.execute(query, (self.number, *where.values))
+        with self.reading() as connection:
+            yield from connection.execute(query, (self.number, *where.values))

@@ -7,7 +7,6 @@ from collections.abc import Collection, Iterable, Iterator
 from functools import cached_property
 from itertools import groupby
 from operator import itemgetter
-from pathlib import Path
 
 import msgspec
 
@@ -21,7 +20,6 @@ from roslens.model.tags import TagFilter, tag_filter
 from roslens.store import rows
 from roslens.store.columns import columns_of
 from roslens.store.question import Conditions, Run
-from roslens.store.sqlite_errors import as_store_errors
 from roslens.store.values import (
     PackageValues,
     all_numbers,
@@ -43,31 +41,31 @@ class RunView:
     store cannot be read.
     """
 
-    def __init__(self, connection: sqlite3.Connection, path: Path | None, run: int, header: RunHeader) -> None:
+    def __init__(self, run: Run, header: RunHeader) -> None:
         """Use :meth:`roslens.store.runs.Store.view`."""
-        self._run = Run(connection, path, run)
-        self.id = run
+        self._run = run
+        self.id = run.number
         self.header = header
 
     @cached_property
     def workspace(self) -> WorkspaceResult:
         """What only the packages together show."""
-        with as_store_errors(self._run.path):
-            rules, quantities, unit = self._run.connection.execute(
+        with self._run.reading() as connection:
+            rules, quantities, unit = connection.execute(
                 "SELECT vocabulary.rules, vocabulary.quantities, run.workspace "
                 "FROM run JOIN vocabulary ON vocabulary.id = run.vocabulary WHERE run.id = ?",
                 (self.id,),
             ).fetchone()
             package_values: dict[str, dict[str, float]] = {}
-            for package, quantity, value in self._run.connection.execute(
+            for package, quantity, value in connection.execute(
                 "SELECT package, quantity, value FROM package_value WHERE run = ? ORDER BY package, quantity",
                 (self.id,),
             ):
                 package_values.setdefault(package, {})[quantity] = value
             return WorkspaceResult(
                 package_values=package_values,
-                findings=_unit_findings(self._run.connection, unit),
-                failures=_unit_failures(self._run.connection, unit),
+                findings=_unit_findings(connection, unit),
+                failures=_unit_failures(connection, unit),
                 rules=_decode_rules(rules),
                 quantities=_decode_quantities(quantities),
             )
@@ -75,8 +73,8 @@ class RunView:
     @cached_property
     def _package_values(self) -> dict[str, dict[str, float]]:
         values: dict[str, dict[str, float]] = {}
-        with as_store_errors(self._run.path):
-            for package, quantity, value in self._run.connection.execute(
+        with self._run.reading() as connection:
+            for package, quantity, value in connection.execute(
                 "SELECT package, quantity, value FROM package_value WHERE run = ? ORDER BY package, quantity",
                 (self.id,),
             ):
@@ -93,8 +91,8 @@ class RunView:
 
     def packages(self) -> tuple[PackageSummary, ...]:
         """Return the summaries of all packages, with what only the packages together show among their values."""
-        with as_store_errors(self._run.path):
-            found = self._run.connection.execute(
+        with self._run.reading() as connection:
+            found = connection.execute(
                 "SELECT unit.summary FROM run_unit CROSS JOIN unit ON unit.id = run_unit.unit "
                 "WHERE run_unit.run = ? AND unit.package <> '' ORDER BY run_unit.position",
                 (self.id,),
@@ -103,13 +101,13 @@ class RunView:
 
     def package(self, package: str) -> PackageResult | None:
         """Return everything known of the package with this id."""
-        with as_store_errors(self._run.path):
-            found = self._run.connection.execute(
+        with self._run.reading() as connection:
+            found = connection.execute(
                 "SELECT unit.id FROM run_unit JOIN unit ON unit.id = run_unit.unit "
                 "WHERE run_unit.run = ? AND unit.package = ? AND unit.package <> ''",
                 (self.id, package),
             ).fetchone()
-            return read_unit(self._run.connection, found[0], self._package_values) if found else None
+            return read_unit(connection, found[0], self._package_values) if found else None
 
     def files(self, *, package: str | None = None, path: str | None = None) -> Iterator[tuple[str, SourceFile]]:
         """Yield package ids and files."""
@@ -143,7 +141,8 @@ class RunView:
     def _entities(self, where: Conditions, kind: EntityKind | None) -> Iterator[Entity]:
         found = self._run.rows(f"run_unit.unit, entity.position, {rows.ENTITY}", "entity", where)
         for unit, group in groupby(found, key=itemgetter(0)):
-            columns = columns_of(self._run.connection, unit, kind.value if kind else None)
+            with self._run.reading() as connection:
+                columns = columns_of(connection, unit, kind.value if kind else None)
             for row in group:
                 values = with_package_values(row[2], columns.values(row[3], row[1]), self._package_values)
                 yield rows.to_entity(row[2:], values)
@@ -175,7 +174,7 @@ class RunView:
             offset: without the first so many.
         """
         where = self._finding_conditions(package, rule, path, severity)
-        known = _tag_sets(self._run.connection)
+        known = self._tag_sets()
         where.tags(tag_filter(include_tags, exclude_tags).both(tags or TagFilter()), known)
         for row in self._run.rows(rows.FINDING, "finding", where, limit=limit, offset=offset):
             yield rows.to_finding(row, known)
@@ -193,10 +192,7 @@ class RunView:
     ) -> int:
         """Return how many findings meet all conditions; see :meth:`findings`."""
         where = self._finding_conditions(package, rule, path, severity)
-        where.tags(
-            tag_filter(include_tags, exclude_tags).both(tags or TagFilter()),
-            _tag_sets(self._run.connection),
-        )
+        where.tags(tag_filter(include_tags, exclude_tags).both(tags or TagFilter()), self._tag_sets())
         for row in self._run.rows("count(*)", "finding", where, order=""):
             return int(row[0])
         return 0
@@ -224,6 +220,10 @@ class RunView:
     def _with_package_values(self, summary: PackageSummary) -> PackageSummary:
         more = self._package_values.get(summary.id)
         return msgspec.structs.replace(summary, values={**summary.values, **more}) if more else summary
+
+    def _tag_sets(self) -> dict[int, tuple[str, ...]]:
+        with self._run.reading() as connection:
+            return _tag_sets(connection)
 
     def _finding_conditions(
         self, package: str | None, rule: str | None, path: str | None, severity: Severity | Collection[Severity] | None

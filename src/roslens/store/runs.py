@@ -11,10 +11,11 @@ import msgspec
 from roslens.model.errors import StoreError
 from roslens.model.result import PackageResult, PackageSummary, RunHeader
 from roslens.store import rows
-from roslens.store.connect import connect, shrink
+from roslens.store.connect import Readers, connect, shrink
 from roslens.store.folder import prepare_folder
 from roslens.store.lock import claim, release
 from roslens.store.migrate import migrate
+from roslens.store.question import Run
 from roslens.store.read import RunView, read_unit
 from roslens.store.sqlite_errors import as_store_errors
 from roslens.store.write import RunWriter
@@ -38,7 +39,7 @@ class StoredRun(msgspec.Struct, frozen=True):
 class Store:
     """All complete runs of a workspace; a context manager.
 
-    One thread writes; several may read through one store.
+    One thread uses the store itself; any number of threads may read through its views (in memory: one).
     """
 
     def __init__(self, connection: sqlite3.Connection, path: Path | None, wait_s: float) -> None:
@@ -46,6 +47,7 @@ class Store:
         self._connection = connection
         self._path = path
         self._wait_s = wait_s
+        self._readers = Readers(path, connection, wait_s)
 
     @classmethod
     def open(cls, path: Path | None, *, wait_s: float = WAIT_S) -> Store:
@@ -71,6 +73,7 @@ class Store:
 
     def close(self) -> None:
         """Close the file; views of this store are of no more use."""
+        self._readers.close()
         self._connection.close()
 
     def __enter__(self) -> Store:
@@ -166,7 +169,7 @@ class Store:
                 expected=f"one of {', '.join(map(str, known[-10:]))}" if known else "a complete run",
                 advice="" if known else "Run `roslens check` first",
             )
-        return RunView(self._connection, self._path, number, rows.to_header(found))
+        return RunView(Run(self._readers, self._path, number), rows.to_header(found))
 
     def prune(self, keep: int) -> int:
         """Remove all but the newest ``keep`` runs with everything only they hold; return how many were removed.

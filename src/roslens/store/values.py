@@ -10,7 +10,6 @@ from roslens.model.entity import Entity, EntityKind
 from roslens.store import rows
 from roslens.store.columns import Number, columns_of, numbers_of
 from roslens.store.question import Conditions, Run
-from roslens.store.sqlite_errors import as_store_errors
 
 PackageValues = Mapping[str, Mapping[str, float]]
 """Package id to quantity to value, of the quantities that need all packages."""
@@ -31,8 +30,8 @@ def named_numbers(
     """Return entity id, package id and value of every entity of the kind that has the quantity."""
     found = []
     for unit, package, first, numbers in _columns(run, package_values, quantity, kind):
-        with as_store_errors(run.path):
-            identities = run.connection.execute(
+        with run.reading() as connection:
+            identities = connection.execute(
                 "SELECT id FROM entity WHERE unit = ? AND position >= ? AND position < ? ORDER BY position",
                 (unit, first, first + len(numbers)),
             ).fetchall()
@@ -90,12 +89,12 @@ def _package_units(run: Run) -> Iterator[tuple[int, str]]:
 
 
 def _entity_at(run: Run, package_values: PackageValues, unit: int, position: int) -> Entity:
-    with as_store_errors(run.path):
-        row = run.connection.execute(
+    with run.reading() as connection:
+        row = connection.execute(
             f"SELECT {rows.ENTITY} FROM entity WHERE unit = ? AND position = ?",  # noqa: S608 - column names of rows.py
             (unit, position),
         ).fetchone()
-        values = columns_of(run.connection, unit, row[1]).values(row[1], position)
+        values = columns_of(connection, unit, row[1]).values(row[1], position)
     return rows.to_entity(row, with_package_values(row[0], values, package_values))
 
 

@@ -1,0 +1,58 @@
+"""Summaries of packages."""
+
+from roslens.model.finding import Finding, Severity
+from roslens.model.result import PackageResult, RuleCount
+from roslens.model.source import Location, Package
+from roslens.store.summary import summarise
+
+
+def test_the_small_run(sample):
+    drive = summarise(sample.drive())
+    assert drive.id == drive.name == "drive"
+    assert drive.description == "Turns velocities into wheel speeds."
+    assert drive.dependencies == ("arm", "roscpp")
+    assert drive.values == {"loc": 52, "cyclomatic_complexity": 8.75}
+    assert (drive.files, drive.classes, drive.functions, drive.failures) == (3, 1, 1, 1)
+    assert drive.languages == {"cpp": 2, "manifest": 1}
+    assert drive.roles == {"own": 2, "test": 1}
+    assert drive.rules == (
+        RuleCount(
+            "ros.cyclomatic_complexity",
+            Severity.WARNING,
+            1,
+            1,
+            "src/drive/src/drive.cpp:12: cyclomatic complexity 17, at most 15 allowed",
+            ("complexity", "metrics", "ros"),
+        ),
+        RuleCount("style.tabs", Severity.NOTE, 1, 0, 'src/drive/test/test_drive.cpp:3: a tab, "quoted"', ("style",)),
+    )
+
+
+def test_a_package_without_anything():
+    empty = summarise(PackageResult(Package("a", "a", ".", Location("package.xml"))))
+    assert (empty.values, empty.rules, empty.files, empty.languages) == ({}, (), 0, {})
+
+
+def test_counts_go_by_rule_severity_and_tags_most_severe_and_frequent_first():
+    def finding(rule, severity, tags, line, gated=True):
+        return Finding(rule, severity, "m", "p", line, tags=tags, gated=gated)
+
+    result = PackageResult(
+        Package("a", "a", ".", Location("package.xml")),
+        findings=(
+            finding("r", Severity.NOTE, ("x",), 1),
+            finding("r", Severity.NOTE, ("x",), 2),
+            finding("r", Severity.NOTE, ("y",), 3),
+            finding("s", Severity.ERROR, (), 4, gated=False),
+            finding("s", Severity.ERROR, (), 5),
+            finding("s", Severity.ERROR, (), 6),
+            finding("t", Severity.ERROR, (), 7, gated=False),
+        ),
+    )
+    counts = [(count.rule, count.tags, count.count, count.gated, count.example) for count in summarise(result).rules]
+    assert counts == [
+        ("s", (), 3, 2, "p:5: m"),
+        ("t", (), 1, 0, "p:7: m"),
+        ("r", ("x",), 2, 2, "p:1: m"),
+        ("r", ("y",), 1, 1, "p:3: m"),
+    ]

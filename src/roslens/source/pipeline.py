@@ -15,7 +15,7 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
-from roslens.source.chosen_models import chosen_models, model_text
+from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, key_of
@@ -26,6 +26,7 @@ from roslens.source.workspace.find import FoundPackage, Workspace, find_workspac
 
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
+    from roslens.model.quantity import Quantity
     from roslens.plugins.discovery import Discovered
     from roslens.plugins.outcome import Outcome
     from roslens.source.analyse_package import MeasuredPackage, PackageTask
@@ -115,18 +116,24 @@ class _Run(msgspec.Struct, frozen=True):
 
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
     """Return a key of everything besides files that shapes a package's result."""
-    models = [model_text(name, base) for name in settings.models]
+    models = [model_key(name, base, _known(plugins)) for name in settings.models]
     members = [(member.name, member.manifest.version, member.fingerprint) for member in plugins.members]
     # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
     return key_of(analyser_version(), msgspec.structs.replace(settings, plugins=()), models, members)
 
 
-def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
-    from roslens.source.finish_package import Finisher
+def _known(plugins: Discovered) -> dict[str, Quantity]:
+    """Return every quantity that a model may name."""
     from roslens.source.metrics.table import QUANTITIES
 
-    offered = {quantity.key: quantity for member in run.plugins.members for quantity in member.manifest.quantities}
-    models = chosen_models(run.settings.models, run.base, {**QUANTITIES, **offered})
+    offered = (quantity for member in plugins.members for quantity in member.manifest.quantities)
+    return {**QUANTITIES, **{quantity.key: quantity for quantity in offered}}
+
+
+def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
+    from roslens.source.finish_package import Finisher
+
+    models = chosen_models(run.settings.models, run.base, _known(run.plugins))
     wanted = frozenset(constraint.quantity for model in models for constraint in model.constraints)
     files = run.inventory.files
     packages = {found.package.id: found.package for found in run.workspace.packages}

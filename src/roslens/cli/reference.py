@@ -1,0 +1,40 @@
+"""Writes the reference pages that come from declarations: ``python -m roslens.cli.reference docs/reference``."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+
+def pages() -> Mapping[str, str]:
+    """Return every generated page by its path below ``docs/reference``."""
+    from roslens.judge.models_page import model_schema, models_page
+    from roslens.judge.quality_model import builtin_models, load_model
+    from roslens.source.metrics.describe import metrics_page
+    from roslens.source.metrics.table import QUANTITIES
+    from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
+
+    known = {**QUANTITIES, **{quantity.key: quantity for quantity in CCCC_QUANTITIES}}
+    models = [load_model(name, known) for name in builtin_models()]
+    return {
+        "metrics/quantities.md": metrics_page(QUANTITIES.values()),
+        "models.md": models_page(models),
+        "model.schema.json": json.dumps(model_schema(), indent=2, ensure_ascii=False) + "\n",
+    }
+
+
+def main() -> int:
+    """Write the pages below the folder given."""
+    target = Path(sys.argv[1])
+    for path, text in pages().items():
+        place = target / path
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(text, "utf-8")
+        print(place)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

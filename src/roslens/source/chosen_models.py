@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from roslens.judge.quality_model import QualityModel, builtin_models, load_model
+import roslens.judge
 from roslens.model.quantity import Quantity
+
+if TYPE_CHECKING:
+    from roslens.judge.quality_model import QualityModel
 
 
 def chosen_models(names: Sequence[str], base: Path, known: Mapping[str, Quantity]) -> tuple[QualityModel, ...]:
@@ -15,6 +19,8 @@ def chosen_models(names: Sequence[str], base: Path, known: Mapping[str, Quantity
     Raises:
         DocumentError: a model is wrong or not there.
     """
+    from roslens.judge.quality_model import load_model
+
     return tuple(load_model(name, known, base=base) for name in names)
 
 
@@ -26,4 +32,8 @@ def model_key(name: str, base: Path, known: Mapping[str, Quantity]) -> object:
     Raises:
         DocumentError: the model is wrong or not there.
     """
-    return name if name in builtin_models() else load_model(name, known, base=base)
+    if (Path(roslens.judge.__path__[0]) / "models" / f"{name}.yaml").is_file():
+        return name
+    from roslens.judge.quality_model import load_model
+
+    return load_model(name, known, base=base)

@@ -17,12 +17,12 @@ from roslens.plugins.discovery import Discovered, discover
 from roslens.plugins.member import Member
 from roslens.plugins.outcome import Outcome
 from roslens.plugins.points import FileInput, PackageInput, WorkspaceInput
-from roslens.source.analyse_package import MeasuredPackage
 from roslens.source.settings import SourceSettings
 from roslens.source.workspace.find import Workspace
 
 if TYPE_CHECKING:
     from roslens.plugins.pool import ProcessWorkers
+    from roslens.source.analyse_package import MeasuredPackage
 
 BUILTIN = ("roslens.source.tools.cccc:plugin",)
 """Plug-ins that come with roslens, as ``module:attribute``."""

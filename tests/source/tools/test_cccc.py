@@ -69,11 +69,11 @@ def test_a_folder_of_sources(member: Member):
     outcome = look_at(member, FIXTURES / "values")
     assert outcome.failures == ()
     found = values(outcome)
-    assert found["package:values", "loc"] == 99
-    assert found["package:values", "comment_lines"] == 6
-    assert found["package:values", "cyclomatic_complexity"] == 3.5
-    assert found["package:values", "wmc"] == pytest.approx(18 / 7)
-    assert found["package:values", "rqv"] == 3
+    assert found["package:values", "loc"] == 110
+    assert found["package:values", "comment_lines"] == 7
+    assert found["package:values", "cyclomatic_complexity"] == 24 / 7
+    assert found["package:values", "wmc"] == pytest.approx(19 / 8)
+    assert found["package:values", "rqv"] == 4
     assert found["file:arm.hpp", "comment_ratio"] == 9
     assert ("file:empty.hpp", "loc") not in found
 

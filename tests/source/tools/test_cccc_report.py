@@ -40,6 +40,11 @@ def test_a_source_file():
     ]
 
 
+def test_a_function_is_where_it_is_defined():
+    (function,) = read_report(FIXTURES / "reports" / "inline.hpp").functions
+    assert function == CcccFunction("Counter", "next()", 11, 3)
+
+
 def test_a_c_file_and_files_of_which_cccc_knows_little():
     legacy = read_report(FIXTURES / "reports" / "legacy.c")
     assert CcccFunction("anonymous", "checksum(const char *,int)", 4, 2) in legacy.functions

@@ -25,7 +25,7 @@ class CcccError(Exception):
 
 
 class CcccFunction(msgspec.Struct, frozen=True, order=True):
-    """A function: the module it is in, its name with parameters, where cccc saw it first, its complexity."""
+    """A function: the module it is in, its name with parameters, the line of its definition, its complexity."""
 
     module: str
     name: str
@@ -94,9 +94,16 @@ def _module(path: Path) -> tuple[CcccModule, list[CcccFunction]]:
 def _functions(root: _Element, module: str, file: str) -> Iterator[CcccFunction]:
     for function in root.iterfind("procedural_detail/member_function"):
         complexity = _value(function, "McCabes_cyclomatic_complexity", file)
-        line = _line(function.find("extent/source_reference"))
-        if line:
+        if line := _line_of(function):
             yield CcccFunction(module, function.findtext("name") or "", line, complexity)
+
+
+def _line_of(function: _Element) -> int:
+    """Return the line of the definition, else of the first place where cccc saw it; 0 without any."""
+    lines = {
+        extent.findtext("description"): _line(extent.find("source_reference")) for extent in function.iterfind("extent")
+    }
+    return lines.get("definition") or next(iter(lines.values()), 0)
 
 
 def _parsed(path: Path) -> _Element:

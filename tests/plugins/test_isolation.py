@@ -78,24 +78,28 @@ CRASHES = {
 }
 
 
-@pytest.mark.parametrize("act", CRASHES)
-def test_a_crash_loses_one_file_of_one_plugin(act, member, make_package, tmp_path):
+def test_a_crash_loses_one_file_of_one_plugin(member, make_package, tmp_path):
     log = tmp_path / "log"
-    package = make_package({"a.py": BEHAVE, "b.py": f"# {act}\ngoto\n", "c.py": BEHAVE})
-    members = member("misbehaving.py", "orderly.py")
-    outcome = run_package(members, package, time_limit_s=1.0, log=log)
-    assert [m.entity for m in outcome.measurements] == ["file:pack/a.py", "file:pack/b.py", "file:pack/c.py"]
-    assert "the word 'goto'" in messages(outcome, "pack/b.py")
-    for path in ("pack/a.py", "pack/c.py"):
+    files = {f"{act}.py": f"# {act}\ngoto\n" for act in CRASHES} | {"a.py": BEHAVE, "z.py": BEHAVE}
+    outcome = run_package(
+        member("misbehaving.py", "orderly.py"), make_package(files), time_limit_s=1.0, log=log, jobs=2
+    )
+    assert {m.entity for m in outcome.measurements} == {f"file:pack/{name}" for name in files}, "the other plug-in"
+    for path in ("pack/a.py", "pack/z.py"):
         assert messages(outcome, path) == ["seen after", "seen before"]
-    (failure,) = outcome.failures
-    assert failure.what.startswith(f"plug-in 'misbehaving' failed while running analyse_file: {CRASHES[act]}")
-    assert str(failure).startswith("pack/b.py: plug-in 'misbehaving' failed")
-    assert (failure.tool, failure.entity, failure.package) == ("misbehaving", "file:pack/b.py", "pack")
-    if act in ("raise", "recurse"):
-        assert "Traceback" in failure.detail
-        assert "seen before" in messages(outcome, "pack/b.py"), "what was reported before stays"
-        assert "Traceback" in log.read_text()
+    failures = {failure.entity: failure for failure in outcome.failures}
+    assert len(failures) == len(outcome.failures) == len(CRASHES)
+    for act, why in CRASHES.items():
+        failure = failures[f"file:pack/{act}.py"]
+        assert failure.what.startswith(f"plug-in 'misbehaving' failed while running analyse_file: {why}")
+        assert str(failure).startswith(f"pack/{act}.py: plug-in 'misbehaving' failed")
+        assert (failure.tool, failure.package) == ("misbehaving", "pack")
+        assert "the word 'goto'" in messages(outcome, f"pack/{act}.py")
+    for act in ("raise", "exit", "recurse"):
+        assert "Traceback" in failures[f"file:pack/{act}.py"].detail
+        assert "seen before" in messages(outcome, f"pack/{act}.py"), "what was reported before stays"
+    assert "Segmentation fault" in failures["file:pack/segfault.py"].detail
+    assert "ValueError: boom" in log.read_text()
 
 
 def test_children_of_a_plugin_that_hangs_are_gone(member, make_package):
@@ -125,24 +129,29 @@ BREACHES = {
     "wrong entity": ("entity 'file:elsewhere.py' is not here", ""),
     "wrong kind": ("a value of 'misbehaving.share' for a function; expected a file", ""),
     "wrong path": ("path '/etc/passwd' is no file of what it was given", ""),
-    "wrong line": ("line 99 is behind the end of pack/a.py", ""),
+    "wrong line": ("line 99 is behind the end of pack/wrong line.py", ""),
     "no line": ("line is 'one'; expected a whole number from 1", ""),
     "twice": ("0.25 and 0.5 for 'misbehaving.share' of one entity; expected one value", ""),
 }
 
 
-@pytest.mark.parametrize("act", BREACHES)
 @pytest.mark.parametrize("jobs", [0, 1])
-def test_a_breach_loses_one_report(act, jobs, member, make_package):
-    outcome = run_package(member("misbehaving.py"), make_package({"a.py": f"# {act}\n"}), jobs=jobs)
-    assert messages(outcome) == ["seen after", "seen before"]
-    (failure,) = outcome.failures
-    what, advice = BREACHES[act]
-    assert f"plug-in 'misbehaving' breaks the contract: {what}" in str(failure)
-    assert advice in str(failure)
-    assert failure.partial
-    if act != "twice":
-        assert "misbehaving.py" in failure.detail, "the author is told where"
+def test_a_breach_loses_one_report(jobs, member, make_package):
+    package = make_package({f"{act}.py": f"# {act}\n" for act in BREACHES})
+    outcome = run_package(member("misbehaving.py"), package, jobs=jobs)
+    failures = {failure.entity: failure for failure in outcome.failures}
+    for act, (what, advice) in BREACHES.items():
+        path = f"pack/{act}.py"
+        assert messages(outcome, path) == ["seen after", "seen before"]
+        named = f"function:{path}#f()" if act == "wrong kind" else f"file:{path}"
+        failure = failures[named]
+        assert f"plug-in 'misbehaving' breaks the contract: {what}" in str(failure)
+        assert advice in str(failure)
+        assert failure.partial
+        if act != "twice":
+            assert str(failure).startswith(f"{path}")
+            assert "misbehaving.py" in failure.detail, "the author is told where"
+    assert len(outcome.failures) == len(BREACHES)
 
 
 def test_a_breach_in_every_file_is_told_once(member, make_package):

@@ -171,7 +171,8 @@ def _member(candidate: _Candidate, manifest: Manifest, hooks: tuple[str, ...], f
 
 def _load_apart(candidates: Sequence[_Candidate], time_limit_s: float, log: Path | None) -> Iterator[Member | Failure]:
     from roslens.plugins.frames import Loaded, LoadTask
-    from roslens.plugins.pool import Job, ProcessWorkers
+    from roslens.plugins.job import Job
+    from roslens.plugins.pool import ProcessWorkers
 
     jobs = [Job(LoadTask(candidate.label, candidate.spec), plugins=()) for candidate in candidates]
     with ProcessWorkers(1, load_limit_s=time_limit_s, log=log) as workers:

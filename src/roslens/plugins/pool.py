@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import selectors
-import signal
-import subprocess
-import sys
 import tempfile
 import time
 from collections import Counter, deque
@@ -18,19 +14,9 @@ from typing import Protocol
 
 import msgspec
 
-from roslens.plugins.frames import (
-    LOADING,
-    LOST_CONNECTION,
-    Answer,
-    AnswerBuffer,
-    Began,
-    Ended,
-    Gave,
-    Order,
-    Step,
-    Task,
-    frame,
-)
+from roslens.plugins.frames import LOADING, Answer, Began, Ended, Gave, Order, Step
+from roslens.plugins.job import Death, Job
+from roslens.plugins.process import WorkerProcess
 
 HANGS_BEFORE_GIVING_UP = 3
 """A plug-in that hung this often is not called again: each hang costs the whole time limit."""
@@ -40,56 +26,10 @@ _START_LIMIT_S = 30.0
 
 _PIECE = 1 << 16
 _OUTPUT_SHOWN = 4000
-_START = "import sys; sys.path[:] = {path!r}; from roslens.plugins.worker import main; main()"
 
 
 def _unheard(_step: Step) -> None:
     """Nobody listens."""
-
-
-class Death(msgspec.Struct, frozen=True):
-    """How a worker ended: what it was at, why, and what it printed last."""
-
-    at: Began | None
-    why: str
-    output: str
-
-
-class Job:
-    """A task on its way through workers, until each of its steps is done or dead."""
-
-    def __init__(self, task: Task, *, plugins: Sequence[str], home: str = "") -> None:
-        """Take the task, the plug-ins it calls, and the name of the worker it wants to run in again."""
-        self.task = task
-        self.plugins = tuple(plugins)
-        self.home = home
-        self.done: set[Step] = set()
-        self.dead: set[Step] = set()
-        self.answers: list[Answer] = []
-        self.deaths: list[Death] = []
-        self.given_up: set[str] = set()
-
-    def order(self) -> bytes:
-        """Return the frame that asks a worker for what is left."""
-        return frame(Order(self.task, frozenset(self.done), frozenset(self.dead)))
-
-    def receive(self, answer: Answer) -> None:
-        """Keep an answer."""
-        if isinstance(answer, Gave) and answer.over:
-            self.done.add(answer.step)
-        self.answers.append(answer)
-
-    def died(self, death: Death) -> None:
-        """Keep how a worker died on this task."""
-        self.deaths.append(death)
-        if death.at is not None:
-            self.dead.add(death.at.step)
-
-    def give_up(self, plugin: str) -> None:
-        """Call no further hook of a plug-in."""
-        if plugin in self.plugins and plugin not in self.given_up:
-            self.given_up.add(plugin)
-            self.dead.add(Step(plugin, LOADING))
 
 
 class Workers(Protocol):
@@ -125,7 +65,7 @@ class ProcessWorkers:
         self._load_limit_s = load_limit_s
         self._log = log
         self._hash_seed = hash_seed
-        self._workers: list[_Worker] = []
+        self._workers: list[WorkerProcess] = []
         self._hangs: Counter[str] = Counter()
         self._folder: tempfile.TemporaryDirectory[str] | None = None
         self.started = 0
@@ -178,7 +118,7 @@ class ProcessWorkers:
             worker.start(job, time.monotonic() + _START_LIMIT_S)
             selector.register(worker.stdout, selectors.EVENT_READ, worker)
 
-    def _worker_for(self, job: Job) -> _Worker | None:
+    def _worker_for(self, job: Job) -> WorkerProcess | None:
         if job.home:
             for worker in self._workers:
                 if job.home in worker.homes:
@@ -191,7 +131,7 @@ class ProcessWorkers:
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(prefix="roslens-")
         self.started += 1
-        worker = _Worker(Path(self._folder.name, f"output-{self.started}"), self._hash_seed)
+        worker = WorkerProcess(Path(self._folder.name, f"output-{self.started}"), self._hash_seed)
         self._workers.append(worker)
         return worker
 
@@ -200,7 +140,7 @@ class ProcessWorkers:
         return max(0.0, min(deadlines) - time.monotonic())
 
     def _hear(
-        self, worker: _Worker, waiting: deque[Job], selector: selectors.BaseSelector, told: Callable[[Step], None]
+        self, worker: WorkerProcess, waiting: deque[Job], selector: selectors.BaseSelector, told: Callable[[Step], None]
     ) -> None:
         try:
             piece = os.read(worker.stdout, _PIECE)
@@ -234,7 +174,7 @@ class ProcessWorkers:
     def _limit_of(self, step: Step) -> float:
         return self._load_limit_s if step.name == LOADING else self._limit_s
 
-    def _bury(self, worker: _Worker, why: str, waiting: deque[Job], selector: selectors.BaseSelector) -> None:
+    def _bury(self, worker: WorkerProcess, why: str, waiting: deque[Job], selector: selectors.BaseSelector) -> None:
         job = worker.job
         selector.unregister(worker.stdout)
         at = worker.at
@@ -247,82 +187,13 @@ class ProcessWorkers:
         if at is not None or len(job.deaths) == 1:
             waiting.appendleft(job)
 
-    def _keep_output(self, worker: _Worker, title: str) -> str:
+    def _keep_output(self, worker: WorkerProcess, title: str) -> str:
         """Move what a worker printed to the log; return the end of it."""
         text = worker.new_output()
         if text and self._log is not None:
             with self._log.open("a", encoding="utf-8") as log:
                 log.write(f"[{title or 'between hooks'}]\n{text}" + ("" if text.endswith("\n") else "\n"))
         return text[-_OUTPUT_SHOWN:]
-
-
-class _Worker:
-    """One process and what it is doing."""
-
-    def __init__(self, output: Path, hash_seed: str) -> None:
-        self.job: Job | None = None
-        self.at: Began | None = None
-        self.deadline = 0.0
-        self.buffer = AnswerBuffer()
-        self.homes: set[str] = set()
-        self._output = output
-        self._read = 0
-        with output.open("ab") as stream:
-            self._process = subprocess.Popen(
-                [sys.executable, "-c", _START.format(path=[folder for folder in sys.path if folder])],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=stream,
-                bufsize=0,
-                start_new_session=True,
-                env={**os.environ, "PYTHONHASHSEED": hash_seed},
-            )
-        assert self._process.stdin is not None  # noqa: S101 - Popen was asked for pipes
-        assert self._process.stdout is not None  # noqa: S101
-        self._stdin = self._process.stdin
-        self._stdout = self._process.stdout
-        self.stdout = self._stdout.fileno()
-
-    def start(self, job: Job, deadline: float) -> None:
-        self.job, self.at, self.deadline = job, None, deadline
-        rest = memoryview(job.order())
-        try:
-            while rest:
-                rest = rest[self._stdin.write(rest) or 0 :]
-        except OSError:
-            return
-
-    def new_output(self) -> str:
-        if not self._output.exists() or self._output.stat().st_size == self._read:
-            return ""
-        with self._output.open("rb") as stream:
-            stream.seek(self._read)
-            content = stream.read()
-        self._read += len(content)
-        return content.decode("utf-8", "backslashreplace")
-
-    def ended(self) -> str:
-        """Return why the process is no longer there."""
-        try:
-            code = self._process.wait(1.0)
-        except subprocess.TimeoutExpired:
-            code = LOST_CONNECTION
-        if code == LOST_CONNECTION:
-            return "it closed the connection to roslens"
-        if code >= 0:
-            return f"its process ended with exit code {code}"
-        try:
-            name = signal.Signals(-code).name
-        except ValueError:
-            name = f"signal {-code}"
-        return f"its process was ended by {name}"
-
-    def kill(self) -> None:
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(self._process.pid, signal.SIGKILL)
-        self._stdin.close()
-        self._stdout.close()
-        self._process.wait()
 
 
 class InlineWorkers:

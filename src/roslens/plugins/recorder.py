@@ -141,7 +141,7 @@ class Recorder:
         return _text(context) or text
 
     def _breach(self, breach: Breach, path: object, line: object, entity: object, more: str = "") -> None:
-        place = self.grounds.resolve(str(path)) if path else self.grounds.default_path
+        place = (self.grounds.resolve(str(path)) if path else None) or self.grounds.default_path
         caller = traceback.extract_stack(limit=3)[0]
         self.failures.append(
             breaks_contract(
@@ -149,7 +149,7 @@ class Recorder:
                 breach,
                 tool=self._tool,
                 location=Location(place, _line(line)) if place else None,
-                entity=str(entity or self.grounds.default_entity),
+                entity=str(entity) if str(entity) in self.grounds.ids else self.grounds.default_entity,
                 package=self.grounds.package,
                 detail=f"reported in {caller.name}, line {caller.lineno} of {caller.filename}{_text(more)}",
             )

@@ -25,11 +25,12 @@ from roslens.plugins.frames import (
     Task,
     WorkspaceTask,
 )
+from roslens.plugins.job import Death, Job
 from roslens.plugins.member import Member
 from roslens.plugins.options import resolve_options
 from roslens.plugins.outcome import Outcome, settle
 from roslens.plugins.points import HOOKS
-from roslens.plugins.pool import HANGS_BEFORE_GIVING_UP, Death, InlineWorkers, Job, ProcessWorkers, Workers
+from roslens.plugins.pool import HANGS_BEFORE_GIVING_UP, InlineWorkers, ProcessWorkers, Workers
 
 Options = Mapping[str, Mapping[str, object]]
 """What the user set, by plug-in and option."""

@@ -8,13 +8,8 @@ from roslens.plugins.isolation import run_plugins
 
 
 @pytest.fixture
-def found(fixtures):
-    def find(*names):
-        discovered = discover([f"haros_plugin_{name}" for name in names], base=fixtures, search=())
-        assert not discovered.failures
-        return discovered.members
-
-    return find
+def found(member):
+    return lambda *names: member(*(f"haros_plugin_{name}" for name in names))
 
 
 def said(outcome, rule, **place):

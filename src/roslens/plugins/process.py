@@ -1,0 +1,88 @@
+"""One worker process, seen from the parent."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+from roslens.plugins.frames import LOST_CONNECTION, AnswerBuffer, Began
+from roslens.plugins.job import Job
+
+_START = "import sys; sys.path[:] = {path!r}; from roslens.plugins.worker import main; main()"
+
+
+class WorkerProcess:
+    """A process, the job it is at, and since when."""
+
+    def __init__(self, output: Path, hash_seed: str) -> None:
+        """Start a process whose output, and that of its children, goes to the file ``output``."""
+        self.job: Job | None = None
+        self.at: Began | None = None
+        self.deadline = 0.0
+        self.buffer = AnswerBuffer()
+        self.homes: set[str] = set()
+        self._output = output
+        self._read = 0
+        with output.open("ab") as stream:
+            self._process = subprocess.Popen(
+                [sys.executable, "-c", _START.format(path=[folder for folder in sys.path if folder])],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=stream,
+                bufsize=0,
+                start_new_session=True,
+                env={**os.environ, "PYTHONHASHSEED": hash_seed},
+            )
+        assert self._process.stdin is not None  # noqa: S101 - Popen was asked for pipes
+        assert self._process.stdout is not None  # noqa: S101
+        self._stdin = self._process.stdin
+        self._stdout = self._process.stdout
+        self.stdout = self._stdout.fileno()
+
+    def start(self, job: Job, deadline: float) -> None:
+        """Give it a job; one that is dead says so when it is listened to."""
+        self.job, self.at, self.deadline = job, None, deadline
+        rest = memoryview(job.order())
+        try:
+            while rest:
+                rest = rest[self._stdin.write(rest) or 0 :]
+        except OSError:
+            return
+
+    def new_output(self) -> str:
+        """Return what was printed since the last call."""
+        if not self._output.exists() or self._output.stat().st_size == self._read:
+            return ""
+        with self._output.open("rb") as stream:
+            stream.seek(self._read)
+            content = stream.read()
+        self._read += len(content)
+        return content.decode("utf-8", "backslashreplace")
+
+    def ended(self) -> str:
+        """Return why the process is no longer there."""
+        try:
+            code = self._process.wait(1.0)
+        except subprocess.TimeoutExpired:
+            code = LOST_CONNECTION
+        if code == LOST_CONNECTION:
+            return "it closed the connection to roslens"
+        if code >= 0:
+            return f"its process ended with exit code {code}"
+        try:
+            name = signal.Signals(-code).name
+        except ValueError:
+            name = f"signal {-code}"
+        return f"its process was ended by {name}"
+
+    def kill(self) -> None:
+        """End the process with everything it started."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self._process.pid, signal.SIGKILL)
+        self._stdin.close()
+        self._stdout.close()
+        self._process.wait()

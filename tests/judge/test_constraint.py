@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.judge.constraint import Constraint, spoken
+from roslens.judge.constraint import Constraint, spoken, verb
 from roslens.judge.range import Range
 from roslens.model.entity import EntityKind
 
@@ -56,3 +56,21 @@ def test_sides_and_bounds():
 )
 def test_titles_inside_a_sentence(title: str, text: str):
     assert spoken(title) == text
+
+
+@pytest.mark.parametrize(
+    ("title", "word"),
+    [
+        ("Lines of code", "are"),
+        ("Executable lines", "are"),
+        ("Weighted methods per class", "are"),
+        ("Methods available", "are"),
+        ("Cyclomatic complexity", "is"),
+        ("Number of children", "is"),
+        ("Nesting", "is"),
+        ("Analysis status", "is"),
+        ("CBO", "is"),
+    ],
+)
+def test_one_or_many(title: str, word: str):
+    assert verb(title) == word

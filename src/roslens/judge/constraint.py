@@ -77,8 +77,7 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
     def message(self, value: float, side: str, entity: str, model: str) -> str:
         """Return ``cyclomatic complexity of Foo::bar is 23; at most 15 (ros)``."""
         subject = self.subject or self.quantity
-        verb = "are" if _is_plural(subject) else "is"
-        return f"{spoken(subject)} of {entity} {verb} {self.value_text(value, side)}; {self.limit_text(side)} ({model})"
+        return f"{spoken(subject)} of {entity} {verb(subject)} {self.value_text(value, side)}; {self.limit_text(side)} ({model})"
 
     def _unit_text(self) -> str:
         return f" {self.unit}" if self.unit in _SHOWN_UNITS else ""
@@ -92,6 +91,8 @@ def spoken(title: str) -> str:
     return title if title[1:2].isupper() or title[1:2] in {"", "#"} else title[0].lower() + title[1:]
 
 
-def _is_plural(title: str) -> bool:
+def verb(title: str) -> str:
+    """Return ``are`` for a title such as ``Lines of code``, else ``is``."""
     head = title.partition(" of ")[0].partition(" per ")[0]
-    return any(word.endswith("s") and not word.endswith(("ss", "is", "us")) for word in head.split())
+    plural = any(word.endswith("s") and not word.endswith(("ss", "is", "us")) for word in head.split())
+    return "are" if plural else "is"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 
-from roslens.judge.constraint import MAX, Constraint, spoken
+from roslens.judge.constraint import MAX, Constraint, spoken, verb
 from roslens.judge.document import Section, read_document
 from roslens.judge.read_constraints import read_constraints
 from roslens.model.errors import DocumentError
@@ -107,7 +107,10 @@ def _rule(model: QualityModel, constraint: Constraint, side: str) -> RuleInfo:
     limit = constraint.limit_text(side)
     number = limit.removeprefix("at most ").removeprefix("at least ")
     where = "" if constraint.name == "*" else f" named `{constraint.name}`"
-    description = [f"The {spoken(subject)} of a {constraint.kind.value}{where} is {limit}.", constraint.meaning]
+    description = [
+        f"The {spoken(subject)} of a {constraint.kind.value}{where} {verb(subject)} {limit}.",
+        constraint.meaning,
+    ]
     if source := "; ".join(text for text in (model.source, constraint.source) if text):
         description.append(f"Source: {source}.")
     return RuleInfo(

@@ -74,10 +74,13 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
                 return f"{plain(rounded)}{self._unit_text()}"
         return f"{plain(value)}{self._unit_text()}"
 
-    def message(self, value: float, side: str, entity: str, model: str) -> str:
-        """Return ``cyclomatic complexity of Foo::bar is 23; at most 15 (ros)``."""
+    def sentence(self, side: str, model: str) -> tuple[str, str, str]:
+        """Return what stands before the entity, between entity and value, and behind the value of a message.
+
+        ``cyclomatic complexity of`` Foo::bar ``is`` 23 ``; at most 15 (ros)``: made once for all findings of a side.
+        """
         subject = self.subject or self.quantity
-        return f"{spoken(subject)} of {entity} {verb(subject)} {self.value_text(value, side)}; {self.limit_text(side)} ({model})"
+        return f"{spoken(subject)} of ", f" {verb(subject)} ", f"; {self.limit_text(side)} ({model})"
 
     def _unit_text(self) -> str:
         return f" {self.unit}" if self.unit in _SHOWN_UNITS else ""

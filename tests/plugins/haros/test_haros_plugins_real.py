@@ -1,0 +1,123 @@
+"""The plug-ins that ship with HAROS (haros-plugins 1.1.5), unmodified, on today's Python.
+
+docs/reference/haros_plugins.md states which of the eight run and why the others do not: this is the test
+of that page.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+
+import pytest
+
+pytestmark = [pytest.mark.real, pytest.mark.slow]
+
+RUN = """
+import json, sys
+from pathlib import Path
+import msgspec
+from roslens.plugins.discovery import discover
+from roslens.plugins.isolation import run_plugins
+from roslens.plugins.sample import sample_workspace
+found = discover([], base=Path("."))
+outcome = run_plugins(found.members, sample_workspace(Path(sys.argv[1])), jobs=2, log=Path("log"))
+result = {"members": [member.name for member in found.members], "unloaded": [str(f) for f in found.failures]}
+print(json.dumps(result | msgspec.to_builtins(outcome)))
+"""
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory, fixtures):
+    folder = tmp_path_factory.mktemp("haros")
+    environment = folder / "venv"
+    subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
+    python = str(environment / "bin" / "python")
+    install = [python, "-m", "pip", "install", "--quiet", "haros-plugins==1.1.5", "future"]
+    done = subprocess.run(install, capture_output=True, text=True, check=False)
+    if done.returncode:
+        pytest.skip(f"haros-plugins cannot be had: {done.stderr.strip().splitlines()[-1]}")
+    packages = next((environment / "lib").glob("python*/site-packages"))
+    (packages / "shared.pth").write_text(f"import site; site.addsitedir({sysconfig.get_paths()['purelib']!r})\n")
+    path = f"{environment / 'bin'}{os.pathsep}{os.environ['PATH']}"
+    command = [python, "-c", RUN, str(fixtures / "haros_workspace")]
+    done = subprocess.run(
+        command, capture_output=True, text=True, check=False, cwd=folder, env={**os.environ, "PATH": path}
+    )
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def rules(ran, plugin):
+    prefix = f"haros_plugin_{plugin}."
+    return [f["rule"].removeprefix(prefix) for f in ran["findings"] if f["rule"].startswith(prefix)]
+
+
+def values(ran, plugin):
+    prefix = f"haros_plugin_{plugin}."
+    return {
+        (m["entity"], m["quantity"].removeprefix(prefix)): m["value"]
+        for m in ran["measurements"]
+        if m["quantity"].startswith(prefix)
+    }
+
+
+def failures(ran, plugin):
+    return [f["what"] for f in ran["failures"] if f["tool"] == f"haros_plugin_{plugin}"]
+
+
+def test_all_eight_load(ran):
+    names = ["cccc", "ccd", "cppcheck", "cpplint", "lizard", "mi_calculator", "pylint", "radon"]
+    assert ran["members"] == [f"haros_plugin_{name}" for name in names]
+    assert ran["unloaded"] == []
+
+
+def test_lizard(ran):
+    assert sorted(rules(ran, "lizard")) == [
+        "max_cyclomatic_complexity_10",
+        "max_cyclomatic_complexity_15",
+        "max_function_length_40",
+        "max_function_parameters_6",
+    ]
+    assert values(ran, "lizard")["file:robot/src/robot.cpp", "ploc"] > 40
+
+
+def test_cpplint(ran):
+    assert "opening_curly_brace" in rules(ran, "cpplint")
+    assert not failures(ran, "cpplint")
+
+
+def test_pylint(ran):
+    assert set(rules(ran, "pylint")) >= {"convention", "warning"}
+    assert not failures(ran, "pylint")
+
+
+def test_radon_breaks_by_itself_and_what_it_reported_before_stays(ran):
+    assert values(ran, "radon")["file:robot/scripts/robot.py", "sloc"] == 5
+    assert any("NameError: name 'ploc' is not defined" in what for what in failures(ran, "radon"))
+
+
+def test_ccd(ran):
+    found = values(ran, "ccd")
+    path = "file:robot/src/robot.cpp"
+    assert found[path, "comments"] == 1
+    assert found[path, "halstead_volume"] > 100
+    assert not failures(ran, "ccd")
+
+
+def test_mi_calculator_works_on_what_ccd_and_lizard_report(ran):
+    """HAROS takes the length of the last function for that of the file; so it does here."""
+    (entity,) = {entity for entity, _ in values(ran, "mi_calculator")}
+    assert entity == "file:robot/src/robot.cpp"
+    assert 0 < values(ran, "mi_calculator")[entity, "maintainability_index"] < 100
+    assert not failures(ran, "mi_calculator")
+
+
+@pytest.mark.parametrize("name", ["cccc", "cppcheck"])
+def test_those_that_need_a_program_say_so(ran, name):
+    if shutil.which(name):
+        assert not [what for what in failures(ran, name) if "name functions or classes" not in what]
+    else:
+        assert any(f"No such file or directory: '{name}'" in what for what in failures(ran, name))

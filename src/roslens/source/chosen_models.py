@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import roslens.judge
+from roslens.model.errors import DocumentError
 from roslens.model.quantity import Quantity
 
 if TYPE_CHECKING:
@@ -17,11 +18,22 @@ def chosen_models(names: Sequence[str], base: Path, known: Mapping[str, Quantity
     """Load the models called ``names``: built-in names, or paths that start from ``base``.
 
     Raises:
-        DocumentError: a model is wrong or not there.
+        DocumentError: a model is wrong or not there, or two call themselves the same.
     """
     from roslens.judge.quality_model import load_model
 
-    return tuple(load_model(name, known, base=base) for name in names)
+    models: dict[str, QualityModel] = {}
+    for name in names:
+        model = load_model(name, known, base=base)
+        if model.name in models:
+            raise DocumentError(
+                f"two quality models are called {model.name!r}",
+                where=name,
+                expected="a name of its own for each",
+                advice="Change `name` in one of them",
+            )
+        models[model.name] = model
+    return tuple(models.values())
 
 
 def model_key(name: str, base: Path, known: Mapping[str, Quantity]) -> object:

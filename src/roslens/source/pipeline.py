@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
     from roslens.model.quantity import Quantity
     from roslens.plugins.discovery import Discovered
+    from roslens.plugins.member import Member
     from roslens.plugins.outcome import Outcome
     from roslens.source.analyse_package import MeasuredPackage, PackageTask
     from roslens.store.cache import Cache
@@ -117,9 +118,24 @@ class _Run(msgspec.Struct, frozen=True):
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
     """Return a key of everything besides files that shapes a package's result."""
     models = [model_key(name, base, _known(plugins)) for name in settings.models]
-    members = [(member.name, member.manifest.version, member.fingerprint) for member in plugins.members]
+    members = [
+        (member.name, member.manifest.version, member.fingerprint, _programs(member)) for member in plugins.members
+    ]
     # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
     return key_of(analyser_version(), msgspec.structs.replace(settings, plugins=()), models, members)
+
+
+def _programs(member: Member) -> list[tuple[str, int, int]]:
+    """Return the programs a plug-in needs, with what changes when one is installed, upgraded or removed."""
+    from shutil import which
+
+    found = []
+    for need in member.manifest.needs:
+        kind, _, name = need.partition(":")
+        if kind == "program" and (path := which(name)):
+            stat = Path(path).stat()
+            found.append((path, stat.st_size, stat.st_mtime_ns))
+    return found
 
 
 def _known(plugins: Discovered) -> dict[str, Quantity]:

@@ -132,3 +132,27 @@ def test_any_text_is_a_filter_or_a_usage_error(text, tags):
     except UsageError:
         return
     assert found.matches(tags) in {True, False}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", ""),
+        ("A", "a"),
+        ("!a", "not a"),
+        ("not not a", "not not a"),
+        ("(a or b) and not (c or d)", "(a or b) and not (c or d)"),
+        ("a or b and c", "a or b and c"),
+        ("((a and b)) and c", "a and b and c"),
+        ("+ros,-metrics,style", "(ros or style) and not metrics"),
+        ("-a,-b", "not (a or b)"),
+    ],
+)
+def test_written_as_an_expression(text, expected):
+    assert str(parse_tags(text)) == expected
+
+
+@given(EXPRESSIONS, st.frozensets(TAGS))
+def test_what_is_written_means_the_same(tree, tags):
+    found = parse_tags(written(tree))
+    assert parse_tags(str(found)).matches(tags) is found.matches(tags)

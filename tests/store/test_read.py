@@ -130,6 +130,13 @@ def test_values_of_a_quantity(view, sample):
     assert view.numbers_of("loc", EntityKind.PACKAGE) == [0, 52]
 
 
+def test_what_was_measured(view):
+    assert view.measured() == ("cyclomatic_complexity", "dependents", "loc")
+    assert view.measured(EntityKind.PACKAGE) == ("cyclomatic_complexity", "dependents", "loc")
+    assert view.measured(EntityKind.FILE) == ("loc",)
+    assert view.measured(EntityKind.CLASS) == ()
+
+
 def test_extremes_of_a_quantity(tmp_path, sample):
     with Store.open(None) as store:
         header = sample.header()

@@ -25,7 +25,7 @@ MAX_DEPTH = 50
 
 _TOKEN = re.compile(r"[()!&|]|[^\s()!&|,]+|,")
 _SPELLINGS = {"!": "not", "&": "and", "|": "or"}
-_WORDS = frozenset({"and", "or", "not"})
+_STRENGTH = {"or": 0, "and": 1, "not": 2}
 _EXAMPLE = "an expression such as 'complexity and not his' or a list such as '+ros,-metrics'"
 
 
@@ -41,6 +41,22 @@ class TagFilter(msgspec.Struct, frozen=True):
     def __bool__(self) -> bool:
         """Whether anything is filtered at all."""
         return bool(self.steps)
+
+    def __str__(self) -> str:
+        """Return the condition as an expression; empty where nothing is filtered."""
+        stack: list[tuple[str, int]] = []
+        for step in self.steps:
+            if step == "not":
+                text, strength = stack.pop()
+                stack.append((f"not {text}" if strength >= _STRENGTH["not"] else f"not ({text})", _STRENGTH["not"]))
+            elif step in _STRENGTH:
+                sides = [stack.pop(), stack.pop()]
+                own = _STRENGTH[step]
+                written = [text if strength >= own else f"({text})" for text, strength in reversed(sides)]
+                stack.append((f" {step} ".join(written), own))
+            else:
+                stack.append((step[1:], _STRENGTH["not"]))
+        return stack[0][0] if stack else ""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -154,7 +170,7 @@ class _Expression:
             return ""
         token = self._tokens[self._next][1]
         token = _SPELLINGS.get(token, token)
-        return token.lower() if token.lower() in _WORDS else token
+        return token.lower() if token.lower() in _STRENGTH else token
 
     def _either(self) -> None:
         self._both()
@@ -185,7 +201,7 @@ class _Expression:
             if self._word() != ")":
                 _fail(self._text, column, "'(' without its ')'")
             self._next += 1
-        elif not word or word == ")" or word in _WORDS:
+        elif not word or word == ")" or word in _STRENGTH:
             _fail(self._text, column, f"unexpected {word!r} where a tag was expected" if word else "a tag is missing")
         else:
             self._steps.append("=" + word.casefold())

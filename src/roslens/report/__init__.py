@@ -1,1 +1,1 @@
-"""Placeholder."""
+"""From a run in the store to text: one format per file."""

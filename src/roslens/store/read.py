@@ -203,6 +203,15 @@ class RunView:
         where.package(package)
         return tuple(rows.to_failure(row) for row in self._run.rows(rows.FAILURE, "failure", where))
 
+    def measured(self, kind: EntityKind | None = None) -> tuple[str, ...]:
+        """Return the keys of the quantities that entities (of one kind) have, folds included, sorted."""
+        where = Conditions()
+        where.equal("measured.kind", kind.value if kind else None)
+        found = {row[0] for row in self._run.rows("DISTINCT measured.quantity", "measured", where, order="")}
+        if kind in {None, EntityKind.PACKAGE}:
+            found.update(quantity for values in self._package_values.values() for quantity in values)
+        return tuple(sorted(found))
+
     def values_of(self, quantity: str, kind: EntityKind) -> list[tuple[str, str, float]]:
         """Return entity id, package id and value of every entity of the kind that has the quantity."""
         return named_numbers(self._run, self._package_values, quantity, kind)

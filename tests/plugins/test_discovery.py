@@ -149,3 +149,20 @@ def test_built_in_plugins_need_no_worker_and_no_prefix(monkeypatch, fixtures):
     found = discover([], base=fixtures, builtin=["orderly", "no_such_module"], search=())
     assert [(member.name, member.builtin) for member in found.members] == [("orderly", True)]
     assert "this is a fault of roslens" in str(found.failures[0])
+
+
+def test_what_needs_something_that_is_not_there_is_left_out(fixtures):
+    found = discover(["wide.py", "needy.py"], base=fixtures, search=())
+    assert [member.name for member in found.members] == ["wide"], "a quantity may be measured elsewhere"
+    (failure,) = found.failures
+    assert str(failure).startswith("plug-in 'needy' needs the program 'a-program-that-nobody-has', which is not")
+    found = discover(["wide.py"], base=fixtures, search=(), provided={"loc"})
+    assert "plug-in 'wide' needs quantity 'orderly.words', which nothing measures" in str(found.failures[0])
+
+
+def test_a_built_in_plugin_without_its_program_is_unavailable(fixtures, monkeypatch):
+    monkeypatch.syspath_prepend(str(fixtures))
+    found = discover([], base=fixtures, builtin=["needy"], search=())
+    assert [member.name for member in found.members] == ["needy"]
+    assert [(item.plugin, item.program) for item in found.unavailable] == [("needy", "a-program-that-nobody-has")]
+    assert not found.failures

@@ -19,10 +19,6 @@ def names(members):
     return [member.name for member in members]
 
 
-def nothing_installed(_program):
-    return None
-
-
 def test_each_comes_after_what_it_needs():
     members = [make("a", needs=["c.x.max"]), make("b", needs=["plugin:a", "loc"]), make("c", gives=["c.x"]), make("d")]
     ordered = order(members, provided={"loc"})
@@ -64,7 +60,7 @@ def test_what_waits_for_a_cycle_names_who_it_waits_for():
 
 @pytest.mark.parametrize("builtin", [False, True])
 def test_a_missing_program_is_a_failure_but_for_built_in_plugins(builtin):
-    ordered = order([make("a", needs=["program:cppcheck"], builtin=builtin)], which=nothing_installed)
+    ordered = order([make("a", needs=["program:cppcheck"], builtin=builtin)], is_installed=lambda _program: False)
     assert not ordered.members
     if builtin:
         assert ordered.unavailable == (Unavailable("a", "cppcheck"),)
@@ -75,3 +71,11 @@ def test_a_missing_program_is_a_failure_but_for_built_in_plugins(builtin):
 
 def test_a_plugin_may_need_what_it_gives_itself():
     assert names(order([make("a", needs=["a.x"], gives=["a.x"])]).members) == ["a"]
+
+
+def test_programs_are_looked_for_on_the_search_path(tmp_path, monkeypatch):
+    member = make("a", needs=["program:mine"])
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert order([member]).failures
+    (tmp_path / "mine").touch(mode=0o755)
+    assert not order([member]).failures

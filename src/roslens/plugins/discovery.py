@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 import msgspec
@@ -19,6 +19,7 @@ from roslens.plugins.installed import HAROS_PREFIX, Installed, find_installed
 from roslens.plugins.manifest import check_manifest, hooks_of, read_manifest
 from roslens.plugins.member import LoadSpec, Member, Source, load_plugin
 from roslens.plugins.nearest import did_you_mean
+from roslens.plugins.order import Unavailable, order
 from roslens.plugins.points import Manifest
 
 LOAD_LIMIT_S = 20.0
@@ -28,10 +29,15 @@ OWN_DISTRIBUTION = "roslens"
 
 
 class Discovered(msgspec.Struct, frozen=True):
-    """The plug-ins that may run, by name, and those that may not."""
+    """The plug-ins that may run, by name, and why others may not.
+
+    ``unavailable`` names built-in ones among the members whose program is not installed: calling
+    them yields nothing but failures.
+    """
 
     members: tuple[Member, ...] = ()
     failures: tuple[Failure, ...] = ()
+    unavailable: tuple[Unavailable, ...] = ()
 
 
 class _Candidate(msgspec.Struct, frozen=True):
@@ -47,6 +53,7 @@ def discover(
     disable: Sequence[str] = (),
     base: Path,
     builtin: Sequence[str] = (),
+    provided: Collection[str] | None = None,
     search: Sequence[str] | None = None,
     time_limit_s: float = LOAD_LIMIT_S,
     log: Path | None = None,
@@ -59,6 +66,7 @@ def discover(
             HAROS plug-ins may be named without their prefix.
         base: the folder that ``paths`` start from.
         builtin: plug-ins that come with roslens, as ``module:attribute``; imported in this process.
+        provided: keys of quantities that are measured without any plug-in; None when that is not known.
         search: folders to look for installed plug-ins in; None means ``sys.path``.
         time_limit_s: seconds that one import may take.
         log: receives what plug-ins print at import.
@@ -88,8 +96,10 @@ def discover(
             members[item.name] = item
     labels = {candidate.label for candidate in candidates} | set(members)
     failures.extend(_misspelt(disable, labels))
-    kept = (members[name] for name in sorted(members) if name not in hidden)
-    return Discovered(tuple(kept), tuple(failures))
+    ordered = order([members[name] for name in sorted(members) if name not in hidden], provided)
+    failures.extend(ordered.failures)
+    able = {member.name for member in ordered.members} | {item.plugin for item in ordered.unavailable}
+    return Discovered(tuple(members[name] for name in sorted(able)), tuple(failures), ordered.unavailable)
 
 
 def load_reference(reference: str, *, time_limit_s: float = LOAD_LIMIT_S) -> Member | Failure:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import shutil
+import os
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 import msgspec
@@ -33,22 +33,24 @@ class Ordered(msgspec.Struct, frozen=True):
 
 def order(
     members: Sequence[Member],
-    provided: Collection[str] = (),
+    provided: Collection[str] | None = (),
     *,
-    which: Callable[[str], str | None] = shutil.which,
+    is_installed: Callable[[str], bool] | None = None,
 ) -> Ordered:
     """Sort plug-ins by what they need, and leave out those that will not get it.
 
     Args:
         members: plug-ins in any order.
-        provided: keys of quantities that are measured without any plug-in.
-        which: where a program is, None when it is not installed.
+        provided: keys of quantities that are measured without any plug-in; None when that is not known,
+            so that no quantity is missing.
+        is_installed: whether there is a program of that name; None means to look for it.
     """
+    there = is_installed or _on_search_path
     failures: list[Failure] = []
     unavailable: list[Unavailable] = []
     able = dict(sorted({member.name: member for member in members}.items()))
     for member in list(able.values()):
-        missing = [need for need in member.manifest.needs if need.startswith(PROGRAM) and not which(_program(need))]
+        missing = [need for need in member.manifest.needs if need.startswith(PROGRAM) and not there(_program(need))]
         if missing:
             del able[member.name]
             if member.builtin:
@@ -57,7 +59,7 @@ def order(
                 failures.append(_missing_program(member.name, _program(missing[0])))
     while lacking := _lacking(able, provided):
         for name, need in lacking.items():
-            failures.append(_missing(name, need, able, provided))
+            failures.append(_missing(name, need, able, provided or ()))
             del able[name]
     ready, stuck = _sorted(able)
     failures.extend(_cycle(name, able, stuck) for name in stuck)
@@ -105,12 +107,14 @@ def _givers(able: Mapping[str, Member]) -> dict[str, set[str]]:
     return givers
 
 
-def _lacking(able: Mapping[str, Member], provided: Collection[str]) -> dict[str, str]:
+def _lacking(able: Mapping[str, Member], provided: Collection[str] | None) -> dict[str, str]:
     givers = _givers(able)
     lacking: dict[str, str] = {}
     for name, member in able.items():
         for need in member.manifest.needs:
-            if not need.startswith(PROGRAM) and _base(need) not in givers and need not in provided:
+            given = need.startswith(PROGRAM) or _base(need) in givers
+            known = not need.startswith(PLUGIN) if provided is None else need in provided
+            if not given and not known:
                 lacking.setdefault(name, need)
     return lacking
 
@@ -121,6 +125,12 @@ def _base(need: str) -> str:
         if need.endswith(fold):
             return need.removesuffix(fold)
     return need
+
+
+def _on_search_path(program: str) -> bool:
+    """Look for a program; what the standard library has for it imports all compressors."""
+    folders = os.environ.get("PATH", os.defpath).split(os.pathsep)
+    return any(os.access(os.path.join(folder, program), os.X_OK) for folder in folders)  # noqa: PTH118 - no Path a folder
 
 
 def _program(need: str) -> str:

@@ -1,6 +1,7 @@
 """Plug-ins are found before they are imported, and what is wrong with one stops no other."""
 
 import pickle
+import shutil
 
 import msgspec
 import pytest
@@ -58,6 +59,12 @@ def test_members_say_where_they_come_from(fixtures):
     again = msgspec.msgpack.decode(msgspec.msgpack.encode(found.members), type=tuple[Member, ...])
     assert again == found.members
     assert pickle.loads(pickle.dumps(found.members)) == found.members
+
+
+def test_loading_leaves_nothing_in_the_folder(tmp_path, fixtures):
+    shutil.copytree(fixtures / "folder_plugin", tmp_path / "mine", ignore=shutil.ignore_patterns("__pycache__"))
+    assert discover(["mine"], base=tmp_path, search=()).members
+    assert sorted(path.name for path in (tmp_path / "mine").iterdir()) == ["__init__.py", "words.py"]
 
 
 def test_the_fingerprint_follows_the_files(tmp_path, fixtures):

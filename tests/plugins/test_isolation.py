@@ -1,6 +1,9 @@
 """What plug-ins report arrives; what they break stays theirs."""
 
 import os
+import subprocess
+import sys
+import threading
 import time
 from pathlib import Path
 
@@ -8,6 +11,7 @@ import msgspec
 import pytest
 
 from roslens.model.finding import Severity
+from roslens.model.quantity import Measurement
 from roslens.plugins.isolation import run_package, run_plugins
 from roslens.plugins.points import WorkspaceInput
 from roslens.plugins.pool import ProcessWorkers
@@ -185,6 +189,45 @@ def test_what_plugins_print_goes_to_the_log(member, make_package, tmp_path, capf
     assert "read ''" in messages(outcome)
 
 
+def test_a_log_that_cannot_be_written_stops_nothing(member, make_package, tmp_path):
+    (tmp_path / "file").touch()
+    package = make_package({"a.py": "# print\n", "b.py": "# raise\n"})
+    outcome = run_package(member("misbehaving.py"), package, log=tmp_path / "file" / "log")
+    assert len(outcome.failures) == 1
+
+
+def test_a_flood_of_output_is_cut(member, make_package, tmp_path):
+    outcome = run_package(member("misbehaving.py"), make_package({"a.py": "# flood\n"}), log=tmp_path / "log")
+    assert not outcome.failures
+    text = (tmp_path / "log").read_text()
+    assert len(text) < 2 << 20
+    assert "bytes left out)" in text
+    assert "the last line" in text
+
+
+def test_workers_end_with_their_parent(fixtures, tmp_path):
+    """A parent that is killed leaves nothing behind, not even a program that a hook waits for."""
+    (tmp_path / "a.py").write_text("# hang with child\n")
+    before = _sleepers()
+    code = (
+        "from roslens.plugins.contract import look_at; from pathlib import Path; "
+        f"look_at({str(fixtures / 'misbehaving.py')!r}, Path({str(tmp_path / 'a.py')!r}))"
+    )
+    with subprocess.Popen([sys.executable, "-c", code]) as parent:
+        assert _comes_true(lambda: _sleepers() - before)
+        parent.kill()
+    assert _comes_true(lambda: not _sleepers() - before)
+
+
+def _comes_true(what, seconds=30.0):
+    """Wait for something that another process does."""
+    deadline = time.monotonic() + seconds
+    pause = threading.Event()
+    while not (true := what()) and time.monotonic() < deadline:
+        pause.wait(0.05)
+    return bool(true)
+
+
 def test_a_file_that_cannot_be_read_is_a_failure(member, make_package):
     package = make_package({"a.py": "goto\n", "b.py": "goto\n"})
     Path(package.files[0].absolute).unlink()
@@ -266,6 +309,15 @@ def test_wide_hooks_run_and_results_come_last(member, make_package):
         "repository:p_repo",
         "workspace:.",
     }
+
+
+def test_wide_hooks_see_what_was_measured_before(member, make_package):
+    workspace = wide_workspace(make_package, "good")
+    known = [Measurement("package:good", "orderly.words", 5.0)]
+    outcome = run_plugins(member("wide.py"), workspace, measurements=known)
+    assert "results: 3 notes, ['orderly.words', 'wide.files'], ['orderly.words', 'wide.files'], remembered" in messages(
+        outcome
+    )
 
 
 def test_a_part_that_fails_loses_itself_alone(member, make_package):

@@ -90,6 +90,7 @@ def run_plugins(
         run = stack.enter_context(Session(members, options or {}, time_limit_s, jobs, log, progress, workers))
         packages = tuple(_sendable(package, run) for package in workspace.packages)
         workspace = msgspec.structs.replace(workspace, packages=packages)
+        run.know(measurements)
         for group in generations([member for member in run.members if _wide(member)]):
             given = _with_all_values(workspace, run.measured)
             run.perform([task for member in group for task in _wide_tasks(run, member, given)])

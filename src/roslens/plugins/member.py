@@ -6,6 +6,7 @@ import importlib
 import importlib.util
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from enum import Enum
 from hashlib import blake2b
 from pathlib import Path
@@ -68,11 +69,15 @@ def load_plugin(spec: LoadSpec) -> object:
         PluginError: there is no such module, attribute or file.
         BaseException: whatever the plug-in raises while it is imported.
     """
-    if spec.source is Source.HAROS:
-        from roslens.plugins.haros.plugin import load_haros_plugin
+    if spec.source is Source.MODULE:
+        module = importlib.import_module(spec.module)
+    else:
+        with _no_bytecode():
+            if spec.source is Source.HAROS:
+                from roslens.plugins.haros.plugin import load_haros_plugin
 
-        return load_haros_plugin(Path(spec.path))
-    module = _import_path(Path(spec.path)) if spec.source is Source.FILE else importlib.import_module(spec.module)
+                return load_haros_plugin(Path(spec.path))
+            module = _import_path(Path(spec.path))
     if not spec.attribute:
         return module if hasattr(module, "manifest") else getattr(module, "plugin", module)
     found: object = module
@@ -84,6 +89,16 @@ def load_plugin(spec: LoadSpec) -> object:
             )
         found = getattr(found, name)
     return found
+
+
+@contextmanager
+def _no_bytecode() -> Iterator[None]:
+    """Leave no ``__pycache__`` in a folder of the user's."""
+    before, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = before
 
 
 def _import_path(path: Path) -> ModuleType:

@@ -16,6 +16,7 @@ import msgspec
 
 from roslens.plugins.frames import LOADING, Answer, Began, Ended, Gave, Order, Step
 from roslens.plugins.job import Death, Job
+from roslens.plugins.log import write_log
 from roslens.plugins.process import WorkerProcess
 
 HANGS_BEFORE_GIVING_UP = 3
@@ -190,9 +191,8 @@ class ProcessWorkers:
     def _keep_output(self, worker: WorkerProcess, title: str) -> str:
         """Move what a worker printed to the log; return the end of it."""
         text = worker.new_output()
-        if text and self._log is not None:
-            with self._log.open("a", encoding="utf-8") as log:
-                log.write(f"[{title or 'between hooks'}]\n{text}" + ("" if text.endswith("\n") else "\n"))
+        if text:
+            write_log(self._log, title or "between hooks", text)
         return text[-_OUTPUT_SHOWN:]
 
 

@@ -12,6 +12,9 @@ from pathlib import Path
 from roslens.plugins.frames import LOST_CONNECTION, AnswerBuffer, Began
 from roslens.plugins.job import Job
 
+_OUTPUT_KEPT = 1 << 20
+"""Bytes of output that one step may add to the log; the rest of what it printed is left out."""
+
 _START = "import sys; sys.path[:] = {path!r}; from roslens.plugins.worker import main; main()"
 
 
@@ -55,13 +58,16 @@ class WorkerProcess:
 
     def new_output(self) -> str:
         """Return what was printed since the last call."""
-        if not self._output.exists() or self._output.stat().st_size == self._read:
+        size = self._output.stat().st_size if self._output.exists() else 0
+        if size <= self._read:
             return ""
+        start = max(self._read, size - _OUTPUT_KEPT)
         with self._output.open("rb") as stream:
-            stream.seek(self._read)
-            content = stream.read()
-        self._read += len(content)
-        return content.decode("utf-8", "backslashreplace")
+            stream.seek(start)
+            content = stream.read(size - start)
+        skipped = f"({start - self._read} bytes left out)\n" if start > self._read else ""
+        self._read = size
+        return skipped + content.decode("utf-8", "backslashreplace")
 
     def ended(self) -> str:
         """Return why the process is no longer there."""

@@ -11,6 +11,7 @@ from typing import Any
 
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
+from roslens.model.quantity import Measurement
 from roslens.model.source import Location
 from roslens.plugins.breach import TOOL, failed_running
 from roslens.plugins.frames import (
@@ -26,6 +27,7 @@ from roslens.plugins.frames import (
     WorkspaceTask,
 )
 from roslens.plugins.job import Death, Job
+from roslens.plugins.log import write_log
 from roslens.plugins.member import Member
 from roslens.plugins.options import resolve_options
 from roslens.plugins.outcome import Outcome, settle
@@ -91,6 +93,11 @@ class Session:
         """Keep a failure that belongs to no plug-in."""
         self._failures.append(failure)
 
+    def know(self, measurements: Iterable[Measurement]) -> None:
+        """Show plug-ins what was measured before this session."""
+        for measurement in measurements:
+            self.measured.setdefault(measurement.entity, {})[measurement.quantity] = measurement.value
+
     def perform(self, tasks: Iterable[Task]) -> None:
         """Carry tasks out and keep what they report."""
         jobs = [Job(task, plugins=_plugins_of(task), home=_home_of(task)) for task in tasks]
@@ -125,19 +132,10 @@ class Session:
         gave.extend(Gave(Step(plugin, LOADING), failures=(_given_up(plugin, job),)) for plugin in sorted(job.given_up))
         for answer in gave:
             self._gave[answer.step.plugin].append(answer)
-            for measurement in answer.measurements:
-                self.measured.setdefault(measurement.entity, {})[measurement.quantity] = measurement.value
-            self._write(answer.failures)
-
-    def _write(self, failures: Sequence[Failure]) -> None:
-        """Put tracebacks into the log."""
-        if self._log is None:
-            return
-        details = [failure for failure in failures if failure.detail]
-        if details:
-            with self._log.open("a", encoding="utf-8") as log:
-                for failure in details:
-                    log.write(f"[{failure.tool}] {failure}\n{failure.detail.rstrip()}\n")
+            self.know(answer.measurements)
+            for failure in answer.failures:
+                if failure.detail:
+                    write_log(self._log, failure.tool, f"{failure}\n{failure.detail}")
 
 
 def _plugins_of(task: Task) -> tuple[str, ...]:

@@ -25,7 +25,11 @@ class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
-    """How often a rule was broken in a package, with its first occurrence as the example."""
+    """How often a rule was broken in a package, with its first occurrence as the example.
+
+    A rule has one count for each severity and set of tags that its findings have; ``gated`` is how
+    many of them count for gates.
+    """
 
     rule: str
     severity: Severity

@@ -1,0 +1,268 @@
+"""The result for a person at a terminal: packages worst first, findings by rule, failures, what to do next.
+
+It shows what matters most and says how much it leaves out and where that is. Made from summaries alone, so that it is
+quick for any workspace.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import PurePath
+
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.result import PackageSummary, RunHeader
+from roslens.model.tags import TagFilter
+from roslens.report.package_table import PackageCounts, count_packages, package_table
+from roslens.report.terminal import Terminal, columns, left, right
+
+PACKAGES = 15
+RULES = 10
+FAILURES = 6
+PLACES = 3
+RULE_WIDTH = 36
+LEAST_WIDTH = 60
+ALL = "All: roslens report"
+
+
+class _Group(msgspec.Struct):
+    """The findings of a rule, of one severity."""
+
+    rule: str
+    severity: Severity
+    count: int = 0
+    packages: int = 0
+    example: str = ""
+
+
+def to_text(
+    header: RunHeader,
+    packages: Sequence[PackageSummary],
+    failures: Sequence[Failure],
+    rules: Sequence[RuleInfo],
+    *,
+    findings: Sequence[Finding] = (),
+    tags: TagFilter | None = None,
+    width: int = 100,
+    color: bool = False,
+    unicode: bool = True,
+) -> str:
+    """Return the result as text that ends with a line break.
+
+    Args:
+        header: of the run.
+        packages: summaries of all packages.
+        failures: everything that could not be done.
+        rules: what rules are about.
+        findings: those of no package.
+        tags: which findings are meant; all for None.
+        width: columns of the terminal; less than :data:`LEAST_WIDTH` counts as that.
+        color: whether the terminal shows colours.
+        unicode: whether its encoding has more than ASCII; without, only ASCII is used.
+    """
+    terminal = Terminal(max(LEAST_WIDTH, width), color, unicode)
+    wanted = tags or TagFilter()
+    counted = count_packages(packages, wanted)
+    of_workspace = [finding for finding in findings if wanted.matches(finding.tags)]
+    groups = _groups(packages, of_workspace, wanted)
+    about = {rule.id: rule for rule in rules}
+    sections = [
+        list(_head(terminal, header, packages)),
+        list(_packages(terminal, counted)),
+        list(_findings(terminal, groups, about, wanted, _aside(packages, wanted), analysed=bool(packages))),
+        list(_failures(terminal, failures)),
+        list(_next(terminal, groups, failures, packages)),
+    ]
+    return "\n\n".join("\n".join(section) for section in sections if section) + "\n"
+
+
+def _head(terminal: Terminal, header: RunHeader, packages: Sequence[PackageSummary]) -> Iterator[str]:
+    facts = [_plural(len(packages), "package"), _plural(sum(package.files for package in packages), "file")]
+    if lines := sum(package.values.get("loc", 0) for package in packages):
+        facts.append(f"{lines:,.0f} lines of code")
+    parts = [", ".join(facts)]
+    if header.models:
+        parts.append(f"{'model' if len(header.models) == 1 else 'models'} {', '.join(header.models)}")
+    if header.commit:
+        short = header.commit[:10] + ("+" if header.commit.endswith("+") else "")
+        parts.append(f"commit {short}")
+    parts = [terminal.cut(terminal.clean(part), terminal.width - 2) for part in parts]
+    separator = f" {terminal.glyph('dot')} "
+    name = terminal.clean(PurePath(header.root).name or header.root)
+    name = terminal.cut(name, max(10, terminal.width - columns(separator) - columns(parts[0])))
+    line = terminal.paint(name, "title") + separator + parts[0]
+    taken = columns(name) + columns(separator) + columns(parts[0])
+    for part in parts[1:]:
+        taken += columns(separator) + columns(part)
+        if taken > terminal.width:
+            yield line
+            line, taken = f"  {part}", columns(part) + 2
+        else:
+            line += separator + part
+    yield line
+
+
+def _packages(terminal: Terminal, counted: Sequence[PackageCounts]) -> Iterator[str]:
+    if not counted:
+        yield "No packages were found."
+        return
+    shown = counted[:PACKAGES]
+    yield from package_table(terminal, shown, counted)
+    if len(shown) < len(counted):
+        rest = sum(package.total for package in counted[PACKAGES:])
+        others = _plural(rest, "finding") if rest else "no finding"
+        text = f"{len(shown)} of {_plural(len(counted), 'package')}, worst first; {others} in the others"
+        yield from _quiet(terminal, f"{text}. {ALL}")
+
+
+def _findings(
+    terminal: Terminal,
+    groups: Sequence[_Group],
+    rules: dict[str, RuleInfo],
+    tags: TagFilter,
+    aside: int,
+    *,
+    analysed: bool,
+) -> Iterator[str]:
+    with_tags = f" with the tags {tags}" if tags else ""
+    if groups:
+        totals = dict.fromkeys(reversed(Severity), 0)
+        for group in groups:
+            totals[group.severity] += group.count
+        amounts = ", ".join(_plural(count, severity.value) for severity, count in totals.items() if count)
+        yield terminal.paint(terminal.cut(f"Findings{with_tags}: {amounts}", terminal.width), "title")
+    elif analysed:
+        fine = terminal.paint(f"{terminal.glyph('fine')} No findings{with_tags}", "fine")
+        yield f"{fine} in what was analysed"
+    shown = groups[:RULES]
+    count_width = max((len(f"{group.count:,}") for group in shown), default=0)
+    rule_width = max((columns(terminal.clean(group.rule)) for group in shown), default=0)
+    for group in shown:
+        yield from _rule(terminal, group, rules.get(group.rule), count_width, min(rule_width, RULE_WIDTH))
+    if len(shown) < len(groups):
+        rest = sum(group.count for group in groups[RULES:])
+        others = _plural(rest, "finding")
+        text = f"{len(shown)} of {_plural(len(groups), 'rule')}, most severe first; {others} of the others"
+        yield from _quiet(terminal, f"{text}. {ALL}")
+    if aside:
+        verb = "does" if aside == 1 else "do"
+        yield from _quiet(
+            terminal, f"{_plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
+        )
+
+
+def _rule(terminal: Terminal, group: _Group, rule: RuleInfo | None, count_width: int, rule_width: int) -> Iterator[str]:
+    severity = group.severity.value
+    mark = terminal.paint(f"{terminal.glyph(severity)} {left(severity, 7)}", severity)
+    count = right(f"{group.count:,}", count_width)
+    indent = 2 + 2 + 7 + 2 + count_width + 2
+    name = terminal.cut(terminal.clean(group.rule), terminal.width - indent)
+    about = terminal.clean(rule.title) if rule else ""
+    if group.packages > 1:
+        about = f"{about} ({_plural(group.packages, 'package')})".lstrip()
+    room = terminal.width - indent - max(rule_width, columns(name)) - 2
+    beside = columns(about) <= room
+    yield f"  {mark}  {count}  {left(name, rule_width)}  {about if beside else ''}".rstrip()
+    if not beside:
+        yield " " * indent + terminal.cut(about, terminal.width - indent)
+    if group.example:
+        example = terminal.cut(terminal.clean(group.example), terminal.width - indent)
+        yield " " * indent + terminal.paint(example, "quiet")
+
+
+def _failures(terminal: Terminal, failures: Sequence[Failure]) -> Iterator[str]:
+    if not failures:
+        return
+    alike: dict[tuple[bool, str, str], list[Failure]] = {}
+    for failure in sorted(failures, key=lambda failure: failure.partial):
+        alike.setdefault((failure.partial, failure.tool, failure.advice), []).append(failure)
+    whole = sum(not failure.partial for failure in failures)
+    parts = [f"{whole:,}" if whole else "", f"{len(failures) - whole:,} in part" if len(failures) > whole else ""]
+    yield terminal.paint(f"Not analysed: {', '.join(filter(None, parts))}", "title")
+    groups = list(alike.values())
+    for group in groups[:FAILURES]:
+        yield from _failure(terminal, group)
+    if len(groups) > FAILURES:
+        rest = sum(map(len, groups[FAILURES:]))
+        yield from _quiet(terminal, f"{rest:,} more. {ALL}")
+
+
+def _failure(terminal: Terminal, alike: Sequence[Failure]) -> Iterator[str]:
+    """Yield the first of failures that ask for the same remedy in full, a few more in a line each, and the remedy."""
+    first = alike[0]
+    state = "partly" if first.partial else "failed"
+    indent = " " * (2 + 2 + 6 + 2)
+    expected = f"; expected {first.expected}" if first.expected else ""
+    lines = terminal.wrap(terminal.clean(f"{_what(first)}{expected} [{first.tool}]"), indent)
+    mark = terminal.paint(f"{terminal.glyph(state)} {state}", state)
+    yield f"  {mark}  {lines[0].lstrip()}"
+    yield from lines[1:]
+    for failure in alike[1:PLACES]:
+        yield indent + terminal.cut(terminal.clean(_what(failure)), terminal.width - len(indent))
+    if len(alike) > PLACES:
+        yield f"{indent}and {len(alike) - PLACES:,} more like it"
+    for line in terminal.wrap(terminal.clean(first.advice), indent):
+        yield terminal.paint(line, "quiet")
+
+
+def _what(failure: Failure) -> str:
+    place = str(failure.location or failure.entity)
+    return f"{place}: {failure.what}" if place else failure.what
+
+
+def _next(
+    terminal: Terminal, groups: Sequence[_Group], failures: Sequence[Failure], packages: Sequence[PackageSummary]
+) -> Iterator[str]:
+    steps = []
+    if not packages:
+        steps.append(("roslens check PATH", "name a folder with a package.xml somewhere below it"))
+    if groups:
+        steps.append((f"roslens explain {terminal.clean(groups[0].rule)}", "what the rule wants, and why"))
+    if packages:
+        steps.append(("roslens serve", "package graph, findings and metrics in a browser"))
+        steps.append(("roslens report --single-file report.html", "the same in one file to pass on"))
+    if any(not failure.partial for failure in failures):
+        steps.append(("roslens doctor", "see what may be missing on this machine"))
+    width = max(len(command) for command, _why in steps)
+    yield terminal.paint("Next", "title")
+    for command, why in steps:
+        fits = 2 + width + 2 + len(why) <= terminal.width
+        yield f"  {left(command, width)}  {terminal.paint(why, 'quiet') if fits else ''}".rstrip()
+
+
+def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tags: TagFilter) -> list[_Group]:
+    """Return the findings that count, by rule and severity: most severe first, then most frequent."""
+    groups: dict[tuple[str, Severity], _Group] = {}
+    for package in packages:
+        seen: set[tuple[str, Severity]] = set()
+        for rule in package.rules:
+            if not rule.gated or not tags.matches(rule.tags):
+                continue
+            key = (rule.rule, rule.severity)
+            group = groups.setdefault(key, _Group(*key))
+            group.count += rule.gated
+            group.packages += key not in seen
+            group.example = group.example or rule.example
+            seen.add(key)
+    for finding in findings:
+        key = (finding.rule, finding.severity)
+        group = groups.setdefault(key, _Group(*key))
+        group.count += 1
+        place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
+        group.example = group.example or (f"{place}: {finding.message}" if place else finding.message)
+    return sorted(groups.values(), key=lambda group: (-group.severity.rank, -group.count, group.rule))
+
+
+def _aside(packages: Iterable[PackageSummary], tags: TagFilter) -> int:
+    """Return how many findings do not count."""
+    return sum(rule.count - rule.gated for package in packages for rule in package.rules if tags.matches(rule.tags))
+
+
+def _quiet(terminal: Terminal, text: str) -> Iterator[str]:
+    yield from (terminal.paint(line, "quiet") for line in terminal.wrap(text, "  "))
+
+
+def _plural(count: int, one: str) -> str:
+    return f"{count:,} {one if count == 1 else one + 's'}"

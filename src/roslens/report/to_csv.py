@@ -73,6 +73,8 @@ def write_table(view: RunView, name: str, stream: TextIO, tags: TagFilter | None
 
 def _cell(value: Cell) -> str:
     if isinstance(value, str):
+        # No spreadsheet takes a zero byte, and the csv module of Python 3.10 fails on it.
+        value = value.replace("\0", "\N{REPLACEMENT CHARACTER}")
         return "'" + value if value.startswith(_FORMULA) else value
     return written(value)
 

@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+from pathlib import Path
 
 import pytest
 
@@ -30,7 +31,8 @@ print(json.dumps(result | msgspec.to_builtins(outcome)))
 
 
 @pytest.fixture(scope="module")
-def ran(tmp_path_factory, fixtures):
+def environment(tmp_path_factory):
+    """Return an environment with haros-plugins and with everything that this one has."""
     folder = tmp_path_factory.mktemp("haros")
     environment = folder / "venv"
     subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
@@ -41,13 +43,26 @@ def ran(tmp_path_factory, fixtures):
         pytest.skip(f"haros-plugins cannot be had: {done.stderr.strip().splitlines()[-1]}")
     packages = next((environment / "lib").glob("python*/site-packages"))
     (packages / "shared.pth").write_text(f"import site; site.addsitedir({sysconfig.get_paths()['purelib']!r})\n")
+    return environment
+
+
+def run(environment, workspace):
     path = f"{environment / 'bin'}{os.pathsep}{os.environ['PATH']}"
-    command = [python, "-c", RUN, str(fixtures / "haros_workspace")]
     done = subprocess.run(
-        command, capture_output=True, text=True, check=False, cwd=folder, env={**os.environ, "PATH": path}
+        [str(environment / "bin" / "python"), "-c", RUN, str(workspace)],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=environment.parent,
+        env={**os.environ, "PATH": path},
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
+
+
+@pytest.fixture(scope="module")
+def ran(environment, fixtures):
+    return run(environment, fixtures / "haros_workspace")
 
 
 def rules(ran, plugin):
@@ -121,3 +136,15 @@ def test_those_that_need_a_program_say_so(ran, name):
         assert not [what for what in failures(ran, name) if "name functions or classes" not in what]
     else:
         assert any(f"No such file or directory: '{name}'" in what for what in failures(ran, name))
+
+
+def test_the_example_workspace(environment):
+    """Findings and values of every plug-in that works, and no failure but the known ones."""
+    result = run(environment, Path(__file__).parents[3] / "examples" / "workspace")
+    for name in ("cpplint", "lizard", "pylint", "ccd", "mi_calculator"):
+        assert rules(result, name), name
+    for name in ("lizard", "ccd", "mi_calculator", "radon"):
+        assert values(result, name), name
+    for name in ("cpplint", "lizard", "pylint", "ccd", "mi_calculator"):
+        assert not [what for what in failures(result, name) if "name functions or classes" not in what], name
+    assert any("NameError: name 'ploc' is not defined" in what for what in failures(result, "radon"))

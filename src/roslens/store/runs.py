@@ -5,6 +5,7 @@ from __future__ import annotations
 import sqlite3
 from pathlib import Path
 from types import TracebackType
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -18,7 +19,9 @@ from roslens.store.migrate import migrate
 from roslens.store.question import Run
 from roslens.store.read import RunView, read_unit
 from roslens.store.sqlite_errors import as_store_errors
-from roslens.store.write import RunWriter
+
+if TYPE_CHECKING:
+    from roslens.store.write import RunWriter
 
 WAIT_S = 10.0
 """How long a run waits for another one that is writing."""
@@ -135,6 +138,9 @@ class Store:
 
     def writing(self, header: RunHeader) -> RunWriter:
         """Return the writer of a new run, to be used in a ``with`` block; see :class:`RunWriter`."""
+        # Imported late: a run in which nothing changed writes nothing.
+        from roslens.store.write import RunWriter
+
         return RunWriter(self._connection, self._path, header.started, self._wait_s)
 
     def runs(self) -> tuple[StoredRun, ...]:

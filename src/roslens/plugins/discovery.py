@@ -71,9 +71,8 @@ def discover(
         time_limit_s: seconds that one import may take.
         log: receives what plug-ins print at import.
     """
-    candidates = [*_builtin(builtin)]
+    candidates = [*_builtin(builtin), *_installed(find_installed(_search_path(base) if search is None else search))]
     failures: list[Failure] = []
-    candidates.extend(_installed(find_installed(_search_path(base) if search is None else search)))
     for path in paths:
         found = _from_path(path, base)
         if isinstance(found, Failure):
@@ -81,25 +80,26 @@ def discover(
         else:
             candidates.append(found)
     hidden = {name for given in disable for name in (given, HAROS_PREFIX + given)}
-    wanted = [candidate for candidate in candidates if candidate.label not in hidden]
-    loaded = [_load_here(candidate) for candidate in wanted if candidate.builtin]
-    foreign = [candidate for candidate in wanted if not candidate.builtin]
-    if foreign:
-        loaded.extend(_load_apart(foreign, time_limit_s, log))
     members: dict[str, Member] = {}
-    for item in loaded:
+    for item in _load([one for one in candidates if one.label not in hidden], time_limit_s, log):
         if isinstance(item, Failure):
             failures.append(item)
         elif item.name in members:
             failures.append(_doubled(item, members[item.name]))
         else:
             members[item.name] = item
-    labels = {candidate.label for candidate in candidates} | set(members)
-    failures.extend(_misspelt(disable, labels))
+    failures.extend(_misspelt(disable, {candidate.label for candidate in candidates} | set(members)))
     ordered = order([members[name] for name in sorted(members) if name not in hidden], provided)
     failures.extend(ordered.failures)
     able = {member.name for member in ordered.members} | {item.plugin for item in ordered.unavailable}
     return Discovered(tuple(members[name] for name in sorted(able)), tuple(failures), ordered.unavailable)
+
+
+def _load(candidates: Sequence[_Candidate], time_limit_s: float, log: Path | None) -> Iterator[Member | Failure]:
+    """Load built-in plug-ins here, which are ours, and all others in a worker."""
+    yield from (_load_here(candidate) for candidate in candidates if candidate.builtin)
+    if foreign := [candidate for candidate in candidates if not candidate.builtin]:
+        yield from _load_apart(foreign, time_limit_s, log)
 
 
 def load_reference(reference: str, *, time_limit_s: float = LOAD_LIMIT_S) -> Member | Failure:

@@ -3,19 +3,23 @@
 The name of a capture says what the node is for; its place in :data:`KINDS` is the number the walk dispatches on
 and decides which of two nodes with the same extent comes first. One query and one look at each position is what
 makes the walk cheap: reading attributes of nodes costs more than everything else.
+
+No pattern asks for a node and its descendants where such nodes can stand in each other without end (``and`` in
+``and``): a half-made match waits at every level, and the time would grow with the square of the depth.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-import tree_sitter_python
-from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
+from tree_sitter import Node, Query, QueryCursor, Tree
+
+from roslens.source.syntax.python_tree import LANGUAGE
 
 _KIND_WORDS = (
     "block decorator function class if elif else_arm for while try catch finally with switch case assert "
     "return throw break continue comprehension comprehension_for if_clause lambda ternary ternary_if ternary_else "
-    "and or yield await callee type class_attribute self_attribute field_type field_constructor "
+    "parentheses and or yield await callee type class_attribute self_attribute field_type field_constructor "
     "import bound future_import"
 )
 KINDS = tuple(_KIND_WORDS.split())
@@ -48,12 +52,9 @@ _QUERY = f"""
 (for_in_clause) @comprehension_for
 (if_clause) @if_clause
 (lambda) @lambda
-(conditional_expression "if" @ternary_if "else" @ternary_else) @ternary
-(boolean_operator operator: "and") @and
-(boolean_operator operator: "or") @or
-(boolean_operator (boolean_operator) @operand)
-(boolean_operator (parenthesized_expression (boolean_operator) @operand))
-(boolean_operator (parenthesized_expression (parenthesized_expression (boolean_operator) @operand)))
+(conditional_expression) @ternary
+(boolean_operator) @logical
+(parenthesized_expression) @parentheses
 [(expression_statement) (pass_statement) (delete_statement) (print_statement) (exec_statement)
  (import_statement) (import_from_statement) (future_import_statement)] @statement
 (expression_statement . [(string) (concatenated_string)] .) @comment
@@ -73,18 +74,12 @@ _QUERY = f"""
 (future_import_statement) @future_import
 """
 
-_LANGUAGE = Language(tree_sitter_python.language())
-_COMPILED = Query(_LANGUAGE, _QUERY)
-_FAULTS = Query(_LANGUAGE, "(ERROR) @error (MISSING) @missing")
+_COMPILED = Query(LANGUAGE, _QUERY)
 _KIND_NUMBERS = {name: number for number, name in enumerate(KINDS)}
 
+Span = tuple[int, int]
 Event = tuple[int, int, int]
 """Start, negated end and kind of a node: sorted, outer nodes come before inner ones."""
-
-
-def parse_tree(source: bytes) -> Tree:
-    """Parse ``source``; never fails, what is no Python becomes error nodes."""
-    return Parser(_LANGUAGE).parse(source)
 
 
 class Captures:
@@ -94,9 +89,8 @@ class Captures:
         events: all of them in source order.
         statements: where simple statements begin that are no events; strings that stand alone are comments.
         interpolations: extents of the expressions in f-strings.
-        operands: extents of the ``and`` and ``or`` that are operands of another one with nothing but (at most
-            two pairs of) parentheses between.
         definitions: the nodes of functions and classes by their extent.
+        operators: extents of the words ``and`` and ``or`` by that of their expression.
     """
 
     def __init__(self, tree: Tree) -> None:
@@ -106,8 +100,11 @@ class Captures:
         starts = {node.start_byte for node in captured.pop("statement", ())}
         self.statements = sorted(starts - comments)
         self.interpolations = sorted(node.byte_range for node in captured.pop("interpolation", ()))
-        self.operands = {node.byte_range for node in captured.pop("operand", ())}
-        events: list[Event] = []
+        self.definitions = {node.byte_range: node for name in ("function", "class") for node in captured.get(name, ())}
+        self.operators: dict[Span, Span] = {}
+        events = list(self._logical_events(captured.pop("logical", ())))
+        for node in captured.get("ternary", ()):
+            events.extend(_ternary_words(node))
         for name, nodes in captured.items():
             kind = _KIND_NUMBERS[name]
             for node in nodes:
@@ -115,18 +112,18 @@ class Captures:
                 events.append((start, -end, kind))
         events.sort()
         self.events = events
-        self.definitions: dict[tuple[int, int], Node] = {
-            node.byte_range: node for name in ("function", "class") for node in captured.get(name, ())
-        }
+
+    def _logical_events(self, nodes: Iterable[Node]) -> Iterator[Event]:
+        for node in nodes:
+            operator = node.child_by_field_name("operator")
+            if operator is not None:
+                start, end = node.byte_range
+                self.operators[start, end] = operator.byte_range
+                yield start, -end, _KIND_NUMBERS[operator.type]
 
 
-def fault_nodes(tree: Tree) -> Iterator[Node]:
-    """Yield the places that could not be parsed, in source order, the outermost only."""
-    if not tree.root_node.has_error:
-        return
-    captured = QueryCursor(_FAULTS).captures(tree.root_node)
-    end = -1
-    for node in sorted((n for nodes in captured.values() for n in nodes), key=lambda n: (n.start_byte, -n.end_byte)):
-        if node.start_byte >= end:
-            yield node
-            end = max(node.end_byte, end)
+def _ternary_words(node: Node) -> Iterator[Event]:
+    """Yield the words that part a conditional expression into its three."""
+    for child in node.children:
+        if child.type in {"if", "else"}:
+            yield child.start_byte, -child.end_byte, _KIND_NUMBERS[f"ternary_{child.type}"]

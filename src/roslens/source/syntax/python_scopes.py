@@ -122,13 +122,15 @@ class Frame:
     """A node the walk is inside of.
 
     ``depth`` and ``part`` are those of events directly in it, ``own_part`` is where the node itself stands in its
-    parent. ``own_depth`` is the depth of an ``and`` or ``or`` itself; ``defines`` the function whose header this
-    is.
+    parent. Of an ``and`` or ``or``, ``own_depth`` is its own depth, ``left`` and ``right`` are the extents of its
+    sides. ``defines`` is the function whose header this is.
     """
 
-    __slots__ = ("defines", "depth", "end", "own_depth", "own_part", "part", "place", "role")
+    __slots__ = ("defines", "depth", "end", "left", "own_depth", "own_part", "part", "place", "right", "role")
 
     defines: Scope
+    left: Span
+    right: Span
     own_depth: int
 
     def __init__(self, role: str, end: int, depth: int, part: str, own_part: str, place: Place) -> None:

@@ -21,6 +21,7 @@ _LONGEST_CALLEE = 200
 _IRREFUTABLE = re.compile(
     rb"case\b[\s(]*(?!(?:True|False|None)\b)[A-Za-z_\x80-\xff][\w\x80-\xff]*(?:\s+as\s+[\w\x80-\xff]+)?[\s)]*:"
 )
+_BLANK = re.compile(rb"(?:[\s\\]|#[^\n]*)*")
 _ELSE_ROLES = {"if": "else", "for": "loop_else", "while": "loop_else", "try": "try_else"}
 _HANDLERS = {
     **dict.fromkeys(("if", "for", "while", "try", "with", "switch"), "_hold"),
@@ -53,6 +54,7 @@ class Walk:
         self._captures = captures
         self._decorators: list[str] = []
         self._attribute: Attribute | None = None
+        self._type_end = 0
         place = Place(self.file, (self.file.counts,), self.file.types, self.file.calls)
         self._top = Frame("file", len(source) + 1, 0, "body", "body", place)
         self._run()
@@ -97,12 +99,33 @@ class Walk:
 
     def _logical(self, role: str, start: int, end: int) -> Frame:
         top = self._top
-        nested = top.role == "logical" and (start, end) in self._captures.operands
-        depth = top.own_depth + 1 if nested else top.depth
+        depth = top.own_depth + 1 if self._is_operand(start, end) else top.depth
         self._event(role, depth, top.part)
         frame = Frame("logical", end, top.depth, top.part, top.own_part, top.place)
         frame.own_depth = depth
+        frame.left = start, self._captures.operators[start, end][0]
+        frame.right = self._captures.operators[start, end][1], end
         return frame
+
+    def _on_parentheses(self, _role: str, start: int, end: int) -> Frame | None:
+        """Enter parentheses where they are an operand of ``and`` or ``or``."""
+        top = self._top
+        if not self._is_operand(start, end):
+            return None
+        frame = Frame("logical", end, top.depth, top.part, top.own_part, top.place)
+        frame.own_depth = top.own_depth
+        frame.left = frame.right = start + 1, end - 1
+        return frame
+
+    def _is_operand(self, start: int, end: int) -> bool:
+        """Whether a node is all there is on one side of the ``and`` or ``or`` that the walk is in."""
+        top = self._top
+        if top.role != "logical":
+            return False
+        return any(
+            _BLANK.fullmatch(self._source, side_start, start) and _BLANK.fullmatch(self._source, end, side_end)
+            for side_start, side_end in (top.left, top.right)
+        )
 
     def _on_else_arm(self, _role: str, start: int, end: int) -> Frame:
         return self._arm(_ELSE_ROLES.get(self._top.role, "else"), start, end)
@@ -235,7 +258,9 @@ class Walk:
                 counts["recursion"] += 1
 
     def _on_type(self, _role: str, start: int, end: int) -> None:
-        self._top.place.types.add(self._source[start:end])
+        if start >= self._type_end:
+            self._type_end = end
+            self._top.place.types.add(self._source[start:end])
 
     def _on_class_attribute(self, _role: str, start: int, end: int) -> None:
         self._attribute = None

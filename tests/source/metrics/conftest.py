@@ -24,6 +24,7 @@ import pytest
 from roslens.model.entity import Entity
 from roslens.model.finding import Finding, Severity
 from roslens.model.source import Dependency, Language, Location, Package, Role, SourceFile
+from roslens.source.analyse_file import analyse_file
 from roslens.source.metrics.measure_file import measure_file
 from roslens.source.metrics.measure_package import measure_package
 from roslens.source.metrics.measure_workspace import measure_workspace
@@ -34,7 +35,7 @@ EXAMPLES = Path(__file__).parents[2] / "fixtures" / "metrics"
 LANGUAGES = {".cpp": Language.CPP, ".hpp": Language.CPP, ".c": Language.C, ".h": Language.CPP, ".py": Language.PYTHON}
 EXPECTATION = re.compile(
     r"expect(?:\[(?P<options>[^]]*)\])?:\s+(?P<kind>function|class|file|package)(?P<fold>\.\w+)?"
-    r"(?:\s+(?P<name>\S.*?))?\s+=\s+(?P<value>-?[\d.]+|absent)(?:\s+(?P<working>\S.*))?$"
+    r"(?:\s+(?P<name>(?!=)\S.*?))?\s+=\s+(?P<value>-?[\d.]+|absent)(?:\s+(?P<working>\S.*))?$"
 )
 EVENT = re.compile(r"(?P<indent> *)(?P<role>[a-z_]+)(?P<marks>[?#]*)(?: .*)?")
 
@@ -85,14 +86,7 @@ def function_of() -> Callable[..., FunctionFacts]:
 
 
 def parse(path: Path) -> FileFacts:
-    content = path.read_bytes()
-    if path.suffix == ".py":
-        from roslens.source.syntax.python import parse_python
-
-        return parse_python(content)
-    from roslens.source.syntax.cpp import parse_cpp
-
-    return parse_cpp(content, MacroSettings())
+    return analyse_file(path.read_bytes(), LANGUAGES[path.suffix], MacroSettings()).facts
 
 
 def settings_of(options: str | None) -> CountingSettings:

@@ -14,12 +14,12 @@ def value(facts, **options):
     return cognitive_complexity.of_function(facts, CountingSettings(**options))
 
 
-@pytest.mark.parametrize("role", ["if", "for", "while", "do", "switch", "catch", "ternary", "preproc_if"])
+@pytest.mark.parametrize("role", ["if", "for", "while", "do", "switch", "catch", "ternary"])
 def test_structures_count_one_and_their_nesting(function_of, role):
     assert value(function_of(f"{role}\n  {role}\n    {role}")) == 1 + 2 + 3
 
 
-@pytest.mark.parametrize("role", ["elif", "else", "loop_else", "try_else", "preproc_else"])
+@pytest.mark.parametrize("role", ["elif", "else", "loop_else", "try_else"])
 def test_arms_count_one_however_deep_and_nest(function_of, role):
     assert value(function_of(f"if\n  if\n  {role}\n    if")) == 1 + 2 + 1 + 3
 
@@ -69,7 +69,13 @@ def test_a_function_in_a_function_starts_one_deeper(function_of):
     assert value(function_of("if", nested_in="outer")) == 2
 
 
-def test_without_alternatives_only_the_first_arm_is_read(function_of):
-    facts = function_of("preproc_if\n  if\npreproc_else\n  while#")
-    assert value(facts) == 1 + 2 + 1 + 2
+def test_directives_count_without_nesting(function_of):
+    facts = function_of("if\n  if", counts={"preproc_if": 2, "preproc_else": 1})
+    assert value(facts) == 1 + 2 + 3
+    assert value(function_of(counts={"preproc_if": 1})) == 1
+
+
+def test_without_alternatives_only_the_first_arm_is_read_and_no_directive(function_of):
+    facts = function_of("if\nwhile#", counts={"preproc_if": 1, "preproc_else": 1})
+    assert value(facts) == 4
     assert value(facts, alternatives=False) == 1

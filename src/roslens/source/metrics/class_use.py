@@ -37,6 +37,7 @@ def used_classes(names: Iterable[str], scope: str, known: ClassNames, syntax: st
 
 def _cpp_class(written: str, scope: str, known: ClassNames) -> str | None:
     name = written.removeprefix("::")
+    scope = scope if name == written else ""
     found = known.find(name, scope)
     if found or in_cpp_library(name):
         return found

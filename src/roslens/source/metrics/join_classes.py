@@ -131,7 +131,11 @@ class _Joining:
         if self._syntax == "python":
             bases.discard("object")
         scope = self._full_names[place].rpartition(self._separator)[0]
-        return {self._names.find(base.removeprefix("::"), scope) or base for base in bases} - {self._full_names[place]}
+        found: set[str] = set()
+        for base in bases:
+            name = base.removeprefix("::")
+            found.add(self._names.find(name, scope if name == base else "") or name)
+        return found - {self._full_names[place]}
 
     def _turned(self, targets: dict[Place, set[str]]) -> dict[Place, set[str]]:
         """Return by class the full names of those that have it among their targets, tests and the like left out."""

@@ -38,7 +38,7 @@ def analyse_file(content: bytes, language: Language, macros: MacroSettings) -> F
     if syntax == "cpp":
         from roslens.source.syntax.cpp import parse_cpp
 
-        facts = parse_cpp(content, macro_preset(macros), language=language.value)
+        facts = parse_cpp(content, macro_preset(macros))
     elif syntax == "python":
         from roslens.source.syntax.python import parse_python
 

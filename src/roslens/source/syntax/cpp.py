@@ -1,0 +1,83 @@
+"""Facts of a C or C++ file, from one parse by tree-sitter.
+
+Decisions are counted as written: macros are not expanded, lambdas count for the function around them, and every arm of
+``#if`` counts. A TEST macro with a body is a function whose name holds its arguments: ``TEST_F(Suite,Name)``.
+"""
+
+from __future__ import annotations
+
+from tree_sitter import Tree
+
+from roslens.source.syntax.comments import blank_comments
+from roslens.source.syntax.cpp_assembly import Assembly
+from roslens.source.syntax.cpp_lines import LineMap
+from roslens.source.syntax.cpp_names import text_of
+from roslens.source.syntax.cpp_query import Captures, fault_nodes, parse_tree
+from roslens.source.syntax.cpp_walk import Walk
+from roslens.source.syntax.facts import FileFacts, SyntaxFault
+from roslens.source.syntax.lines import count_lines
+from roslens.source.syntax.macros import MacroPreset
+from roslens.source.syntax.tokens import hashes_of, token_text
+
+_LONGEST_QUOTE = 60
+
+
+def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
+    """Return the facts of a C or C++ file; the grammar of C++ reads both.
+
+    Never fails: what cannot be parsed becomes a :class:`~roslens.source.syntax.facts.SyntaxFault`, and the
+    functions it stands in are marked approximate.
+
+    Args:
+        content: the bytes of the file.
+        macros: what to blank before the parse; positions stay those of ``content``.
+    """
+    source = macros.blank(content)
+    tree = parse_tree(source)
+    if tree.root_node.has_error:
+        source, tree = _repaired(source, tree, macros)
+    captures = Captures(tree)
+    walk = Walk(source, captures)
+    code = blank_comments(content, "cpp")
+    hashes, numbers = hashes_of(code)
+    lines = LineMap(content, hashes, numbers)
+    lines.leave_out(captures.not_executed, captures.statements)
+    faults = _faults(source, tree, lines)
+    assembly = Assembly(source, token_text(code, "cpp"), lines, captures, walk, faults)
+    return FileFacts(
+        syntax="cpp",
+        lines=count_lines(content, "cpp"),
+        halstead=assembly.halstead(),
+        functions=tuple(map(assembly.function, walk.functions)),
+        classes=tuple(map(assembly.of_class, walk.classes)),
+        top_level=assembly.counts(),
+        includes=tuple((text_of(source[start:end]), lines.number(start)) for start, end in captures.includes),
+        line_hashes=hashes,
+        line_numbers=numbers,
+        faults=faults,
+    )
+
+
+def _repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tree]:
+    """Return the source and tree with fewer faults: as they are, or with the rarer macros blanked too."""
+    again = macros.repair(source)
+    if again == source:
+        return source, tree
+    better = parse_tree(again)
+    if sum(1 for _ in fault_nodes(better)) < sum(1 for _ in fault_nodes(tree)):
+        return again, better
+    return source, tree
+
+
+def _faults(source: bytes, tree: Tree, lines: LineMap) -> tuple[SyntaxFault, ...]:
+    faults = []
+    for node in fault_nodes(tree):
+        start, end = node.byte_range
+        if node.is_missing:
+            text = f"{node.type} is missing"
+        else:
+            text = " ".join(text_of(source[start : min(end, start + _LONGEST_QUOTE)]).split())
+        line = lines.number(start)
+        last = max(lines.number(max(end - 1, start)), line)
+        faults.append(SyntaxFault(line, start - lines.start(line) + 1, last, text))
+    return tuple(faults)

@@ -1,0 +1,166 @@
+"""What the names, parameters and declarators of C++ say."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+import msgspec
+from tree_sitter import Node
+
+_ANGLES = re.compile(r"<[^<>]*>")
+_SPACE = re.compile(r"\s+")
+_AROUND_MARKS = re.compile(r"\s*(::|[<>,*&()\[\]])\s*")
+_NAME_IN_DECLARATOR = re.compile(r"\b(?!const\b|volatile\b|restrict\b)[A-Za-z_]\w*")
+_LONGEST = 4000
+_OPERATOR = re.compile(r"\boperator\b")
+_MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
+_PARAMETERS = ("parameter_declaration", "optional_parameter_declaration", "variadic_parameter_declaration")
+
+
+class Declarator(msgspec.Struct, frozen=True):
+    """What a function's declarator says: its name, the scope written before it, and its parameters."""
+
+    name: str
+    scope: str
+    parameters: int
+    signature: str
+    start: int
+    end: int
+
+
+def text_of(source: bytes) -> str:
+    """Return bytes of a name as text; what is no UTF-8 is replaced."""
+    return source.decode("utf-8", "replace")
+
+
+def without_arguments(name: str) -> str:
+    """Return ``name`` without template arguments and white space: ``a::B<C<int> >::d`` becomes ``a::B::d``."""
+    while "<" in name:
+        shorter = _ANGLES.sub("", name)
+        if shorter == name:
+            break
+        name = shorter
+    return "".join(name.split())
+
+
+@lru_cache(maxsize=4096)
+def split_name(written: str) -> tuple[str, str]:
+    """Return the scope and the name of a function as it is written before its parameters."""
+    operator = _OPERATOR.search(written)
+    head, tail = (written[: operator.start()], written[operator.start() :]) if operator else (written, "")
+    plain = without_arguments(head)
+    if tail:
+        return plain.removesuffix("::").removeprefix("::"), _squeezed_operator(tail)
+    scope, _, name = plain.rpartition("::")
+    return scope.removeprefix("::"), name
+
+
+def _squeezed_operator(written: str) -> str:
+    rest = _SPACE.sub(" ", written.removeprefix("operator")).strip()
+    return f"operator {rest}" if rest[:1].isalpha() or rest[:1] == "_" else f"operator{rest.replace(' ', '')}"
+
+
+def squeezed(text: str) -> str:
+    """Return a type with single spaces between words and none around marks."""
+    return _AROUND_MARKS.sub(r"\1", _SPACE.sub(" ", text)).strip()
+
+
+def function_declarator(node: Node) -> Node | None:
+    """Return the declarator that holds the parameters of a function, the innermost where functions return functions."""
+    found = None
+    waiting = [node]
+    for _ in range(50):
+        if not waiting:
+            break
+        current = waiting.pop()
+        if current.type in ("function_declarator", "abstract_function_declarator"):
+            found = current
+        inner = current.child_by_field_name("declarator")
+        if inner is None and current.type == "qualified_identifier":
+            inner = current.child_by_field_name("name")
+        if inner is None and current.type in _WRAPPERS:
+            inner = next(
+                (child for child in current.named_children if child.type.endswith(("declarator", "cast"))), None
+            )
+        if inner is not None:
+            waiting.append(inner)
+    return found
+
+
+_WRAPPERS = ("reference_declarator", "parenthesized_declarator", "pointer_declarator", "attributed_declarator")
+
+
+def read_declarator(definition: Node, source: bytes) -> Declarator:
+    """Read the declarator of a function definition or declaration."""
+    outer = definition.child_by_field_name("declarator")
+    declarator = function_declarator(definition)
+    parameters = declarator.child_by_field_name("parameters") if declarator is not None else None
+    if outer is None or declarator is None or parameters is None:
+        start, end = definition.byte_range
+        return Declarator("", "", 0, "", start, min(end, start + 1))
+    start = declarator.start_byte
+    if declarator.type == "abstract_function_declarator":
+        cast = outer
+        while cast.type in _WRAPPERS:
+            cast = cast.named_children[-1]
+        start = cast.start_byte
+    written = text_of(source[start : min(parameters.start_byte, start + _LONGEST)])
+    scope, name = split_name(written)
+    types = [type_ for type_ in (_type_of(node, source) for node in parameters.named_children) if type_]
+    variadic = b"..." in source[max(parameters.start_byte, parameters.end_byte - 8) : parameters.end_byte]
+    if variadic and not (types and "..." in types[-1]):
+        types.append("...")
+    if types == ["void"]:
+        types = []
+    if definition.child_by_field_name("type") is None and not scope and _MACRO.fullmatch(name) and types:
+        return Declarator(f"{name}({','.join(types)})", "", 0, "", start, parameters.end_byte)
+    return Declarator(name, scope, len(types), ", ".join(types), start, parameters.end_byte)
+
+
+def _type_of(parameter: Node, source: bytes) -> str:
+    if parameter.type not in _PARAMETERS:
+        return ""
+    start, end = parameter.byte_range
+    default = parameter.child_by_field_name("default_value")
+    if default is not None:
+        end = default.start_byte
+    declarator = parameter.child_by_field_name("declarator")
+    if declarator is None:
+        return _parameter_type(source[start : min(end, start + _LONGEST)], b"")
+    middle, end = declarator.byte_range
+    return _parameter_type(source[start : min(middle, start + _LONGEST)], source[middle : min(end, middle + _LONGEST)])
+
+
+@lru_cache(maxsize=4096)
+def _parameter_type(before: bytes, declarator: bytes) -> str:
+    """Return the type of a parameter, given what stands before its declarator and the declarator."""
+    text = text_of(before)
+    if declarator:
+        text += " " + _NAME_IN_DECLARATOR.sub("", text_of(declarator), count=1)
+    return squeezed(text.rstrip("= \t\r\n"))
+
+
+def base_names(definition: Node, source: bytes) -> tuple[str, ...]:
+    """Return the names of the bases of a class, without template arguments."""
+    clause = next((child for child in definition.named_children if child.type == "base_class_clause"), None)
+    if clause is None:
+        return ()
+    return tuple(
+        without_arguments(text_of(source[node.start_byte : node.end_byte]))
+        for node in clause.named_children
+        if node.type in ("type_identifier", "qualified_identifier", "template_type")
+    )
+
+
+def callee_name(written: str) -> str:
+    """Return what a call names, without receiver and template arguments; empty for a computed callee."""
+    if "<" in written:
+        written = without_arguments(written)
+    for mark in ("->", "."):
+        written = written.rpartition(mark)[2]
+    written = "".join(written.split()).removeprefix("::")
+    return written if _CALLEE.fullmatch(written) else ""
+
+
+_CALLEE = re.compile(r"~?[A-Za-z_]\w*(?:::~?[A-Za-z_]\w*)*")

@@ -1,0 +1,159 @@
+"""Which nodes of a C++ tree mean something to roslens, as one compiled query.
+
+The name of a capture says what the node is for; its place in :data:`KINDS` is the number the walk dispatches on
+and decides which of two nodes with the same extent comes first. One query and one look at each position is what
+makes the walk cheap: reading attributes of nodes costs more than everything else.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Callable, Iterator
+from operator import attrgetter
+
+import tree_sitter_cpp
+from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
+
+_KIND_WORDS = (
+    "part_body part_condition namespace class function function_body field access try if else for while do switch "
+    "catch case default lambda ternary and or preproc_if preproc_else return throw break continue goto label yield "
+    "await"
+)
+KINDS = tuple(_KIND_WORDS.split())
+"""Names of the captures that become events, outer before inner."""
+
+_LOGICAL = '["&&" "||" "and" "or"]'
+_QUERY = f"""
+(namespace_definition) @namespace
+[(class_specifier body: (_)) (struct_specifier body: (_)) (union_specifier body: (_))] @class
+(function_definition body: (_) @function_body) @function
+(function_definition . (function_declarator) . (try_statement) @function_body) @function
+(field_declaration_list [(field_declaration) (declaration)] @field)
+(field_declaration_list (template_declaration (declaration) @field))
+(field_declaration_list (_ [(field_declaration) (declaration)] @field))
+(access_specifier) @access
+(if_statement consequence: (_) @part_body) @if
+(else_clause) @else
+(else_clause (if_statement) @else_if) @else_of_if
+(for_statement body: (_) @part_body) @for
+(for_range_loop body: (_) @part_body) @for
+(while_statement body: (_) @part_body) @while
+(do_statement condition: (_) @part_condition) @do
+(switch_statement body: (_) @part_body) @switch
+(case_statement value: (_)) @case
+(case_statement "default") @default
+(try_statement) @try
+(catch_clause) @catch
+(conditional_expression consequence: (_)? @part_body) @ternary
+(binary_expression operator: ["&&" "and"]) @and
+(binary_expression operator: ["||" "or"]) @or
+(binary_expression (binary_expression operator: {_LOGICAL}) @operand)
+(binary_expression (parenthesized_expression (binary_expression operator: {_LOGICAL}) @operand))
+(binary_expression (parenthesized_expression (parenthesized_expression
+  (binary_expression operator: {_LOGICAL}) @operand)))
+(lambda_expression) @lambda
+[(preproc_if) (preproc_ifdef)] @preproc_if
+[(preproc_else) (preproc_elif) (preproc_elifdef)] @preproc_else
+[(return_statement) (co_return_statement)] @return
+(throw_statement) @throw
+(break_statement) @break
+(continue_statement) @continue
+(goto_statement) @goto
+(labeled_statement) @label
+(co_yield_statement) @yield
+(co_await_expression) @await
+(expression_statement) @statement
+(init_declarator) @initialised
+(compound_statement (declaration) @declaration)
+(case_statement (declaration) @declaration)
+(call_expression function: (_) @callee)
+(type_identifier) @type
+(preproc_include path: (_) @include)
+"""
+
+_LANGUAGE = Language(tree_sitter_cpp.language())
+_COMPILED = Query(_LANGUAGE, _QUERY)
+_FAULTS = Query(_LANGUAGE, "(ERROR) @error (MISSING) @missing")
+_KIND_NUMBERS = {name: number for number, name in enumerate(KINDS)}
+
+Span = tuple[int, int]
+Event = tuple[int, int, int]
+"""Start, negated end and kind of a node: sorted, outer nodes come before inner ones."""
+
+
+def parse_tree(source: bytes) -> Tree:
+    """Parse ``source``; never fails, what is no C++ becomes error nodes."""
+    return Parser(_LANGUAGE).parse(source)
+
+
+class Captures:
+    """The nodes of a tree that mean something.
+
+    Attributes:
+        events: those that the walk looks at, in source order.
+        callees: extents of what is called, sorted; ``types`` those of names of types, ``includes`` of headers.
+        statements: where simple statements begin, jumps and initialised declarations included.
+        not_executed: extents of local declarations without an initialiser, and where labels stand.
+        operands: extents of the logical operators that are operands of another one with nothing but (at most two
+            pairs of) parentheses between.
+        else_ifs: extents of the ``if`` of an ``else if``; ``else_of_ifs`` those of its ``else``.
+        definitions: the nodes of functions, classes, namespaces and members by their kind and extent.
+    """
+
+    def __init__(self, tree: Tree) -> None:
+        """Run the query over ``tree``."""
+        captured = QueryCursor(_COMPILED).captures(tree.root_node)
+
+        def spans(name: str) -> list[Span]:
+            return list(map(_EXTENT, captured.pop(name, ())))
+
+        self.operands = set(spans("operand"))
+        self.else_ifs = set(spans("else_if"))
+        self.else_of_ifs = set(spans("else_of_if"))
+        self.callees = sorted(spans("callee"))
+        self.types = sorted(spans("type"))
+        self.includes = sorted(spans("include"))
+        starts = {start for start, _ in spans("statement")}
+        labels = list(map(_EXTENT, captured.get("label", ())))
+        initialised = sorted(start for start, _ in spans("initialised"))
+        self.not_executed: list[Span] = [(start, start + 1) for start, _ in labels]
+        self._sort_declarations(spans("declaration"), initialised, starts)
+        events: list[Event] = []
+        for name, nodes in captured.items():
+            kind = _KIND_NUMBERS[name]
+            extents = list(map(_EXTENT, nodes))
+            events += [(start, -end, kind) for start, end in extents]
+            if kind in _JUMPS:
+                starts.update(start for start, _ in extents)
+        events.sort()
+        self.events = events
+        self.statements = sorted(starts)
+        self.definitions: dict[tuple[str, int, int], Node] = {
+            (name, *node.byte_range): node
+            for name in ("function", "class", "namespace", "field")
+            for node in captured.get(name, ())
+        }
+
+    def _sort_declarations(self, declarations: list[Span], initialised: list[int], starts: set[int]) -> None:
+        for start, end in declarations:
+            place = bisect_left(initialised, start)
+            if place < len(initialised) and initialised[place] < end:
+                starts.add(start)
+            else:
+                self.not_executed.append((start, end))
+
+
+_EXTENT: Callable[[Node], Span] = attrgetter("byte_range")
+_JUMPS = frozenset(_KIND_NUMBERS[name] for name in ("return", "throw", "break", "continue", "goto", "yield"))
+
+
+def fault_nodes(tree: Tree) -> Iterator[Node]:
+    """Yield the places that could not be parsed, in source order, the outermost only."""
+    if not tree.root_node.has_error:
+        return
+    captured = QueryCursor(_FAULTS).captures(tree.root_node)
+    end = -1
+    for node in sorted((n for nodes in captured.values() for n in nodes), key=lambda n: (n.start_byte, -n.end_byte)):
+        if node.start_byte >= end:
+            yield node
+            end = max(node.end_byte, end)

@@ -1,0 +1,349 @@
+"""One walk over the meaningful nodes of a C++ tree, with a stack instead of recursion.
+
+The walk knows at any node which function and class it is in, how deep, whether in a condition or in a body, inside a
+lambda, in a second or later arm of an ``#if``. What stands in a lambda counts for the function around it; a member
+function of a local class is a function of its own.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+
+from tree_sitter import Node
+
+from roslens.source.syntax.cpp_names import Declarator, base_names, read_declarator, text_of, without_arguments
+from roslens.source.syntax.cpp_query import KINDS, Captures, Span
+from roslens.source.syntax.facts import Control
+
+_LONGEST_NAME = 300
+_IDENTIFIER = re.compile(rb"[A-Za-z_]\w*")
+_DEFAULT_ACCESS = {"class_specifier": "private", "struct_specifier": "public", "union_specifier": "public"}
+_CLASS_KINDS = {"class_specifier": "class", "struct_specifier": "struct", "union_specifier": "union"}
+_HANDLERS = {
+    **dict.fromkeys(("for", "while", "do", "switch", "try"), "_hold"),
+    **dict.fromkeys(("case", "default", "ternary"), "_hold_body"),
+    **dict.fromkeys(("return", "throw", "break", "continue", "goto", "label", "yield", "await"), "_leaf"),
+    **dict.fromkeys(("and", "or"), "_logical"),
+}
+"""Kind to the method that handles it, where it is not named ``_on_<kind>``."""
+
+
+class FunctionScope:
+    """A function while the walk is in it, and what was collected of it."""
+
+    def __init__(self, declarator: Declarator, span: Span, prefix: str, owner: ClassScope | None) -> None:
+        """Begin a function whose enclosing scopes are ``prefix``."""
+        self.declarator = declarator
+        self.span = span
+        self.body: Span = (span[1], span[1])
+        parts = [part for part in (prefix, declarator.scope, declarator.name) if part]
+        self.qualified_name = "::".join(parts)
+        if owner is not None:
+            self.class_name = owner.qualified_name
+        else:
+            self.class_name = "::".join(parts[:-1]) if declarator.scope else ""
+        self.access = owner.access if owner is not None else ""
+        self.static = self.virtual = False
+        self.counts: defaultdict[str, int] = defaultdict(int)
+        self.lambda_counts: defaultdict[str, int] = defaultdict(int)
+        self.alternative_counts: defaultdict[str, int] = defaultdict(int)
+        self.control: list[Control] = []
+        self.lambdas: list[Span] = []
+        self.alternatives: list[Span] = []
+        self.inner: list[Span] = []
+
+
+class Member:
+    """A data member or a declared member function."""
+
+    def __init__(self, access: str, span: Span) -> None:
+        """Begin a member; ``span`` of one defined here ends with its parameters."""
+        self.access = access
+        self.span = span
+        self.names: list[str] = []
+        self.declarator: Declarator | None = None
+        self.static = self.virtual = self.friend = self.defined = False
+
+
+class ClassScope:
+    """A class while the walk is in it, and what was collected of it."""
+
+    def __init__(self, name: str, prefix: str, kind: str, span: Span, bases: tuple[str, ...], access: str) -> None:
+        """Begin a class whose enclosing scopes are ``prefix``."""
+        self.name = name
+        self.qualified_name = f"{prefix}::{name}" if prefix else name
+        self.kind = kind
+        self.span = span
+        self.bases = bases
+        self.access = access
+        self.members: list[Member] = []
+
+
+class Frame:
+    """Where the walk is: until ``end``, so deep, in this part of that statement of this function or class."""
+
+    __slots__ = ("alternative", "depth", "end", "in_lambda", "own_depth", "own_part", "owner", "part", "prefix", "role",
+                 "scope")  # fmt: skip
+
+    def __init__(self, role: str, end: int, above: Frame | None) -> None:
+        """Begin as a part of ``above``; None begins the file."""
+        self.role = role
+        self.end = end
+        self.depth: int = above.depth if above else 0
+        self.own_depth: int = self.depth
+        self.part: str = above.part if above else "body"
+        self.own_part: str = self.part
+        self.scope: FunctionScope | None = above.scope if above else None
+        self.owner: ClassScope | None = above.owner if above else None
+        self.prefix: str = above.prefix if above else ""
+        self.in_lambda: bool = above.in_lambda if above else False
+        self.alternative: bool = above.alternative if above else False
+
+
+class Walk:
+    """The walk; after construction its attributes hold what was found.
+
+    Attributes:
+        functions: in source order; ``classes`` likewise.
+        counts: of what stands outside functions.
+    """
+
+    def __init__(self, source: bytes, captures: Captures) -> None:
+        """Walk over ``captures`` of ``source``."""
+        self.functions: list[FunctionScope] = []
+        self.classes: list[ClassScope] = []
+        self.counts: defaultdict[str, int] = defaultdict(int)
+        self._source = source
+        self._captures = captures
+        self._top = Frame("file", len(source) + 1, None)
+        self._run()
+
+    def _run(self) -> None:
+        handlers = [(getattr(self, _HANDLERS.get(name, f"_on_{name}")), name) for name in KINDS]
+        stack = [self._top]
+        for start, negative_end, kind in self._captures.events:
+            top = stack[-1]
+            while top.end <= start:
+                stack.pop()
+                top = stack[-1]
+            self._top = top
+            handle, role = handlers[kind]
+            frame = handle(role, start, -negative_end)
+            if frame is not None:
+                stack.append(frame)
+
+    # Control structure
+
+    def _count(self, role: str) -> None:
+        top = self._top
+        scope = top.scope
+        if scope is None:
+            self.counts[role] += 1
+            return
+        scope.counts[role] += 1
+        if top.in_lambda:
+            scope.lambda_counts[role] += 1
+        if top.alternative:
+            scope.alternative_counts[role] += 1
+
+    def _event(self, role: str, depth: int, part: str) -> None:
+        self._count(role)
+        top = self._top
+        if top.scope is not None:
+            top.scope.control.append(Control(role, depth, part, top.alternative))
+
+    def _hold(self, role: str, _start: int, end: int) -> Frame:
+        """Note an event that others stand in; they are in its condition until its body begins."""
+        top = self._top
+        self._event(role, top.depth, top.part)
+        frame = Frame(role, end, top)
+        frame.depth += 1
+        frame.own_part = top.part
+        frame.part = "body" if role in ("do", "try") else "condition"
+        return frame
+
+    def _hold_body(self, role: str, start: int, end: int) -> Frame:
+        frame = self._hold(role, start, end)
+        frame.part = "condition" if role == "ternary" else "body"
+        return frame
+
+    def _arm(self, role: str, end: int, part: str) -> Frame:
+        """Note a further arm of the statement that the walk is in."""
+        top = self._top
+        self._event(role, max(0, top.depth - 1), top.own_part)
+        frame = Frame(role, end, top)
+        frame.own_part = top.own_part
+        frame.part = part
+        return frame
+
+    def _leaf(self, role: str, _start: int, _end: int) -> None:
+        self._event(role, self._top.depth, self._top.part)
+
+    def _logical(self, role: str, start: int, end: int) -> Frame:
+        top = self._top
+        nested = top.role == "logical" and (start, end) in self._captures.operands
+        depth = top.own_depth + 1 if nested else top.depth
+        self._event(role, depth, top.part)
+        frame = Frame("logical", end, top)
+        frame.own_depth = depth
+        frame.own_part = top.own_part
+        return frame
+
+    def _on_part_body(self, _role: str, _start: int, _end: int) -> None:
+        self._top.part = "body"
+
+    def _on_part_condition(self, _role: str, _start: int, _end: int) -> None:
+        self._top.part = "condition"
+
+    def _on_if(self, role: str, start: int, end: int) -> Frame:
+        if (start, end) in self._captures.else_ifs:
+            return self._arm("elif", end, "condition")
+        return self._hold(role, start, end)
+
+    def _on_else(self, role: str, start: int, end: int) -> Frame | None:
+        return None if (start, end) in self._captures.else_of_ifs else self._arm(role, end, "body")
+
+    def _on_catch(self, role: str, _start: int, end: int) -> Frame:
+        return self._arm(role, end, "body")
+
+    def _on_lambda(self, role: str, start: int, end: int) -> Frame:
+        frame = self._hold(role, start, end)
+        frame.part = "body"
+        scope = self._top.scope
+        if scope is not None and not self._top.in_lambda:
+            scope.lambdas.append((start, end))
+        frame.in_lambda = True
+        return frame
+
+    def _on_preproc_if(self, role: str, _start: int, _end: int) -> None:
+        if self._top.scope is not None:
+            self._count(role)
+
+    def _on_preproc_else(self, role: str, start: int, end: int) -> Frame:
+        scope = self._top.scope
+        if scope is not None:
+            self._count(role)
+            if not self._top.alternative:
+                scope.alternatives.append((start, end))
+        frame = Frame(self._top.role if self._top.role != "logical" else "preproc_else", end, self._top)
+        frame.own_part = self._top.own_part
+        frame.alternative = True
+        return frame
+
+    # Definitions
+
+    def _on_namespace(self, role: str, start: int, end: int) -> Frame:
+        frame = Frame(role, end, self._top)
+        node = self._captures.definitions["namespace", start, end].child_by_field_name("name")
+        if node is not None:
+            name = without_arguments(self._text(node.start_byte, node.end_byte))
+            frame.prefix = f"{frame.prefix}::{name}" if frame.prefix else name
+        return frame
+
+    def _on_class(self, role: str, start: int, end: int) -> Frame:
+        top = self._top
+        node = self._captures.definitions["class", start, end]
+        name_node = node.child_by_field_name("name") or _typedef_name(node)
+        name = without_arguments(self._text(name_node.start_byte, name_node.end_byte)) if name_node else "(anonymous)"
+        prefix = top.scope.qualified_name if top.scope is not None else top.prefix
+        scope = ClassScope(
+            name,
+            prefix,
+            _CLASS_KINDS[node.type],
+            (start, end),
+            base_names(node, self._source),
+            _DEFAULT_ACCESS[node.type],
+        )
+        self.classes.append(scope)
+        frame = Frame(role, end, top)
+        frame.prefix = scope.qualified_name
+        frame.owner = scope
+        frame.scope = None
+        frame.in_lambda = frame.alternative = False
+        frame.depth = 0
+        return frame
+
+    def _on_function(self, role: str, start: int, end: int) -> Frame:
+        top = self._top
+        node = self._captures.definitions["function", start, end]
+        declarator = read_declarator(node, self._source)
+        owner = top.owner
+        scope = FunctionScope(declarator, (start, end), top.prefix, owner)
+        head = self._source[start : min(declarator.start, start + _LONGEST_NAME)]
+        scope.static = b"static" in head.split()
+        scope.virtual = b"virtual" in head.split()
+        if top.scope is not None:
+            top.scope.inner.append((start, end))
+        self.functions.append(scope)
+        frame = Frame(role, end, top)
+        frame.scope = scope
+        frame.owner = None
+        frame.in_lambda = frame.alternative = False
+        frame.depth = 0
+        frame.part = frame.own_part = "body"
+        if owner is not None:
+            member = Member(owner.access, (start, declarator.end))
+            member.declarator = declarator
+            member.static = scope.static
+            member.virtual = scope.virtual
+            member.defined = True
+            owner.members.append(member)
+        return frame
+
+    def _on_function_body(self, _role: str, start: int, end: int) -> None:
+        top = self._top
+        if top.role == "function" and top.scope is not None:
+            scope = top.scope
+            scope.body = (start, end)
+            tail = self._source[scope.declarator.end : min(start, scope.declarator.end + _LONGEST_NAME)]
+            scope.virtual |= b"override" in tail.split()
+
+    def _on_field(self, _role: str, start: int, end: int) -> None:
+        owner = self._top.owner
+        if owner is None:
+            return
+        node = self._captures.definitions["field", start, end]
+        member = Member(owner.access, (start, end))
+        head = self._source[start : min(end, start + _LONGEST_NAME)].split()
+        member.static = b"static" in head
+        member.virtual = b"virtual" in head or b"override" in head or b"override;" in head
+        member.friend = head[:1] == [b"friend"]
+        for declarator in node.children_by_field_name("declarator"):
+            self._declare(member, node, declarator.start_byte, declarator.end_byte, declarator.type)
+        if member.declarator is not None or member.names:
+            owner.members.append(member)
+
+    def _declare(self, member: Member, node: Node, start: int, end: int, type_: str) -> None:
+        written = self._source[start : min(end, start + _LONGEST_NAME)]
+        if b"(" in written and type_ != "field_identifier":
+            declarator = read_declarator(node, self._source)
+            if declarator.name:
+                member.declarator = declarator
+                return
+        name = _last_identifier(written)
+        if name:
+            member.names.append(name)
+
+    def _on_access(self, _role: str, start: int, end: int) -> None:
+        owner = self._top.owner
+        if owner is not None and self._top.role != "function":
+            word = self._source[start:end].split()[:1]
+            text = text_of(word[0]).rstrip(":") if word else ""
+            if text in ("public", "protected", "private"):
+                owner.access = text
+
+    def _text(self, start: int, end: int) -> str:
+        return text_of(self._source[start : min(end, start + _LONGEST_NAME)])
+
+
+def _typedef_name(definition: Node) -> Node | None:
+    """Return where ``typedef struct { … } name;`` gives an anonymous class its name."""
+    parent = definition.parent
+    return parent.child_by_field_name("declarator") if parent is not None and parent.type == "type_definition" else None
+
+
+def _last_identifier(declarator: bytes) -> str:
+    """Return the name that a data member's declarator declares: ``*a[3]`` declares ``a``."""
+    found = _IDENTIFIER.findall(declarator.partition(b"[")[0].partition(b"=")[0].partition(b"{")[0])
+    return text_of(found[-1]) if found else ""

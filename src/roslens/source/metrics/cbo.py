@@ -19,9 +19,10 @@ QUANTITY = Quantity(
     source="Chidamber and Kemerer, A Metrics Suite for Object Oriented Design, IEEE TSE 20(6), 1994: two classes are "
     "coupled when one acts on the other, in either direction",
     limits="By name, without types: the class behind `auto`, a typedef or a member of a member is not seen. Classes "
-    "outside the package (ros::NodeHandle, QWidget) count as suppliers; fundamental types, the language's own "
-    "library (std::, Python's builtins and typing) with its twins in boost, names in `_t` and one-letter template "
-    "parameters do not. Users in other packages are not seen. Classes of tests count only for classes of tests.",
+    "outside the package (ros::NodeHandle, QWidget) count as suppliers, those written without scope only if they "
+    "look like classes: `QWidget` but not `cloud`, `NodeT`, `Ptr` or `LIMIT`. Fundamental types and the language's "
+    "own library (std::, Python's builtins and typing) with its twins in boost do not count. Users in other packages "
+    "are not seen. Classes of tests count only for classes of tests.",
     decimals=1,
 )
 

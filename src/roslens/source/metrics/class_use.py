@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from roslens.source.metrics.class_names import ClassNames
@@ -17,7 +18,11 @@ _ALIAS_WORDS = (
 _NESTED_ALIASES = _PARTS_OF_INTERFACES.union(_ALIAS_WORDS.split())
 """Names inside a class that stand for it."""
 
-_POINTER_ENDINGS = ("ConstPtr", "Ptr")
+_POINTER_ENDINGS = ("ConstPtr", "WPtr", "Ptr")
+
+_CLASS_OUTSIDE = re.compile(r"[A-Z]\w*[a-z]\w*(?<!T)")
+"""A name without scope that no class of the package has: most in capitals are constants, those in small letters
+aliases, those that end in T parameters of templates."""
 
 
 def used_classes(names: Iterable[str], scope: str, known: ClassNames, syntax: str) -> set[str]:
@@ -26,7 +31,8 @@ def used_classes(names: Iterable[str], scope: str, known: ClassNames, syntax: st
     Classes of the package appear under their full name; others as written, but without the aliases
     that stand for them (``nav_msgs::Odometry::ConstPtr`` and ``nav_msgs::OdometryConstPtr`` are
     ``nav_msgs::Odometry``), and once where they are written with and without their scope. What
-    belongs to the language's own library is left out.
+    belongs to the language's own library is left out; of C++ also what is written without scope, is no
+    class of the package and looks like an alias, a constant or a parameter of a template.
     """
     meaning = _cpp_class if syntax == "cpp" else _python_class
     separator = "::" if syntax == "cpp" else "."
@@ -42,14 +48,18 @@ def _cpp_class(written: str, scope: str, known: ClassNames) -> str | None:
     if found or in_cpp_library(name):
         return found
     first, _, last = name.rpartition("::")
-    while first and last in _NESTED_ALIASES:
+    while last in _NESTED_ALIASES or last.endswith("_t"):
+        if not first:
+            return None
         name = first
         first, _, last = name.rpartition("::")
     pointed_to = _without_pointer(name)
     found = known.find(name, scope) or known.find(pointed_to, scope) or _holder(first, scope, known)
     if found:
         return found
-    return pointed_to if first else name
+    if first:
+        return pointed_to
+    return name if _CLASS_OUTSIDE.fullmatch(name) and pointed_to == name else None
 
 
 def _without_pointer(name: str) -> str:

@@ -7,21 +7,22 @@ import re
 _CPP_SCOPES = frozenset({"std", "__gnu_cxx", "gsl"})
 
 _BOOST_TWINS_WORDS = (
-    "any array atomic bind condition_variable enable_shared_from_this function integral_constant lock_guard "
-    "make_shared mutex noncopyable optional recursive_mutex ref reference_wrapper scoped_array scoped_lock "
-    "scoped_ptr shared_array shared_lock shared_mutex shared_ptr string_ref string_view thread timed_mutex tuple "
-    "unique_lock unique_ptr unordered_map unordered_set upgrade_lock upgrade_to_unique_lock variant weak_ptr"
+    "any array atomic bind condition_variable condition_variable_any enable_shared_from_this function "
+    "integral_constant lock_guard make_shared mutex noncopyable optional recursive_mutex ref reference_wrapper "
+    "scoped_array scoped_lock scoped_ptr shared_array shared_lock shared_mutex shared_ptr string_ref string_view "
+    "thread timed_mutex tuple unique_lock unique_ptr unordered_map unordered_set upgrade_lock "
+    "upgrade_to_unique_lock variant weak_ptr"
 )
 _BOOST_TWINS = frozenset(_BOOST_TWINS_WORDS.split())
 
 _CPP_NAMES_WORDS = (
-    "FILE allocator array atomic bitset complex condition_variable deque duration enable_shared_from_this exception "
-    "false_type filesystem forward_list function future ifstream initializer_list iostream istream istringstream "
-    "list lock_guard map mt19937 multimap multiset mutex numeric_limits ofstream optional ostream ostringstream "
-    "pair priority_queue promise queue recursive_mutex reference_wrapper runtime_error set shared_future shared_ptr "
-    "stack string string_view stringstream system_clock thread true_type tuple type_info u16string u32string "
-    "unique_lock unique_ptr unordered_map unordered_multimap unordered_multiset unordered_set va_list valarray "
-    "variant vector weak_ptr wstring"
+    "FILE allocator array atomic bitset complex condition_variable condition_variable_any deque duration "
+    "enable_shared_from_this exception false_type filesystem forward_list function future ifstream initializer_list "
+    "iostream istream istringstream list lock_guard map mt19937 multimap multiset mutex numeric_limits ofstream "
+    "optional ostream ostringstream pair priority_queue promise queue recursive_mutex reference_wrapper "
+    "runtime_error set shared_future shared_ptr stack string string_view stringstream system_clock thread true_type "
+    "tuple type_info u16string u32string unique_lock unique_ptr unordered_map unordered_multimap unordered_multiset "
+    "unordered_set va_list valarray variant vector weak_ptr wstring"
 )
 _CPP_NAMES = frozenset(_CPP_NAMES_WORDS.split())
 

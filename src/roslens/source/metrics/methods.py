@@ -18,7 +18,8 @@ QUANTITY = Quantity(
     "static, defaulted and deleted ones and every overload included",
     source="WMC of Chidamber and Kemerer, IEEE TSE 20(6), 1994, with all weights 1, which is what Santos et al., "
     "IROS 2016, report as WMC",
-    limits="Inherited, implicit and friend functions do not count.",
+    limits="Inherited, implicit and friend functions do not count. CCCC has the same number for 102 of 121 classes "
+    "in headers of kobuki, navigation and yujin_ocs, and fewer where it loses its way in a class.",
     decimals=1,
 )
 

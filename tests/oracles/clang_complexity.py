@@ -23,6 +23,8 @@ from typing import Any
 
 SUFFIXES = (".c", ".cc", ".cpp", ".cxx", ".h", ".hpp")
 SMALLEST = 3
+LOGICAL_AND, LOGICAL_OR = 20, 21
+"""Of libclang's CXBinaryOperatorKind."""
 
 
 def main() -> int:
@@ -128,7 +130,7 @@ def logical(cursor: Any) -> bool:
         return False
     operator = cindex.conf.lib.clang_getCursorBinaryOperatorKind
     operator.argtypes, operator.restype = [cindex.Cursor], ctypes.c_int
-    return operator(cursor) in (19, 20)
+    return operator(cursor) in (LOGICAL_AND, LOGICAL_OR)
 
 
 def written(cursor: Any, path: str) -> int | None:

@@ -43,13 +43,18 @@ def source_of(repository: str) -> Path:
     return Path(given, repository) if given else ROOT / "build" / "ros_source" / repository
 
 
-def ours(content: bytes) -> dict[int, list[int]]:
+def ours(content: bytes) -> dict[int, list[tuple[str, int]]]:
     """Complexities of the functions that start on each line; the line of the name may be a few below it."""
     found = defaultdict(list)
     for function in analyse_file(content, Language.CPP, MacroSettings()).facts.functions:
         for line in range(function.line, min(function.line + 6, function.end_line + 1)):
             found[line].append((function.name, int(of_function(function, CountingSettings()))))
     return found
+
+
+def is_named(ours: str, clangs: str) -> bool:
+    """Clang sees what TEST expands to."""
+    return ours.startswith("TEST") if clangs == "TestBody" else ours.replace(" ", "") == clangs.replace(" ", "")
 
 
 def test_the_table_is_about_500_functions():
@@ -72,9 +77,7 @@ def test_at_least_97_percent_equal_clang():
         found = ours(file.read_bytes())
         for row in expected:
             compared += 1
-            named = [
-                value for name, value in found.get(row.line, []) if name.replace(" ", "") == row.name.replace(" ", "")
-            ]
+            named = [value for name, value in found.get(row.line, []) if is_named(name, row.name)]
             if row.complexity not in named:
                 different.append(f"{path}:{row.line} {row.name}: Clang {row.complexity}, here {named or 'not found'}")
     if compared == 0:

@@ -13,6 +13,7 @@ from roslens.source.syntax.cpp_assembly import Assembly
 from roslens.source.syntax.cpp_lines import LineMap
 from roslens.source.syntax.cpp_names import text_of
 from roslens.source.syntax.cpp_query import Captures, fault_nodes, parse_tree
+from roslens.source.syntax.cpp_repair import repaired
 from roslens.source.syntax.cpp_walk import Walk
 from roslens.source.syntax.facts import FileFacts, SyntaxFault
 from roslens.source.syntax.lines import count_lines
@@ -35,7 +36,7 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
     source = macros.blank(content)
     tree = parse_tree(source)
     if tree.root_node.has_error:
-        source, tree = _repaired(source, tree, macros)
+        source, tree = repaired(source, tree, macros)
     captures = Captures(tree)
     walk = Walk(source, captures)
     code = blank_comments(content, "cpp")
@@ -56,17 +57,6 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
         line_numbers=numbers,
         faults=faults,
     )
-
-
-def _repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tree]:
-    """Return the source and tree with fewer faults: as they are, or with the rarer macros blanked too."""
-    again = macros.repair(source)
-    if again == source:
-        return source, tree
-    better = parse_tree(again)
-    if sum(1 for _ in fault_nodes(better)) < sum(1 for _ in fault_nodes(tree)):
-        return again, better
-    return source, tree
 
 
 def _faults(source: bytes, tree: Tree, lines: LineMap) -> tuple[SyntaxFault, ...]:

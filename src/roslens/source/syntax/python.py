@@ -17,7 +17,7 @@ from roslens.source.syntax.python_assembly import Assembly
 from roslens.source.syntax.python_lines import LineMap
 from roslens.source.syntax.python_names import text_of
 from roslens.source.syntax.python_query import Captures
-from roslens.source.syntax.python_tree import faults_of, parse_tree
+from roslens.source.syntax.python_tree import faults_of, parse_tree, with_line_feeds
 from roslens.source.syntax.python_walk import Walk
 from roslens.source.syntax.tokens import hashes_of, token_text
 
@@ -28,13 +28,14 @@ def parse_python(content: bytes) -> FileFacts:
     Never fails: what cannot be parsed becomes a :class:`~roslens.source.syntax.facts.SyntaxFault`, and the
     functions it stands in are marked approximate.
     """
-    parsed = parse_tree(content)
+    text = with_line_feeds(content)
+    parsed = parse_tree(text)
     captures = Captures(parsed.tree)
     walk = Walk(parsed.source, captures)
-    code = blank_comments(content, "python")
+    code = blank_comments(text, "python")
     hashes, numbers = hashes_of(code)
     lines = LineMap(parsed.source, hashes, numbers)
-    faults = faults_of(parsed, content, lines)
+    faults = faults_of(parsed, text, lines)
     assembly = Assembly(parsed.source, token_text(code, "python"), lines, captures, walk, faults)
     return FileFacts(
         syntax="python",

@@ -12,11 +12,9 @@ from roslens.source.syntax.facts import (
     FieldFacts,
     FunctionFacts,
     Halstead,
-    Lines,
     MethodFacts,
     SyntaxFault,
 )
-from roslens.source.syntax.lines import count_lines
 from roslens.source.syntax.python_lines import LineMap
 from roslens.source.syntax.python_names import access_of, annotated, callee_name, constructed, text_of
 from roslens.source.syntax.python_query import Captures
@@ -28,7 +26,7 @@ _SIMPLE_STATEMENTS = ("return", "throw", "break", "continue", "assert")
 _IMPLICITLY_STATIC = frozenset({"__new__", "__init_subclass__", "__class_getitem__"})
 _STATIC_DECORATORS = frozenset({"staticmethod", "classmethod"})
 _DEEPEST = 20
-"""Functions nested deeper are left without lines and tokens, which are counted for every level again."""
+"""Functions nested deeper are left without tokens and identifiers, which are looked for at every level again."""
 
 
 class Assembly:
@@ -93,7 +91,7 @@ class Assembly:
             counts=self.counts(scope),
             lambda_counts=_kept(scope.lambda_counts),
             control=tuple(scope.control),
-            lines=count_lines(self._source[line_start:end], "python") if measured else Lines(),
+            lines=self._lines.lines(first, last),
             eloc=self._executed_lines(scope),
             halstead=self.halstead(start, end) if measured else Halstead(),
             parameter_types=tuple(sorted(parameter_types)),

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from itertools import accumulate, compress, product
 from zlib import crc32
 
+from roslens.source.syntax.facts import Lines
+
 _PUNCTUATION = tuple("".join(marks) for length in (1, 2, 3) for marks in product("()[]{},:;", repeat=length))
 _NOT_EXECUTED = frozenset(crc32(text.encode()) for text in (*_PUNCTUATION, "else:", "try:", "finally:"))
 
@@ -16,12 +18,16 @@ class LineMap:
 
     A line is executed when it holds a token, but not when it holds nothing besides at most three brackets, commas,
     colons and semicolons, nor when it is a bare ``else:``, ``try:`` or ``finally:``. Comments and docstrings hold no
-    token; every line of another string does.
+    token; every line of another string does. In that, lines of a function differ from cloc, which takes all but
+    the first line of any triple-quoted string for a comment.
     """
 
     def __init__(self, source: bytes, hashes: Sequence[int], numbers: Sequence[int]) -> None:
         """Find the line starts of ``source``; the hashes of its code lines and their numbers tell what is on them."""
-        self._starts = list(accumulate(map(len, source.splitlines(keepends=True)), initial=0))
+        lines = source.splitlines(keepends=True)
+        self._starts = list(accumulate(map(len, lines), initial=0))
+        self._blank = [number for number, line in enumerate(lines, 1) if not line.strip()]
+        self._numbers = numbers
         self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in hashes]))
 
     def number(self, position: int) -> int:
@@ -35,3 +41,10 @@ class LineMap:
     def executed(self, first: int, last: int) -> int:
         """Return how many of the lines from ``first`` to ``last`` are executed."""
         return bisect_right(self._executed, last) - bisect_left(self._executed, first)
+
+    def lines(self, first: int, last: int) -> Lines:
+        """Tell the lines from ``first`` to ``last`` apart."""
+        code = bisect_right(self._numbers, last) - bisect_left(self._numbers, first)
+        blank = bisect_right(self._blank, last) - bisect_left(self._blank, first)
+        physical = last - first + 1
+        return Lines(physical, code, max(0, physical - code - blank), blank)

@@ -1,7 +1,7 @@
 """The tree of a Python file, whatever its bytes are, and what of it could not be parsed.
 
-tree-sitter takes any text, but three things need help: bytes that are no UTF-8; line ends of a carriage return
-alone, which are Python's but not its own; and texts that are so far from Python that time grows with their square.
+tree-sitter takes any text, but three things need help: bytes that are no UTF-8; carriage returns that end a line,
+which Python allows; and texts so far from Python that time would grow with the square of their size.
 Every byte keeps its place.
 """
 
@@ -42,6 +42,11 @@ class PythonTree:
     source: bytes
     tree: Tree
     blanked: tuple[tuple[int, int], ...] = ()
+
+
+def with_line_feeds(content: bytes) -> bytes:
+    """Return ``content`` with line feeds where a carriage return alone ends a line, as Python allows."""
+    return _LONE_CARRIAGE_RETURN.sub(b"\n", content) if b"\r" in content else content
 
 
 def parse_tree(content: bytes) -> PythonTree:
@@ -87,7 +92,7 @@ def _quote(found: bytes) -> str:
 
 
 def _parseable(content: bytes) -> bytes:
-    """Return ``content`` as UTF-8 with line ends that the parser knows.
+    """Return ``content`` as UTF-8 and without what the parser is slow on.
 
     In another encoding only strings and comments hold more than ASCII as a rule; what their letters are does not
     matter here.
@@ -96,8 +101,6 @@ def _parseable(content: bytes) -> bytes:
         content.decode()
     except UnicodeDecodeError:
         content = content.translate(_NO_UTF_8)
-    if b"\r" in content:
-        content = _LONE_CARRIAGE_RETURN.sub(b"\n", content)
     if b"\\\n\\\n" in content:
         content = _CONTINUATIONS.sub(lambda match: match[0].translate(_BLANK), content)
     return content

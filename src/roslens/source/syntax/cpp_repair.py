@@ -1,0 +1,65 @@
+"""What is tried for a C++ file that does not parse: less of it, at the same places.
+
+First the rarer macros are blanked. Then, where an ``#if`` splits a statement or a block between its arms, no tree can
+hold both: only the first arm of each is left (of ``#if 0`` the second). What gives the fewest faults is taken.
+"""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+
+from tree_sitter import Tree
+
+from roslens.source.syntax.cpp_query import fault_nodes, parse_tree
+from roslens.source.syntax.macros import MacroPreset
+
+_DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b[^\n]*", re.MULTILINE)
+_NEVER = re.compile(rb"[ \t]*#[ \t]*if[ \t]+0\b")
+_MOST_BYTES = 2_000_000
+"""A larger file is taken as it parses: it was made by a program."""
+
+
+def repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tree]:
+    """Return the source and tree with the fewest faults; every byte keeps its place."""
+    best = (sum(1 for _ in fault_nodes(tree)), source, tree)
+    if len(source) > _MOST_BYTES:
+        return source, tree
+    without_macros = macros.repair(source)
+    for attempt in (without_macros, first_arms(without_macros)):
+        if best[0] and attempt != best[1]:
+            again = parse_tree(attempt)
+            faults = sum(1 for _ in fault_nodes(again))
+            if faults < best[0]:
+                best = (faults, attempt, again)
+    return best[1], best[2]
+
+
+def first_arms(source: bytes) -> bytes:
+    """Return ``source`` with all but one arm of every ``#if`` blanked, where there are several."""
+    text = bytearray(source)
+    open_ifs: list[list[re.Match[bytes]]] = []
+    for match in _DIRECTIVE.finditer(source):
+        word = match[1]
+        if word.startswith(b"if"):
+            open_ifs.append([match])
+        elif open_ifs:
+            open_ifs[-1].append(match)
+            if word == b"endif":
+                _keep_one_arm(text, open_ifs.pop())
+    return bytes(text)
+
+
+def _keep_one_arm(text: bytearray, directives: list[re.Match[bytes]]) -> None:
+    kept = 1 if _NEVER.match(directives[0][0]) else 0
+    if len(directives) == 2 and kept == 0:
+        return
+    for number, (begin, end) in enumerate(pairwise(directives)):
+        first = begin.start()
+        last = begin.end() if number == kept else end.start()
+        _blank(text, first, last)
+    _blank(text, directives[-1].start(), directives[-1].end())
+
+
+def _blank(text: bytearray, start: int, end: int) -> None:
+    text[start:end] = bytes(byte if byte == 0x0A else 0x20 for byte in text[start:end])

@@ -1,0 +1,173 @@
+"""Macros that a C++ grammar cannot read, blanked in place so that positions hold.
+
+A grammar sees source before macros are expanded: an export macro turns a class into a function, a registration macro
+without a semicolon swallows what follows. Which macros do that is data (``presets/ros_macros.toml``, where each kind
+is explained) and can be extended per project. What is done to source keeps its length and its line breaks.
+
+Two steps keep it cheap. :meth:`MacroPreset.blank` runs on every file: all its macros have an underscore, so looking at
+underscores finds them. :meth:`MacroPreset.repair` knows what is rarer or costly to find, also C++ that the grammar
+does not know, and is meant for files that still have errors.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable, Iterable
+from hashlib import blake2b
+from importlib.resources import files
+
+from roslens.source.settings import MacroSettings
+from roslens.source.syntax.macro_edits import EDITS, blank_linkage, fill
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+_WORD = frozenset(b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_")
+_QUICK_KINDS = ("before_declaration", "anywhere", "statement", "loop")
+_REPAIR_KINDS = ("loop", "keyword", "opaque", "block")
+_LONGEST_WORD = 200
+_LONGEST_LINE = 400
+_REMEMBERED = 10_000
+_MOST_UNCLOSED = 20
+
+
+class MacroPreset:
+    """A compiled set of macros.
+
+    Attributes:
+        version: changes whenever the preset or the settings do; belongs into cache keys.
+    """
+
+    def __init__(self, preset: bytes, settings: MacroSettings) -> None:
+        """Compile.
+
+        Args:
+            preset: the text of a preset file.
+            settings: what the project adds.
+
+        Raises:
+            ValueError: a name in the settings is no regular expression.
+        """
+        table = tomllib.loads(preset.decode())
+        key = blake2b(preset, digest_size=8)
+        key.update(repr((settings.blank, settings.statement)).encode())
+        self.version = f"{table['version']}-{key.hexdigest()}"
+        quick = {kind: table[kind] for kind in _QUICK_KINDS}
+        self._kinds = {kind: re.compile(_names(row)) for kind, row in quick.items()}
+        self._underscored = re.compile(_triggers(quick.values()))
+        self._kind_of: dict[bytes, str] = {b"__cplusplus": "linkage"}
+        self._own = _words({"anywhere": settings.blank, "statement": settings.statement})
+        self._repaired = _words({kind: map(re.escape, table["repair"][kind]) for kind in _REPAIR_KINDS})
+        self._rewrites = [(re.compile(row["pattern"].encode()), row["with"].encode()) for row in table["rewrite"]]
+
+    def blank(self, content: bytes) -> bytes:
+        """Return ``content`` with the macros of the preset and the project blanked."""
+        found = [(*_whole_word(content, match.start()), "") for match in self._underscored.finditer(content)]
+        found = [(start, end, self._kind(content[start:end])) for start, end, _ in found]
+        if self._own:
+            found += [(*match.span(), match.lastgroup or "") for match in self._own.finditer(content)]
+        return _edited(content, found) if found else content
+
+    def repair(self, content: bytes) -> bytes:
+        """Return ``content``, blanked before, with what only files with errors need rewritten."""
+        if self._repaired:
+            content = _edited(content, [(*m.span(), m.lastgroup or "") for m in self._repaired.finditer(content)])
+        text = bytearray(content)
+        for pattern, with_ in self._rewrites:
+            for match in pattern.finditer(bytes(text)):
+                fill(text, match.start(1), match.end(1), with_)
+        return bytes(text)
+
+    def _kind(self, word: bytes) -> str:
+        kind = self._kind_of.get(word)
+        if kind is None:
+            kind = next((kind for kind, words in self._kinds.items() if words.fullmatch(word)), "")
+            if len(self._kind_of) < _REMEMBERED:
+                self._kind_of[word] = kind
+        return kind
+
+
+def load_macros(extra: MacroSettings | None = None) -> MacroPreset:
+    """Load the preset that ships with roslens and add what the project's settings name.
+
+    Raises:
+        ValueError: a name in the settings is no regular expression.
+    """
+    preset = files("roslens.source.syntax").joinpath("presets/ros_macros.toml").read_bytes()
+    return MacroPreset(preset, extra or MacroSettings())
+
+
+def _names(row: dict[str, list[str]]) -> bytes:
+    """Return a pattern of whole words for the words and suffixes of a kind."""
+    suffixes = "|".join(map(re.escape, row.get("suffixes", ())))
+    words = "|".join(map(re.escape, row.get("words", ())))
+    return (f"[A-Z0-9_]*(?:{suffixes})|{words}" if suffixes else words).encode()
+
+
+def _triggers(rows: Iterable[dict[str, list[str]]]) -> bytes:
+    """Return a pattern for the ends of all words, from their first underscore on: it starts with one fixed byte."""
+    ends: dict[str, set[str]] = {"_": {"cplusplus"}}
+    for row in rows:
+        for word in [*row.get("suffixes", ()), *row.get("words", ())]:
+            end = word[word.index("_") + 1 :]
+            ends.setdefault(end[0], set()).add(end[1:])
+    branches = [
+        f"{re.escape(first)}(?:{'|'.join(map(re.escape, sorted(rest)))})" for first, rest in sorted(ends.items())
+    ]
+    initials = re.escape("".join(sorted(ends)))
+    return f"_(?=[{initials}])(?:{'|'.join(branches)})(?![A-Za-z0-9_])".encode()
+
+
+def _words(patterns: dict[str, Iterable[str]]) -> re.Pattern[bytes] | None:
+    """Return a pattern with one group for each kind that has words."""
+    groups = []
+    for kind, names in patterns.items():
+        alternatives = list(names)
+        for name in alternatives:
+            _check(name)
+        if alternatives:
+            groups.append(f"(?P<{kind}>{'|'.join(f'(?:{name})' for name in alternatives)})")
+    return re.compile(rf"(?<![A-Za-z0-9_])(?:{'|'.join(groups)})(?![A-Za-z0-9_])".encode()) if groups else None
+
+
+def _check(name: str) -> None:
+    try:
+        pattern = re.compile(name.encode())
+    except re.error as error:
+        raise ValueError(f"{name!r} is no regular expression for the name of a macro: {error}") from error
+    if pattern.groups or pattern.fullmatch(b""):
+        raise ValueError(f"{name!r} is no pattern for the name of a macro: expected no groups and not nothing")
+
+
+def _whole_word(content: bytes, position: int) -> tuple[int, int]:
+    start = end = position
+    first, last = max(0, position - _LONGEST_WORD), min(len(content), position + _LONGEST_WORD)
+    while start > first and content[start - 1] in _WORD:
+        start -= 1
+    while end < last and content[end] in _WORD:
+        end += 1
+    return start, end
+
+
+def _edited(content: bytes, found: list[tuple[int, int, str]]) -> bytes:
+    """Apply the edits in order; what stands in the arguments of an edited macro or in a directive is left."""
+    text = bytearray(content)
+    unclosed = done = 0
+    for start, end, kind in sorted(found):
+        if not kind or start < done or unclosed > _MOST_UNCLOSED:
+            continue
+        if kind == "linkage":
+            blank_linkage(content, text, start)
+        elif not _in_directive(content, start):
+            edit: Callable[..., int] = EDITS[kind]
+            done = edit(content, text, start, end)
+            unclosed += done < 0
+    return bytes(text)
+
+
+def _in_directive(content: bytes, position: int) -> bool:
+    line_start = content.rfind(b"\n", max(0, position - _LONGEST_LINE), position) + 1
+    return content[line_start:position].lstrip().startswith(b"#")

@@ -28,9 +28,10 @@ QUANTITY = Quantity(
     source="STPTH of the ROS, KTH and HIS models (QA-C), after Nejmeh, NPATH, CACM 31(2), 1988, without his count of "
     "logical operators",
     limits="Cut off at 1,000,000,000. return, break, goto and falling through do not shorten a path. Conditions that "
-    "exclude each other are not seen. Case labels of C and C++ with no control between them share an arm. Both arms "
-    "of `#if` count as one after the other unless `counting.alternatives` is off, a lambda as if it ran where it "
-    "stands unless `counting.lambdas` is off.",
+    "exclude each other are not seen. Case labels of C and C++ with no control between them share an arm; labels "
+    "inside a loop inside the switch (Duff's device) are none of its arms. Both arms of `#if` count as one after the "
+    "other unless `counting.alternatives` is off, a lambda as if it ran where it stands unless `counting.lambdas` is "
+    "off.",
     minimum=1,
     maximum=MOST,
     decimals=0,

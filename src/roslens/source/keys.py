@@ -37,7 +37,7 @@ def analyser_version() -> str:
 
 
 def _shaping_files(package: Path) -> Iterable[Path]:
-    for layer in ("model", "judge", "source"):
+    for layer in ("model", "plugins", "judge", "source"):
         for suffix in ("py", "yaml", "toml"):
             yield from sorted((package / layer).rglob(f"*.{suffix}"))
 

@@ -7,7 +7,7 @@ packages that changed -> let plug-ins look at them -> judge -> keep -> measure t
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +15,7 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
+from roslens.plugins.options import check_options
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
@@ -35,11 +36,19 @@ if TYPE_CHECKING:
     from roslens.store.runs import Store
 
 
+KEPT_RUNS = 50
+"""Older runs are removed when a new one is complete."""
+
+
 class Clock(msgspec.Struct, frozen=True):
-    """The time at which the run began: ``utc`` for readers, ``epoch_s`` to compare with files."""
+    """The time at which the run began: ``utc`` for readers, ``epoch_s`` to compare with files.
+
+    ``elapsed_s`` tells how many seconds have passed since.
+    """
 
     utc: str
     epoch_s: float
+    elapsed_s: Callable[[], float] = lambda: 0.0
 
 
 class Answer(msgspec.Struct, frozen=True):
@@ -77,15 +86,18 @@ def analyse(
         log: where output of plug-ins and tracebacks go.
 
     Raises:
-        UsageError: a path does not exist.
+        UsageError: a path does not exist, or an option of a plug-in is wrong.
         DocumentError: a quality model is wrong.
         StoreError: the store cannot be written.
     """
     watch = progress or Silent()
     watch.step("Looking for packages", 0)
     workspace = find_workspace(paths, settings.workspace)
-    inventory = take_inventory(workspace, settings.workspace, cache.stats(now_s=clock.epoch_s))
+    known = cache.stats(now_s=clock.epoch_s)
+    inventory = take_inventory(workspace, settings.workspace, known)
     plugins = discover_plugins(settings, base, log)
+    if settings.options:
+        check_options({member.name: member.manifest for member in plugins.members}, settings.options)
     shaping = _shaping(settings, base, plugins)
     if is_wide([member for member in plugins.members if not member.builtin]):
         # What such a plug-in says of one package may come from a file of any other.
@@ -97,8 +109,10 @@ def analyse(
     key = key_of(units, workspace.failures, inventory.failures, plugins.failures)
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
-    if (known := store.run_with(key)) is not None:
-        return Answer(known, fresh=False, measured=0, packages=len(units))
+    if gone := known.keys() - {file.path for found in workspace.packages for file in found.files}:
+        cache.forget(gone)
+    if (before := store.run_with(key)) is not None:
+        return Answer(before, fresh=False, measured=0, packages=len(units))
     return _run(_Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log), store, cache, watch)
 
 
@@ -167,7 +181,9 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         for found in run.workspace.packages:
             if found.package.id not in fresh:
                 writer.reuse(run.units[found.package.id])
-        number = writer.complete(_workspace_result(run, stage, models, rest), header)
+        whole = _workspace_result(run, stage, models, rest)
+        number = writer.complete(whole, msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3)))
+    store.prune(KEPT_RUNS)
     return Answer(number, fresh=True, measured=len(changed), packages=len(run.units))
 
 
@@ -183,6 +199,7 @@ def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: P
         else:
             measured = result
             cache.put(measured.analyses)
+            cache.touch(task.facts_keys.values() - measured.analyses.keys())
         watch.advance(item=measured.package)
         yield measured
 

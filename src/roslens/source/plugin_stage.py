@@ -30,7 +30,15 @@ BUILTIN = ("roslens.source.tools.cccc:plugin",)
 
 def discover_plugins(settings: SourceSettings, base: Path, log: Path | None = None) -> Discovered:
     """Return the plug-ins that are there for ``settings``; relative paths start from ``base``."""
-    return discover(settings.plugins, disable=settings.disable, base=base, builtin=BUILTIN, log=log)
+    found = discover(settings.plugins, disable=settings.disable, base=base, builtin=BUILTIN, log=log)
+    if all(member.builtin for member in found.members):
+        return found
+    # What roslens measures itself is only worth importing where a plug-in of somebody else may need it.
+    from roslens.plugins.order import order
+    from roslens.source.metrics.table import QUANTITIES
+
+    ordered = order(found.members, frozenset(QUANTITIES))
+    return Discovered(ordered.members, (*found.failures, *ordered.failures), found.unavailable)
 
 
 class PluginStage(AbstractContextManager["PluginStage"]):

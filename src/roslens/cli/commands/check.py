@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterable
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
@@ -15,7 +14,8 @@ from roslens.cli.workplace import CACHE, FOLDER, STORE
 
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
-    from roslens.model.result import PackageSummary
+    from roslens.model.finding import Finding
+    from roslens.model.result import RuleCount
     from roslens.model.tags import TagFilter
     from roslens.source.settings import SourceSettings
     from roslens.store.read import RunView
@@ -32,7 +32,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of ``roslens check``."""
     parser.add_argument("paths", nargs="*", default=["."], metavar="PATH", help="folders to look into (default: .)")
     parser.add_argument("--format", choices=("text", "json", "csv"), default="text", help="of the result")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write the result there (csv: a folder) instead")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="write the result there instead; a csv name without .csv is a folder for all tables",
+    )
     parser.add_argument(
         "--model", action="append", metavar="NAME", help="quality model, built in or a file; may be given again"
     )
@@ -82,7 +87,8 @@ def run(options: argparse.Namespace) -> int:
     settings = _settings(options, configuration, dict(os.environ))
     folder = root / FOLDER
     now = time.time()
-    clock = Clock(datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds"), now)
+    utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
+    clock = Clock(utc, now, lambda: time.monotonic() - begun)
     progress = progress_for(options)
     with ExitStack() as opened:
         store = opened.enter_context(Store.open(None if options.no_store else folder / STORE))
@@ -128,7 +134,7 @@ def _settings(options: argparse.Namespace, configuration: Configuration, environ
 
 
 def _write(options: argparse.Namespace, view: RunView, tags: TagFilter) -> None:
-    if options.format == "csv" and options.output:
+    if options.format == "csv" and options.output and not options.output.endswith(".csv"):
         from roslens.report.to_csv import write_folder
 
         write_folder(view, Path(options.output), tags)
@@ -166,6 +172,7 @@ def _write_to(options: argparse.Namespace, view: RunView, tags: TagFilter, strea
                 view.packages(),
                 view.failures(),
                 view.rules(),
+                findings=view.workspace.findings,
                 tags=tags,
                 width=width_of(stream),
                 color=wants_color(options, stream),
@@ -175,7 +182,7 @@ def _write_to(options: argparse.Namespace, view: RunView, tags: TagFilter, strea
 
 
 def _exit_code(options: argparse.Namespace, configuration: Configuration, view: RunView, tags: TagFilter) -> int:
-    if _fails(options.fail_on or configuration.fail_on, view.packages(), tags):
+    if _fails(options.fail_on or configuration.fail_on, view, tags):
         return FINDINGS
     accept = configuration.accept_partial if options.accept_partial is None else options.accept_partial
     if any(not (failure.partial and accept) for failure in view.failures()):
@@ -183,14 +190,16 @@ def _exit_code(options: argparse.Namespace, configuration: Configuration, view: 
     return CLEAN
 
 
-def _fails(fail_on: str, packages: Iterable[PackageSummary], tags: TagFilter) -> bool:
+def _fails(fail_on: str, view: RunView, tags: TagFilter) -> bool:
     from roslens.model.finding import Severity
 
     if fail_on == "never":
         return False
     rank = Severity(fail_on).rank
-    return any(
-        rule.gated and rule.severity.rank >= rank and tags.matches(rule.tags)
-        for package in packages
-        for rule in package.rules
-    )
+    severities = [rule.severity for package in view.packages() for rule in package.rules if _counts(rule, tags)]
+    severities += [finding.severity for finding in view.workspace.findings if _counts(finding, tags)]
+    return any(severity.rank >= rank for severity in severities)
+
+
+def _counts(broken: RuleCount | Finding, tags: TagFilter) -> bool:
+    return bool(broken.gated) and tags.matches(broken.tags)

@@ -50,6 +50,8 @@ def run(options: argparse.Namespace) -> int:
                 print(f"  rule {rule.id} ({rule.severity.value}): {rule.title}")
             for option in manifest.options:
                 print(f"  option {option.name} ({option.type}, default {option.default!r}): {option.text}")
+    for item in found.unavailable:
+        print(f"roslens: {item.plugin} rests until the program {item.program!r} is installed", file=sys.stderr)
     for failure in found.failures:
         print(f"roslens: {failure}", file=sys.stderr)
     return NOT_ANALYSED if found.failures else CLEAN

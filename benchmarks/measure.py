@@ -24,7 +24,7 @@ def run(command: Sequence[str]) -> Cost:
     """Run a command to its end; what it prints is shown only when it ends with an error above 3."""
     with tempfile.TemporaryFile() as output:
         begun = time.monotonic()
-        process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
+        process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT, env=_as_installed())
         _, status, usage = os.wait4(process.pid, 0)
         wall = time.monotonic() - begun
         process.returncode = os.waitstatus_to_exitcode(status)
@@ -32,6 +32,11 @@ def run(command: Sequence[str]) -> Cost:
             output.seek(0)
             raise SystemExit(f"{command}: exit {process.returncode}\n{output.read().decode(errors='replace')}")
     return Cost(usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss / 1024)
+
+
+def _as_installed() -> dict[str, str]:
+    """Return the environment without what keeps Python from remembering compiled modules, as installed ones are."""
+    return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 
 
 def in_turn(

@@ -16,6 +16,9 @@ from roslens.source.settings import CountingSettings, MacroSettings
 from roslens.source.workspace.suppress import Suppression
 from roslens.store.cache import Cache
 
+MOST_FAULTS = 10
+"""Of a file with more places that cannot be parsed, the first ones are told, and how many more there are."""
+
 
 class PackageTask(msgspec.Struct, frozen=True):
     """What a worker needs: the package, its files, where they are, and what is already known.
@@ -139,10 +142,13 @@ def _broken(file: SourceFile, package: Package, error: Exception) -> Failure:
 
 
 def _faults(file: SourceFile, package: Package, analysis: FileAnalysis) -> Iterator[Failure]:
-    for fault in analysis.facts.faults:
+    faults = analysis.facts.faults
+    more = len(faults) - MOST_FAULTS
+    for number, fault in enumerate(faults[:MOST_FAULTS], 1):
+        rest = f" (and {more} more places further down)" if more > 0 and number == MOST_FAULTS else ""
         yield Failure(
             tool="syntax",
-            what=f"cannot parse `{fault.text}`",
+            what=f"cannot parse `{fault.text}`{rest}",
             expected=f"{file.language.value} source",
             advice="The rest of the file is measured; if a macro of yours stands here, name it under [macros] "
             "in roslens.toml",

@@ -35,6 +35,7 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
     """
     source = macros.blank(content)
     tree = parse_tree(source)
+    blanked = source
     if tree.root_node.has_error:
         source, tree = repaired(source, tree, macros)
     captures = Captures(tree)
@@ -43,6 +44,8 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
     hashes, numbers = hashes_of(code)
     lines = LineMap(content, hashes, numbers)
     lines.leave_out(captures.not_executed, captures.statements)
+    if source is not blanked:
+        lines.leave_only(hashes_of(blank_comments(source, "cpp"))[1])
     faults = _faults(source, tree, lines)
     assembly = Assembly(source, token_text(code, "cpp"), lines, captures, walk, faults)
     return FileFacts(

@@ -29,6 +29,16 @@ def _between(spans: list[Span], start: int, end: int) -> list[Span]:
     return spans[bisect_left(spans, (start, 0)) : bisect_left(spans, (end, 0))]
 
 
+def _outside(spans: list[Span], areas: list[Span]) -> list[Span]:
+    """Return those of the sorted ``spans`` that begin in none of ``areas``."""
+    kept, done = [], 0
+    for start, end in sorted(areas):
+        place = bisect_left(spans, (start, 0))
+        kept += spans[done:place]
+        done = max(done, bisect_left(spans, (end, 0)))
+    return kept + spans[done:]
+
+
 class Assembly:
     """Turns what the walk collected into facts."""
 
@@ -51,8 +61,8 @@ class Assembly:
         self._callees: dict[bytes, str] = {}
         self._walk = walk
         self._source = source
-        self._called_at = captures.callees
-        self._typed_at = captures.types
+        self._called_at = sorted([*captures.callees, *walk.macro_calls])
+        self._typed_at = _outside(captures.types, walk.macro_headers)
         self._bodies = sorted(scope.body for scope in walk.functions)
 
     def function(self, scope: FunctionScope) -> FunctionFacts:
@@ -118,6 +128,7 @@ class Assembly:
             fields=fields,
             methods=tuple(self._method(member) for member in scope.members if member.declarator is not None),
             types=self._types_outside_bodies(start, end),
+            friends=tuple(sorted(set(scope.friends))),
             approximate=self._is_approximate(first, last),
         )
 

@@ -47,6 +47,11 @@ class LineMap:
             kept = left_out - {self.number(position) for position in statements}
             self._executed = [number for number in self._executed if number not in kept]
 
+    def leave_only(self, filled: Sequence[int]) -> None:
+        """Leave out all lines but ``filled``: those that still hold something in a source that was repaired."""
+        kept = set(filled)
+        self._executed = [number for number in self._executed if number in kept]
+
     def number(self, position: int) -> int:
         """Return the 1-based line of a byte position."""
         return bisect_right(self._starts, position)

@@ -19,7 +19,10 @@ _PARAMETERS = ("parameter_declaration", "optional_parameter_declaration", "varia
 
 
 class Declarator(msgspec.Struct, frozen=True):
-    """What a function's declarator says: its name, the scope written before it, and its parameters."""
+    """What a function's declarator says: its name, the scope written before it, and its parameters.
+
+    ``macro`` tells that it looks like a macro such as TEST, ``pointer`` that it declares a pointer to a function.
+    """
 
     name: str
     scope: str
@@ -27,6 +30,8 @@ class Declarator(msgspec.Struct, frozen=True):
     signature: str
     start: int
     end: int
+    macro: bool = False
+    pointer: bool = False
 
 
 def text_of(source: bytes) -> str:
@@ -114,8 +119,9 @@ def read_declarator(definition: Node, source: bytes) -> Declarator:
     if types == ["void"]:
         types = []
     if definition.child_by_field_name("type") is None and not scope and _MACRO.fullmatch(name) and types:
-        return Declarator(f"{name}({','.join(types)})", "", 0, "", start, parameters.end_byte)
-    return Declarator(name, scope, len(types), ", ".join(types), start, parameters.end_byte)
+        return Declarator(f"{name}({','.join(types)})", "", 0, "", start, parameters.end_byte, macro=True)
+    pointer = "*" in name and not name.startswith("operator")
+    return Declarator(name, scope, len(types), ", ".join(types), start, parameters.end_byte, pointer=pointer)
 
 
 def _type_of(parameter: Node, source: bytes) -> str:
@@ -151,6 +157,31 @@ def base_names(definition: Node, source: bytes) -> tuple[str, ...]:
         for node in clause.named_children
         if node.type in ("type_identifier", "qualified_identifier", "template_type")
     )
+
+
+@lru_cache(maxsize=1024)
+def scope_within(prefix: str, scope: str) -> str:
+    """Return ``scope`` as seen from ``prefix``: inside ``a::b`` both ``a::b::C`` and ``b::C`` are ``C``."""
+    around, written = prefix.split("::"), scope.split("::")
+    for count in range(min(len(around), len(written)), 0, -1):
+        if around[-count:] == written[:count]:
+            return "::".join(written[count:])
+    return scope
+
+
+def friend_name(declaration: Node, source: bytes) -> str:
+    """Return the class or function that a friend declaration names, empty where it names none."""
+    for child in declaration.named_children:
+        if child.type in ("function_definition", "declaration"):
+            declarator = read_declarator(child, source)
+            return "::".join(part for part in (declarator.scope, declarator.name) if part)
+        if child.type in _CLASS_NAMES:
+            name = child.child_by_field_name("name") or child
+            return without_arguments(text_of(source[name.start_byte : name.end_byte])).removeprefix("::")
+    return ""
+
+
+_CLASS_NAMES = ("type_identifier", "qualified_identifier", "template_type", "class_specifier", "struct_specifier")
 
 
 def callee_name(written: str) -> str:

@@ -15,9 +15,9 @@ import tree_sitter_cpp
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
 _KIND_WORDS = (
-    "part_body part_condition namespace class function function_body field access try if else for while do switch "
-    "catch case default lambda ternary and or preproc_if preproc_else return throw break continue goto label yield "
-    "await"
+    "part_body part_condition namespace class function function_body field access friend try if else for while do "
+    "switch catch case default lambda ternary and or preproc_if preproc_else return throw break continue goto label "
+    "yield await"
 )
 KINDS = tuple(_KIND_WORDS.split())
 """Names of the captures that become events, outer before inner."""
@@ -31,6 +31,8 @@ _QUERY = f"""
 (field_declaration_list [(field_declaration) (declaration)] @field)
 (field_declaration_list (template_declaration (declaration) @field))
 (field_declaration_list (_ [(field_declaration) (declaration)] @field))
+(function_definition [(default_method_clause) (delete_method_clause) (pure_virtual_clause)]) @field
+(friend_declaration) @friend
 (access_specifier) @access
 (if_statement consequence: (_) @part_body) @if
 (else_clause) @else
@@ -62,7 +64,7 @@ _QUERY = f"""
 (labeled_statement) @label
 (co_yield_statement) @yield
 (co_await_expression) @await
-(expression_statement) @statement
+(expression_statement (_)) @statement
 (init_declarator) @initialised
 (compound_statement (declaration) @declaration)
 (case_statement (declaration) @declaration)
@@ -130,7 +132,7 @@ class Captures:
         self.statements = sorted(starts)
         self.definitions: dict[tuple[str, int, int], Node] = {
             (name, *node.byte_range): node
-            for name in ("function", "class", "namespace", "field")
+            for name in ("function", "class", "namespace", "field", "friend")
             for node in captured.get(name, ())
         }
 

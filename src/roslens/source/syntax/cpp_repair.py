@@ -15,6 +15,11 @@ from roslens.source.syntax.cpp_query import fault_nodes, parse_tree
 from roslens.source.syntax.macros import MacroPreset
 
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b[^\n]*", re.MULTILINE)
+_OLD_PARAMETERS = re.compile(
+    rb"\b([A-Za-z_]\w{0,99})[ \t]*\(([\w\s,]{1,400})\)\s{0,80}((?:[A-Za-z_][\w\s*,\[\]]{1,200};\s{0,80}){1,40})\{"
+)
+_NO_FUNCTION = (b"if", b"while", b"for", b"switch", b"catch")
+_WORD = re.compile(rb"[A-Za-z_]\w*")
 _NEVER = re.compile(rb"[ \t]*#[ \t]*if[ \t]+0\b")
 _MOST_BYTES = 2_000_000
 """A larger file is taken as it parses: it was made by a program."""
@@ -25,14 +30,32 @@ def repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tre
     best = (sum(1 for _ in fault_nodes(tree)), source, tree)
     if len(source) > _MOST_BYTES:
         return source, tree
-    without_macros = macros.repair(source)
-    for attempt in (without_macros, first_arms(without_macros)):
+    first = with_parameter_types(macros.repair(source))
+    second = first_arms(first)
+    for attempt in (first, second, _DIRECTIVE.sub(_spaces, second)):
         if best[0] and attempt != best[1]:
             again = parse_tree(attempt)
             faults = sum(1 for _ in fault_nodes(again))
             if faults < best[0]:
                 best = (faults, attempt, again)
     return best[1], best[2]
+
+
+def with_parameter_types(source: bytes) -> bytes:
+    """Return ``source`` with the parameters of C before 1989 as the grammar knows them.
+
+    ``f(a, b) int a; char *b; {`` becomes ``f(     int a, char *b) {``: every byte that stays keeps its place.
+    """
+    text = bytearray(source)
+    for match in _OLD_PARAMETERS.finditer(source):
+        names, declarations = match.span(2), match.span(3)
+        if match[1] in _NO_FUNCTION or not set(_WORD.findall(match[2])) & set(_WORD.findall(match[3])):
+            continue
+        _blank(text, names[0], declarations[0])
+        text[slice(*declarations)] = text[slice(*declarations)].replace(b";", b",")
+        last = text.rindex(b",", *declarations)
+        text[last : last + 1] = b")"
+    return bytes(text)
 
 
 def first_arms(source: bytes) -> bytes:
@@ -59,6 +82,10 @@ def _keep_one_arm(text: bytearray, directives: list[re.Match[bytes]]) -> None:
         last = begin.end() if number == kept else end.start()
         _blank(text, first, last)
     _blank(text, directives[-1].start(), directives[-1].end())
+
+
+def _spaces(match: re.Match[bytes]) -> bytes:
+    return b" " * len(match[0])
 
 
 def _blank(text: bytearray, start: int, end: int) -> None:

@@ -12,12 +12,22 @@ from collections import defaultdict
 
 from tree_sitter import Node
 
-from roslens.source.syntax.cpp_names import Declarator, base_names, read_declarator, text_of, without_arguments
+from roslens.source.syntax.cpp_names import (
+    Declarator,
+    base_names,
+    friend_name,
+    read_declarator,
+    scope_within,
+    text_of,
+    without_arguments,
+)
 from roslens.source.syntax.cpp_query import KINDS, Captures, Span
 from roslens.source.syntax.facts import Control
 
 _LONGEST_NAME = 300
 _IDENTIFIER = re.compile(rb"[A-Za-z_]\w*")
+_END_OF_HEADER = re.compile(rb"[;{=:]")
+_SECTION = re.compile(rb"\w?\s*:(?!:)")
 _DEFAULT_ACCESS = {"class_specifier": "private", "struct_specifier": "public", "union_specifier": "public"}
 _CLASS_KINDS = {"class_specifier": "class", "struct_specifier": "struct", "union_specifier": "union"}
 _HANDLERS = {
@@ -37,7 +47,7 @@ class FunctionScope:
         self.declarator = declarator
         self.span = span
         self.body: Span = (span[1], span[1])
-        parts = [part for part in (prefix, declarator.scope, declarator.name) if part]
+        parts = [part for part in (prefix, scope_within(prefix, declarator.scope), declarator.name) if part]
         self.qualified_name = "::".join(parts)
         if owner is not None:
             self.class_name = owner.qualified_name
@@ -63,7 +73,7 @@ class Member:
         self.span = span
         self.names: list[str] = []
         self.declarator: Declarator | None = None
-        self.static = self.virtual = self.friend = self.defined = False
+        self.static = self.virtual = self.defined = False
 
 
 class ClassScope:
@@ -78,6 +88,7 @@ class ClassScope:
         self.bases = bases
         self.access = access
         self.members: list[Member] = []
+        self.friends: list[str] = []
 
 
 class Frame:
@@ -107,6 +118,8 @@ class Walk:
     Attributes:
         functions: in source order; ``classes`` likewise.
         counts: of what stands outside functions.
+        macro_calls: extents of the names of macros that hold a block inside a function, such as ``FOR_EACH(a, b) {``.
+        macro_headers: extents of the arguments of macros that look like functions; they name no types.
     """
 
     def __init__(self, source: bytes, captures: Captures) -> None:
@@ -114,6 +127,8 @@ class Walk:
         self.functions: list[FunctionScope] = []
         self.classes: list[ClassScope] = []
         self.counts: defaultdict[str, int] = defaultdict(int)
+        self.macro_calls: list[Span] = []
+        self.macro_headers: list[Span] = []
         self._source = source
         self._captures = captures
         self._top = Frame("file", len(source) + 1, None)
@@ -256,6 +271,8 @@ class Walk:
             _DEFAULT_ACCESS[node.type],
         )
         self.classes.append(scope)
+        if top.scope is not None:
+            top.scope.inner.append((start, end))
         frame = Frame(role, end, top)
         frame.prefix = scope.qualified_name
         frame.owner = scope
@@ -268,11 +285,16 @@ class Walk:
         top = self._top
         node = self._captures.definitions["function", start, end]
         declarator = read_declarator(node, self._source)
-        owner = top.owner
+        if declarator.macro:
+            self.macro_headers.append((declarator.start, declarator.end))
+            if top.scope is not None:
+                self.macro_calls.append((declarator.start, declarator.start + declarator.name.index("(")))
+                return Frame("block", end, top)
+        owner = top.owner if top.role != "friend" else None
         scope = FunctionScope(declarator, (start, end), top.prefix, owner)
         head = self._source[start : min(declarator.start, start + _LONGEST_NAME)]
         scope.static = b"static" in head.split()
-        scope.virtual = b"virtual" in head.split()
+        scope.virtual = b"virtual" in head.split() or self._overrides(declarator, end)
         if top.scope is not None:
             top.scope.inner.append((start, end))
         self.functions.append(scope)
@@ -294,10 +316,23 @@ class Walk:
     def _on_function_body(self, _role: str, start: int, end: int) -> None:
         top = self._top
         if top.role == "function" and top.scope is not None:
-            scope = top.scope
-            scope.body = (start, end)
-            tail = self._source[scope.declarator.end : min(start, scope.declarator.end + _LONGEST_NAME)]
-            scope.virtual |= b"override" in tail.split()
+            top.scope.body = (start, end)
+
+    def _overrides(self, declarator: Declarator, end: int) -> bool:
+        """Tell whether ``override`` or ``final`` stands behind the parameters."""
+        tail = self._source[declarator.end : min(end, declarator.end + _LONGEST_NAME)]
+        words = _END_OF_HEADER.split(tail, maxsplit=1)[0].split()
+        return b"override" in words or b"final" in words
+
+    def _on_friend(self, role: str, start: int, end: int) -> Frame:
+        """Note a friend; a function defined there is no member of the class."""
+        top = self._top
+        if top.owner is not None:
+            node = self._captures.definitions["friend", start, end]
+            name = friend_name(node, self._source)
+            if name:
+                top.owner.friends.append(name)
+        return Frame(role, end, top)
 
     def _on_field(self, _role: str, start: int, end: int) -> None:
         owner = self._top.owner
@@ -305,12 +340,16 @@ class Walk:
             return
         node = self._captures.definitions["field", start, end]
         member = Member(owner.access, (start, end))
-        head = self._source[start : min(end, start + _LONGEST_NAME)].split()
+        if self._top.role == "friend":
+            return
+        declarators = node.children_by_field_name("declarator")
+        first = declarators[0].start_byte if declarators else end
+        head = self._source[start : min(first, start + _LONGEST_NAME)].split()
         member.static = b"static" in head
-        member.virtual = b"virtual" in head or b"override" in head or b"override;" in head
-        member.friend = head[:1] == [b"friend"]
-        for declarator in node.children_by_field_name("declarator"):
+        for declarator in declarators:
             self._declare(member, node, declarator.start_byte, declarator.end_byte, declarator.type)
+        if member.declarator is not None:
+            member.virtual = b"virtual" in head or self._overrides(member.declarator, end)
         if member.declarator is not None or member.names:
             owner.members.append(member)
 
@@ -318,18 +357,19 @@ class Walk:
         written = self._source[start : min(end, start + _LONGEST_NAME)]
         if b"(" in written and type_ != "field_identifier":
             declarator = read_declarator(node, self._source)
-            if declarator.name:
+            if declarator.name and not declarator.pointer:
                 member.declarator = declarator
                 return
+            written = declarator.name.encode() if declarator.pointer else written
         name = _last_identifier(written)
         if name:
             member.names.append(name)
 
     def _on_access(self, _role: str, start: int, end: int) -> None:
         owner = self._top.owner
-        if owner is not None and self._top.role != "function":
-            word = self._source[start:end].split()[:1]
-            text = text_of(word[0]).rstrip(":") if word else ""
+        # In front of a base class it is no section of the class.
+        if owner is not None and _SECTION.match(self._source, end - 1):
+            text = self._text(start, end).rstrip(": ")
             if text in ("public", "protected", "private"):
                 owner.access = text
 

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator
 
 from tree_sitter import Node, Query, QueryCursor, Tree
 
-from roslens.source.syntax.python_tree import LANGUAGE
+from roslens.source.syntax.python_tree import DEEPEST, LANGUAGE
 
 _KIND_WORDS = (
     "block decorator function class if elif else_arm for while try catch finally with switch case assert "
@@ -95,7 +95,9 @@ class Captures:
 
     def __init__(self, tree: Tree) -> None:
         """Run the query over ``tree``."""
-        captured = QueryCursor(_COMPILED).captures(tree.root_node)
+        cursor = QueryCursor(_COMPILED)
+        cursor.set_max_start_depth(DEEPEST)
+        captured = cursor.captures(tree.root_node)
         comments = {node.start_byte for node in captured.pop("comment", ())}
         starts = {node.start_byte for node in captured.pop("statement", ())}
         self.statements = sorted(starts - comments)

@@ -25,6 +25,8 @@ _LONE_CARRIAGE_RETURN = re.compile(rb"\r(?!\n)")
 _NO_UTF_8 = bytes(range(128)) + b"_" * 128
 _CONTINUATIONS = re.compile(rb"(?:\\\n){100,}")
 _BLANK = bytes(byte if byte in b"\r\n" else 0x20 for byte in range(256))
+DEEPEST = 60_000
+"""A query counts levels in 16 bits and never ends when they run over: it must not look deeper."""
 _LONGEST_RUN = 500
 _MOST_ROUNDS = 4
 _LONGEST_QUOTE = 60
@@ -71,7 +73,9 @@ def faults_of(parsed: PythonTree, content: bytes, lines: LineMap) -> tuple[Synta
     if not (root.has_error or parsed.blanked):
         return ()
     spans = [(start, end, "") for start, end in parsed.blanked]
-    for nodes in QueryCursor(_FAULTS).captures(root).values():
+    cursor = QueryCursor(_FAULTS)
+    cursor.set_max_start_depth(DEEPEST)
+    for nodes in cursor.captures(root).values():
         spans += [(*node.byte_range, f"{node.type} is missing" if node.is_missing else "") for node in nodes]
     faults = []
     reached = -1

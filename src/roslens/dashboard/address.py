@@ -1,0 +1,158 @@
+"""Where each page lives: one reference, three ways to write it down (served, in a folder, in one file)."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from hashlib import blake2b
+from typing import Protocol
+from urllib.parse import quote, urlencode
+
+import msgspec
+
+_LONGEST_NAME = 120
+_UNSAFE = re.compile(r"[^A-Za-z0-9._+@-]")
+
+PLACES = {
+    "overview": "overview",
+    "graph": "graph",
+    "packages": "packages",
+    "package": "packages/",
+    "file": "files/",
+    "findings": "findings",
+    "metrics": "metrics",
+    "metric": "metrics/",
+    "rules": "rules",
+    "rule": "rules/",
+    "failures": "failures",
+    "search": "search",
+    "help": "help",
+}
+"""Page to place; a place that ends with ``/`` holds one page per key."""
+
+
+class PageRef(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A page, which one of its kind (``key``), what is asked of it and a place on it."""
+
+    page: str
+    key: str = ""
+    query: tuple[tuple[str, str], ...] = ()
+    anchor: str = ""
+
+
+class Links(Protocol):
+    """Writes references down so that the page ``here`` can follow them."""
+
+    def to(self, ref: PageRef) -> str:
+        """Return the address of a page."""
+
+    def twin(self, ref: PageRef, suffix: str) -> str:
+        """Return the address of the machine-readable twin with ``suffix`` (``json``, ``files.csv``); may be empty."""
+
+    def asset(self, name: str) -> str:
+        """Return the address of a file of ``web/``."""
+
+
+class ServedLinks:
+    """Absolute paths on the server."""
+
+    def to(self, ref: PageRef) -> str:
+        """Return path, query and fragment."""
+        path = "/" if ref.page == "overview" else "/" + served_path(ref)
+        return path + _query(ref.query) + _fragment(ref.anchor)
+
+    def twin(self, ref: PageRef, suffix: str) -> str:
+        """Return the page's path with the suffix, and its query."""
+        return f"/{served_path(ref)}.{suffix}" + _query(ref.query)
+
+    def asset(self, name: str) -> str:
+        """Return a path below ``/web``."""
+        return f"/web/{name}"
+
+
+class FolderLinks:
+    """Relative paths between the files of an exported folder, seen from the page ``here``."""
+
+    def __init__(self, here: PageRef) -> None:
+        """``here`` is the page on which the links will stand."""
+        self._folder = posixpath.dirname(folder_path(here, "html"))
+
+    def to(self, ref: PageRef) -> str:
+        """Return a relative path, the query (scripts read it) and the fragment."""
+        return self._relative(folder_path(ref, "html")) + _query(ref.query) + _fragment(ref.anchor)
+
+    def twin(self, ref: PageRef, suffix: str) -> str:
+        """Return the relative path of the twin; it holds everything, so no query."""
+        return self._relative(folder_path(ref, suffix))
+
+    def asset(self, name: str) -> str:
+        """Return a relative path below ``web``."""
+        return self._relative(f"web/{name}")
+
+    def _relative(self, path: str) -> str:
+        return quote(posixpath.relpath(path, self._folder or "."), safe="/@+")
+
+
+class FileLinks:
+    """Fragments inside one file. ``known`` are the sections that it has."""
+
+    def __init__(self, known: frozenset[str]) -> None:
+        """``known`` holds :func:`section_id` of every page in the file."""
+        self._known = known
+
+    def to(self, ref: PageRef) -> str:
+        """Return a fragment; empty where the file has no such page."""
+        section = section_id(ref)
+        if section not in self._known:
+            return ""
+        return "#" + quote(section, safe="/@:+") + _query(ref.query)
+
+    def twin(self, ref: PageRef, suffix: str) -> str:  # noqa: ARG002 - one file has no twins
+        """Return nothing: a single file has no twins beside it."""
+        return ""
+
+    def asset(self, name: str) -> str:  # noqa: ARG002 - everything is inside
+        """Return nothing: everything is inside."""
+        return ""
+
+
+def served_path(ref: PageRef) -> str:
+    """Return the path on the server, without the leading ``/``."""
+    place = PLACES[ref.page]
+    return place + quote(ref.key, safe="/@:+") if place.endswith("/") else place
+
+
+def section_id(ref: PageRef) -> str:
+    """Return the id of the section that shows the page in a single file."""
+    place = PLACES[ref.page]
+    return place + ref.key if place.endswith("/") else place
+
+
+def folder_path(ref: PageRef, suffix: str) -> str:
+    """Return the path below the exported folder; keys become names that every file system takes."""
+    place = PLACES[ref.page]
+    if ref.page == "overview":
+        return f"index.{suffix}" if suffix == "html" else f"overview.{suffix}"
+    if not place.endswith("/"):
+        return f"{place}.{suffix}"
+    parts = [_safe_name(part) for part in ref.key.split("/")]
+    return f"{place}{'/'.join(parts)}.{suffix}"
+
+
+def _safe_name(part: str) -> str:
+    safe = _UNSAFE.sub(lambda match: f"_{ord(match.group()):x}_", part)
+    if safe.startswith("."):
+        safe = "_2e_" + safe[1:]
+    if len(safe) > _LONGEST_NAME:
+        digest = blake2b(part.encode("utf-8", "surrogateescape"), digest_size=6).hexdigest()
+        safe = f"{safe[: _LONGEST_NAME - 13]}_{digest}"
+    return safe or "_"
+
+
+def _query(query: tuple[tuple[str, str], ...]) -> str:
+    given = [(key, value) for key, value in query if value]
+    return "?" + urlencode(given) if given else ""
+
+
+def _fragment(anchor: str) -> str:
+    return "#" + quote(anchor, safe="/@:+") if anchor else ""

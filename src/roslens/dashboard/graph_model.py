@@ -1,0 +1,196 @@
+"""The package graph as one library-neutral value: places, dependencies, counts by rule, metrics."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import msgspec
+
+from roslens.dashboard.figures import compact
+from roslens.dashboard.layout.lay_out import DRAWN_UP_TO, Layout, Node, lay_out
+from roslens.dashboard.measured import Measured, measured_on
+from roslens.dashboard.site import Site
+from roslens.model.entity import EntityKind
+from roslens.model.quantity import Better
+from roslens.model.result import PackageSummary
+from roslens.model.tags import TagFilter
+
+SMALLEST, LARGEST = 6.0, 24.0
+LONGEST_LABEL = 30
+_CHARACTER = 6.9
+
+
+class RuleKind(msgspec.Struct, frozen=True):
+    """A rule as findings carry it; ``tags`` are numbers into the graph's tags."""
+
+    rule: str
+    severity: str
+    tags: tuple[int, ...]
+
+
+class GraphNode(msgspec.Struct, frozen=True):
+    """A package: place, radius, tier, what it needs (numbers of nodes), (rule kind, findings, gated) triples."""
+
+    id: str
+    label: str
+    x: float
+    y: float
+    r: float
+    tier: int
+    column: int
+    cycle: int
+    loc: float | None
+    needs: tuple[int, ...]
+    counts: tuple[tuple[int, int, int], ...]
+
+
+class GraphMetric(msgspec.Struct, frozen=True):
+    """A quantity that can colour the graph: one value per node, None where it was not measured."""
+
+    key: str
+    title: str
+    unit: str
+    decimals: int
+    better: str
+    values: tuple[float | None, ...]
+
+
+class PackageGraph(msgspec.Struct, frozen=True):
+    """Everything that the picture and its twin need; ``edges`` are drawn ones as (dependent, needed)."""
+
+    width: float
+    height: float
+    nodes: tuple[GraphNode, ...]
+    edges: tuple[tuple[int, int], ...]
+    tags: tuple[str, ...]
+    rules: tuple[RuleKind, ...]
+    metrics: tuple[GraphMetric, ...]
+    all_edges_drawn: bool
+
+
+def graph_of(site: Site) -> tuple[PackageGraph, Layout]:
+    """Return the graph of the site's packages and the layout with the paths of its edges."""
+    packages = site.packages
+    place = {package.id: number for number, package in enumerate(packages)}
+    needs = [tuple(place[needed] for needed in site.dependencies[package.id]) for package in packages]
+    radii = _radii([package.values.get("loc") for package in packages])
+    labels = [_label(package.id) for package in packages]
+    layout = lay_out(
+        [Node(radius, len(label) * _CHARACTER) for radius, label in zip(radii, labels, strict=True)],
+        [(number, target) for number, targets in enumerate(needs) for target in targets],
+    )
+    tags, rules, counts = _counts(packages)
+    nodes = tuple(
+        GraphNode(
+            id=package.id,
+            label=labels[number],
+            x=layout.places[number][0],
+            y=layout.places[number][1],
+            r=radii[number],
+            tier=layout.tiers[number],
+            column=layout.columns[number],
+            cycle=layout.cycles[number],
+            loc=package.values.get("loc"),
+            needs=needs[number],
+            counts=counts[number],
+        )
+        for number, package in enumerate(packages)
+    )
+    graph = PackageGraph(
+        width=layout.width,
+        height=layout.height,
+        nodes=nodes,
+        edges=layout.reduced,
+        tags=tags,
+        rules=rules,
+        metrics=_metrics(site),
+        all_edges_drawn=len(nodes) <= DRAWN_UP_TO,
+    )
+    return graph, layout
+
+
+def _radii(sizes: Sequence[float | None]) -> list[float]:
+    """Return radii so that areas beyond the smallest grow with the lines of code."""
+    most = max((size for size in sizes if size), default=1.0)
+    return [round(SMALLEST + (LARGEST - SMALLEST) * math.sqrt(max(0.0, size or 0.0) / most), 1) for size in sizes]
+
+
+def _label(name: str) -> str:
+    if len(name) <= LONGEST_LABEL:
+        return name
+    return name[: LONGEST_LABEL - 1] + "\N{HORIZONTAL ELLIPSIS}"
+
+
+def _counts(
+    packages: Sequence[PackageSummary],
+) -> tuple[tuple[str, ...], tuple[RuleKind, ...], list[tuple[tuple[int, int, int], ...]]]:
+    tags: dict[str, int] = {}
+    kinds: dict[tuple[str, str, tuple[str, ...]], int] = {}
+    rules: list[RuleKind] = []
+    counts = []
+    for package in packages:
+        found = []
+        for count in package.rules:
+            key = (count.rule, count.severity.value, count.tags)
+            if key not in kinds:
+                kinds[key] = len(rules)
+                numbers = tuple(tags.setdefault(tag, len(tags)) for tag in count.tags)
+                rules.append(RuleKind(count.rule, count.severity.value, numbers))
+            found.append((kinds[key], count.count, count.gated))
+        counts.append(tuple(found))
+    return tuple(tags), tuple(rules), counts
+
+
+def _metrics(site: Site) -> tuple[GraphMetric, ...]:
+    found = []
+    for key, measured in measured_on(site.quantities, EntityKind.PACKAGE).items():
+        values = tuple(_short(package.values.get(key)) for package in site.packages)
+        if any(value is not None for value in values):
+            quantity = measured.quantity
+            found.append(
+                GraphMetric(key, measured.title, quantity.unit, measured.decimals, quantity.better.value, values)
+            )
+    return tuple(found)
+
+
+def _short(value: float | None) -> float | None:
+    """Return the value with no more digits than a reader or a colour can tell apart."""
+    if value is None or not math.isfinite(value):
+        return None
+    return value if value == int(value) else float(compact(value))
+
+
+class Colouring(msgspec.Struct, frozen=True):
+    """What colours the graph: ``findings``, ``kloc`` or ``metric:<key>``; which findings count."""
+
+    by: str = "findings"
+    tags: TagFilter = TagFilter()
+    gated: bool = False
+
+
+def colour_values(site: Site, colouring: Colouring) -> tuple[list[float | None], Measured | None]:
+    """Return one value per package, and the quantity where one colours."""
+    if colouring.by.startswith("metric:"):
+        key = colouring.by.removeprefix("metric:")
+        measured = measured_on(site.quantities, EntityKind.PACKAGE).get(key)
+        if measured:
+            return [_short(package.values.get(key)) for package in site.packages], measured
+    found: list[float | None] = []
+    for package in site.packages:
+        total = sum(
+            count.gated if colouring.gated else count.count
+            for count in package.rules
+            if colouring.tags.matches(count.tags)
+        )
+        if colouring.by == "kloc":
+            loc = package.values.get("loc")
+            found.append(1000 * total / loc if loc else None)
+        else:
+            found.append(float(total))
+    return found, None
+
+
+def better_of(measured: Measured | None) -> Better:
+    """Return which way the colouring value improves: fewer findings are better."""
+    return measured.better if measured else Better.LOWER

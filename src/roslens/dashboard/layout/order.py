@@ -1,0 +1,103 @@
+"""In which order the nodes of each column stand, so that few edges cross.
+
+Edges that span several columns get a way-point in each column between, so that they pass between nodes rather than
+through them. Orders are improved by the barycentre heuristic (Sugiyama, Tagawa, Toda 1981) in sweeps to and fro; the
+order with the fewest crossings wins.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, insort
+from collections.abc import Sequence
+from itertools import pairwise
+
+import msgspec
+
+SWEEPS = 12
+
+
+class Columns(msgspec.Struct, frozen=True):
+    """Nodes and way-points in columns. Items below ``nodes`` are nodes, the others way-points.
+
+    ``left`` and ``right`` are the neighbours of an item in the columns beside it; ``ways`` gives for each routed edge
+    its items from the left end to the right end.
+    """
+
+    nodes: int
+    columns: list[list[int]]
+    left: list[list[int]]
+    right: list[list[int]]
+    ways: list[list[int]]
+
+
+def route(columns: Sequence[Sequence[int]], count: int, edges: Sequence[tuple[int, int]]) -> Columns:
+    """Place nodes and way-points. Each edge (a, b) goes from a on the right to b on the left."""
+    place = [0] * count
+    for number, column in enumerate(columns):
+        for node in column:
+            place[node] = number
+    filled = [list(column) for column in columns]
+    left: list[list[int]] = [[] for _ in range(count)]
+    right: list[list[int]] = [[] for _ in range(count)]
+    ways = []
+    for dependent, needed in edges:
+        way = [needed]
+        for number in range(place[needed] + 1, place[dependent]):
+            item = len(left)
+            left.append([])
+            right.append([])
+            filled[number].append(item)
+            way.append(item)
+        way.append(dependent)
+        for first, second in pairwise(way):
+            right[first].append(second)
+            left[second].append(first)
+        ways.append(way)
+    return Columns(count, filled, left, right, ways)
+
+
+def untangle(columns: Columns, sweeps: int = SWEEPS) -> list[list[int]]:
+    """Return the columns reordered so that few edges cross."""
+    order = [list(column) for column in columns.columns]
+    best, fewest = [list(column) for column in order], _crossings(order, columns)
+    for sweep in range(sweeps):
+        if fewest == 0:
+            break
+        forward = sweep % 2 == 0
+        numbers = range(1, len(order)) if forward else range(len(order) - 2, -1, -1)
+        neighbours = columns.left if forward else columns.right
+        for number in numbers:
+            beside = order[number - 1 if forward else number + 1]
+            order[number] = _by_barycentre(order[number], beside, neighbours)
+        crossings = _crossings(order, columns)
+        if crossings < fewest:
+            best, fewest = [list(column) for column in order], crossings
+    return best
+
+
+def _by_barycentre(column: Sequence[int], beside: Sequence[int], neighbours: Sequence[Sequence[int]]) -> list[int]:
+    position = {item: place for place, item in enumerate(beside)}
+    scale = len(beside) / max(1, len(column))
+
+    def centre(entry: tuple[int, int]) -> tuple[float, int]:
+        place, item = entry
+        places = [position[other] for other in neighbours[item]]
+        # An item without neighbours keeps its relative height.
+        return (sum(places) / len(places) if places else place * scale, place)
+
+    return [item for _, item in sorted(enumerate(column), key=centre)]
+
+
+def _crossings(order: Sequence[Sequence[int]], columns: Columns) -> int:
+    total = 0
+    for number in range(len(order) - 1):
+        position = {item: place for place, item in enumerate(order[number + 1])}
+        seen: list[int] = []
+        for item in order[number]:
+            places = sorted(position[other] for other in columns.right[item] if other in position)
+            for place in places:
+                # Edges that started higher and end lower cross this one.
+                total += len(seen) - bisect_left(seen, place + 1)
+            for place in places:
+                insort(seen, place)
+    return total

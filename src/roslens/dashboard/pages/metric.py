@@ -1,0 +1,133 @@
+"""One quantity: how it is distributed, the bounds of each model, the twenty worst."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import msgspec
+
+from roslens.dashboard.address import PageRef
+from roslens.dashboard.figures import number
+from roslens.dashboard.finding_list import file_ref
+from roslens.dashboard.histogram import figures_of, histogram_of
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.view import Request, View
+from roslens.judge.rate import Rating, rate
+from roslens.model.entity import EntityKind
+from roslens.model.quantity import Better, Quantity
+
+WORST = 20
+Values = Sequence[tuple[str, str, float]]
+
+
+def build(site: Site, request: Request) -> View | None:
+    """Return the page; None for an unknown quantity."""
+    key, _, fold = request.key.partition(".") if request.key not in site.quantities else (request.key, "", "")
+    quantity = site.quantities.get(key)
+    if quantity is None or (fold and fold not in {known.value for known in quantity.folds}):
+        return None
+    kinds = site.kinds_measured[key]
+    kind = next((kind for kind in kinds if kind.value == request.query.get("kind")), kinds[0] if kinds else None)
+    found: Values = site.view.values_of(request.key, kind) if kind else []
+    values = [value for _, _, value in found]
+    folded = kind is not None and kind not in quantity.kinds
+    digits = max(1, quantity.decimals) if folded and fold in {"", "mean"} else quantity.decimals
+    figures = figures_of(values)
+    bounds = _bounds(site, kind, request.key, values) if kind else None
+    worst = _worst(site, quantity, kind, found, digits, None if request.complete else WORST) if kind else None
+    return View(
+        ref=PageRef("metric", request.key, query=request.query.pairs),
+        title=f"{quantity.title} ({fold})" if fold else quantity.title,
+        facts={
+            "quantity": msgspec.to_builtins(quantity),
+            "kind": kind.value if kind else "",
+            "figures": msgspec.to_builtins(figures),
+        },
+        tables=tuple(table for table in (bounds, worst) if table is not None),
+        shown={
+            "quantity": quantity,
+            "kind": kind,
+            "kinds": kinds,
+            "figures": figures,
+            "digits": digits,
+            "histogram": histogram_of(values, digits),
+            "lines": _lines(site, kind, request.key) if kind else [],
+            "folds": [fold.value for fold in quantity.folds],
+            "key": key,
+        },
+    )
+
+
+def _lines(site: Site, kind: EntityKind, key: str) -> list[tuple[float, str]]:
+    """Return (bound, the models that set it): one line in the distribution for each."""
+    names: dict[tuple[float, str], list[str]] = {}
+    for model, constraint in site.constraints_on(kind, key):
+        for side in constraint.sides:
+            word = "at most" if side == "max" else "at least"
+            names.setdefault((constraint.bound(side), word), []).append(model.name)
+    return [(bound, f"{word} {number(bound)}: {', '.join(models)}") for (bound, word), models in sorted(names.items())]
+
+
+def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> Table:
+    rows = []
+    for model, constraint in site.constraints_on(kind, key):
+        ratings = [rate(value, constraint.range) for value in values]
+        high, low = ratings.count(Rating.HIGH), ratings.count(Rating.LOW)
+        rows.append(
+            (
+                Cell("high" if high else "low" if low else "ok" if values else "unknown"),
+                Cell(model.name, text=model.title or model.name),
+                Cell(str(constraint.range)),
+                Cell(high),
+                Cell(low),
+                Cell(100 * (high + low) / len(values) if values else None),
+                Cell("yes" if model in site.run_models else "no"),
+            )
+        )
+    columns = (
+        Column("rating", "Holds?", "mark"),
+        Column("model", "Model"),
+        Column("range", "Asks for"),
+        Column("high", "Above", "number"),
+        Column("low", "Below", "number"),
+        Column("share", "Outside", "number", unit="%", decimals=1),
+        Column("judged", "Judged in this run"),
+    )
+    empty = "No model says what is too much or too little of it."
+    return Table("bounds", "Bounds of each quality model", columns, tuple(rows), total=len(rows), empty=empty)
+
+
+def _worst(site: Site, quantity: Quantity, kind: EntityKind, found: Values, digits: int, limit: int | None) -> Table:
+    named = {EntityKind.FUNCTION: "Function", EntityKind.CLASS: "Class", EntityKind.FILE: "File"}
+    columns = (
+        Column("entity", named.get(kind, "Package"), "code"),
+        *((Column("package", "Package"),) if kind is not EntityKind.PACKAGE else ()),
+        *((Column("path", "File", "code", optional=True),) if kind in {EntityKind.FUNCTION, EntityKind.CLASS} else ()),
+        Column("value", quantity.title, "number", unit=quantity.unit, bar=True, decimals=digits),
+    )
+    falling = quantity.better is not Better.HIGHER
+    ranked = sorted(found, key=lambda row: (-row[2] if falling else row[2], row[0]))
+    rows = tuple(_worst_row(site, kind, quantity, row, linked=limit is not None) for row in ranked[:limit])
+    which = "Lowest" if not falling else "Highest"
+    title = f"{which} {min(len(found), WORST)} of {len(found):,}"
+    table = Table("worst", title, columns, rows, total=len(found), empty="Nothing of this kind has a value.")
+    return sort_rows(table, "")
+
+
+def _worst_row(
+    site: Site, kind: EntityKind, quantity: Quantity, row: tuple[str, str, float], *, linked: bool
+) -> tuple[Cell, ...]:
+    entity, package, value = row
+    path, _, inside = entity.partition(":")[2].partition("#")
+    rating = site.rating(kind, quantity.key, value)
+    marked = Cell(value, rating="" if rating == "ok" else rating)
+    owner = Cell(package, ref=PageRef("package", package))
+    if kind is EntityKind.PACKAGE:
+        return (owner, marked)
+    if kind is EntityKind.FILE:
+        return (Cell(path, ref=file_ref(site, path)), owner, marked)
+    # One look-up per row: only for the few that are shown.
+    known = site.view.entity(entity) if linked else None
+    place = file_ref(site, path, known.line) if known else None
+    return (Cell(inside, ref=place), owner, Cell(path, ref=file_ref(site, path)), marked)

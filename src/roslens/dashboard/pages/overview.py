@@ -1,0 +1,148 @@
+"""The overview: how the run ended, what to look at first, what was analysed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+
+from roslens.dashboard.address import PageRef
+from roslens.dashboard.figures import plural
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.view import Request, View
+from roslens.judge.quality_model import rule_id
+from roslens.model.finding import Severity
+
+FIRST = 8
+
+
+def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the shape of every page
+    """Return the page."""
+    severities = site.severity_counts()
+    total = sum(severities.values())
+    affected = sum(1 for package in site.packages if package.rules)
+    counts = {
+        "packages": len(site.packages),
+        "files": sum(package.files for package in site.packages),
+        "classes": sum(package.classes for package in site.packages),
+        "functions": sum(package.functions for package in site.packages),
+        "loc": int(sum(package.values.get("loc", 0) for package in site.packages)),
+        "findings": total,
+        "failures": len(site.failures),
+    }
+    header = site.view.header
+    return View(
+        ref=PageRef("overview"),
+        title="Overview",
+        facts={
+            "headline": headline(total, affected, len(site.packages)),
+            "counts": counts,
+            "severities": {severity.value: count for severity, count in severities.items()},
+            "languages": dict(_sum(package.languages for package in site.packages)),
+            "roles": dict(_sum(package.roles for package in site.packages)),
+            "paths": list(header.paths),
+            "seconds": header.seconds,
+            "tools": dict(header.tools),
+        },
+        tables=(_worst(site), _rules(site), _conditions(site)),
+        shown={"severities": severities, "counts": counts},
+    )
+
+
+def headline(findings: int, affected: int, packages: int) -> str:
+    """Return the first sentence of the report."""
+    if not packages:
+        return "No package was found."
+    if not findings:
+        return f"No findings in {plural(packages, 'package')}."
+    return f"{plural(findings, 'finding')} in {affected:,} of {plural(packages, 'package')}."
+
+
+def _sum(counts: Iterable[dict[str, int]]) -> list[tuple[str, int]]:
+    total: Counter[str] = Counter()
+    for count in counts:
+        total.update(count)
+    return sorted(total.items(), key=lambda item: (-item[1], item[0]))
+
+
+def _worst(site: Site) -> Table:
+    rows = []
+    for package in site.packages:
+        by_severity = site.severity_counts_of(package)
+        total = sum(by_severity.values())
+        if total:
+            rows.append((package, by_severity, total))
+    rows.sort(key=lambda row: (-row[2], row[0].id))
+    columns = (
+        Column("package", "Package"),
+        Column("findings", "Findings", "number", bar=True),
+        Column("errors", "Errors", "number"),
+        Column("warnings", "Warnings", "number"),
+        Column("notes", "Notes", "number", optional=True),
+        Column("loc", "Code lines", "number", optional=True),
+    )
+    cells = tuple(
+        (
+            Cell(package.id, ref=PageRef("package", package.id)),
+            Cell(total, ref=PageRef("findings", query=(("package", package.id),))),
+            Cell(by_severity[Severity.ERROR]),
+            Cell(by_severity[Severity.WARNING]),
+            Cell(by_severity[Severity.NOTE]),
+            Cell(package.values.get("loc")),
+        )
+        for package, by_severity, total in rows[:FIRST]
+    )
+    return Table("worst", "Packages with most findings", columns, cells, total=len(rows), empty="No findings.")
+
+
+def _rules(site: Site) -> Table:
+    totals = site.rule_totals()
+    columns = (
+        Column("severity", "Severity", "mark"),
+        Column("rule", "Rule"),
+        Column("findings", "Findings", "number", bar=True),
+        Column("packages", "Packages", "number"),
+    )
+    rows = tuple(
+        (
+            Cell(total.severity.value),
+            Cell(total.rule, text=site.rules[total.rule].title, ref=PageRef("rule", total.rule), hint=total.rule),
+            Cell(total.count, ref=PageRef("findings", query=(("rule", total.rule),))),
+            Cell(total.packages),
+        )
+        for total in totals[:FIRST]
+    )
+    return Table("rules", "Rules broken, most severe first", columns, rows, total=len(totals), empty="None.")
+
+
+def _conditions(site: Site) -> Table:
+    """What the run's models ask, and how often it does not hold."""
+    counts: Counter[str] = Counter()
+    for _, count in site.counts():
+        counts[count.rule] += count.count
+    rows = []
+    for model in site.run_models:
+        for constraint in model.constraints:
+            for side in constraint.sides:
+                rule = rule_id(model, constraint, side)
+                broken = counts[rule]
+                rows.append(
+                    (
+                        Cell("high" if side == "max" else "low") if broken else Cell("ok"),
+                        Cell(
+                            f"{constraint.subject or constraint.quantity} of a {constraint.kind.value}",
+                            ref=PageRef("metric", constraint.quantity, query=(("kind", constraint.kind.value),)),
+                        ),
+                        Cell(constraint.limit_text(side)),
+                        Cell(model.name),
+                        Cell(broken, ref=PageRef("rule", rule) if broken else None),
+                    )
+                )
+    columns = (
+        Column("rating", "Holds?", "mark"),
+        Column("quantity", "Quantity"),
+        Column("bound", "Bound"),
+        Column("model", "Model"),
+        Column("broken", "Times broken", "number", bar=True),
+    )
+    return Table("conditions", "What the quality models ask", columns, tuple(rows), total=len(rows), empty="No models.")

@@ -1,0 +1,146 @@
+"""All packages as a table: findings and the metrics that tell most; every value in its CSV twin."""
+
+from __future__ import annotations
+
+from roslens.dashboard.address import PageRef
+from roslens.dashboard.layout.tiers import cycles_of, needs_of, tiers_of
+from roslens.dashboard.measured import measured_on
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.view import Request, View
+from roslens.model.entity import EntityKind
+from roslens.model.finding import Severity
+from roslens.model.result import PackageSummary
+from roslens.model.tags import TagFilter, tag_filter
+
+TELLING = (
+    "comment_ratio",
+    "cyclomatic_complexity",
+    "cyclomatic_complexity.max",
+    "cognitive_complexity.max",
+    "maintainability_index",
+    "cbo",
+)
+
+
+def build(site: Site, request: Request) -> View | None:
+    """Return the page."""
+    query = request.query
+    include, exclude = query.all("include"), query.all("exclude")
+    table = sort_rows(
+        packages_table(
+            site, tags=tag_filter(include, exclude), text=query.get("text"), every_value=_every_value(request)
+        ),
+        query.get("sort"),
+        None if request.complete else request.limits.rows,
+    )
+    return View(
+        ref=PageRef("packages", query=query.pairs),
+        title="Packages",
+        facts={"include": list(include), "exclude": list(exclude), "text": query.get("text")},
+        tables=(table,),
+        shown={"tags": site.tag_counts, "every_value": _every_value(request), "of_all": len(site.packages)},
+    )
+
+
+def _every_value(request: Request) -> bool:
+    return request.complete or request.query.get("columns") == "all"
+
+
+def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: bool = False) -> Table:
+    """Return one row per package; findings are those that the tags mean."""
+    measured = measured_on(site.quantities, EntityKind.PACKAGE)
+    present = {key for package in site.packages for key in package.values}
+    tiers = tiers_of_packages(site)
+    keys = [key for key in measured if key in present and key not in _OWN_COLUMNS]
+    if not every_value:
+        keys = [key for key in TELLING if key in keys]
+    columns = (
+        Column("package", "Package"),
+        Column("findings", "Findings", "number", bar=True),
+        Column("errors", "Errors", "number"),
+        Column("warnings", "Warnings", "number"),
+        Column("notes", "Notes", "number"),
+        Column("per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines of code", decimals=1),
+        Column("loc", "Code lines", "number", bar=True, hint="Lines with code"),
+        *(
+            Column(
+                key,
+                measured[key].title,
+                "number",
+                unit=measured[key].quantity.unit,
+                hint=measured[key].quantity.text,
+                decimals=measured[key].decimals,
+            )
+            for key in keys
+        ),
+        Column("dependencies", "Needs", "number", hint="Packages of the workspace that it needs"),
+        Column("dependents", "Needed by", "number", hint="Packages of the workspace that need it"),
+        Column("tier", "Tier", "number", hint="Longest chain of dependencies below it"),
+        Column("files", "Files", "number", optional=True),
+        Column("functions", "Functions", "number", optional=True),
+        Column("failures", "Not analysed", "number", optional=True),
+        *((Column("version", "Version"), Column("path", "Path")) if every_value else ()),
+    )
+    needle = text.strip().casefold()
+    packages = [package for package in site.packages if needle in f"{package.id} {package.description}".casefold()]
+    rows = tuple(
+        (
+            Cell(package.id, ref=PageRef("package", package.id), hint=package.description),
+            *_counts(site, package, tags),
+            Cell(package.values.get("loc")),
+            *(
+                Cell(
+                    package.values.get(key), rating=_flag(site.rating(EntityKind.PACKAGE, key, package.values.get(key)))
+                )
+                for key in keys
+            ),
+            Cell(len(site.dependencies[package.id])),
+            Cell(len(site.dependents[package.id])),
+            Cell(tiers[package.id]),
+            Cell(package.files),
+            Cell(package.functions),
+            Cell(package.failures or None, ref=PageRef("failures", query=(("package", package.id),))),
+            *((Cell(package.version), Cell(package.path)) if every_value else ()),
+        )
+        for package in packages
+    )
+    return Table(
+        "packages",
+        "Packages",
+        columns,
+        rows,
+        total=len(rows),
+        sort="-findings",
+        empty="No package matches.",
+        identities=tuple(package.id for package in packages),
+    )
+
+
+_OWN_COLUMNS = frozenset({"loc", "tier", "dependents", "dependencies"})
+
+
+def _flag(rating: str) -> str:
+    return "" if rating == "ok" else rating
+
+
+def _counts(site: Site, package: PackageSummary, tags: TagFilter) -> tuple[Cell, ...]:
+    by_severity = site.severity_counts_of(package, tags)
+    total = sum(by_severity.values())
+    loc = package.values.get("loc")
+    return (
+        Cell(total, ref=PageRef("findings", query=(("package", package.id),)) if total else None),
+        Cell(by_severity[Severity.ERROR]),
+        Cell(by_severity[Severity.WARNING]),
+        Cell(by_severity[Severity.NOTE]),
+        Cell(1000 * total / loc if loc else None),
+    )
+
+
+def tiers_of_packages(site: Site) -> dict[str, int]:
+    """Return the tier of each package in the graph of the workspace."""
+    place = {package.id: number for number, package in enumerate(site.packages)}
+    edges = [(place[package], place[needed]) for package, needs in site.dependencies.items() for needed in needs]
+    needs = needs_of(len(place), edges)
+    tiers = tiers_of(needs, cycles_of(needs))
+    return {package: tiers[number] for package, number in place.items()}

@@ -1,0 +1,56 @@
+"""What has a given text in its name: packages, rules, metrics, files."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Iterator
+
+from roslens.dashboard.address import PageRef
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.view import Request, View
+
+MOST = 50
+
+
+def build(site: Site, request: Request) -> View | None:
+    """Return the page with the best matches."""
+    text = request.query.get("q").strip()
+    needle = text.casefold()
+    found = [entry for entry in everything(site) if needle and needle in f"{entry[1]} {entry[2]}".casefold()]
+    best = heapq.nsmallest(MOST, enumerate(found), key=lambda item: (_rank(needle, item[1][1]), item[0]))
+    rows = tuple((Cell(kind), Cell(name, ref=ref), Cell(more)) for _, (kind, name, more, ref) in best)
+    columns = (Column("kind", "Kind"), Column("name", "Name"), Column("more", "What it is"))
+    empty = "Nothing has this in its name." if text else "Type a part of a name."
+    table = Table("results", "Results", columns, rows, total=len(found), empty=empty)
+    return View(
+        ref=PageRef("search", query=request.query.pairs),
+        title="Search",
+        facts={"text": text},
+        tables=(table,),
+        shown={"text": text},
+    )
+
+
+def everything(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
+    """Yield kind, name, what it is and page of all that can be searched for."""
+    for package in site.packages:
+        yield "package", package.id, package.description[:100], PageRef("package", package.id)
+    for key, quantity in site.quantities.items():
+        yield "metric", quantity.title, key, PageRef("metric", key)
+    for rule in site.rules.values():
+        yield "rule", rule.id, rule.title, PageRef("rule", rule.id)
+    for path in site.places:
+        yield "file", path, "", PageRef("file", path)
+
+
+def _rank(needle: str, name: str) -> tuple[int, int]:
+    """Order: the whole name, then its beginning, then the beginning of its last part, then anywhere; short first."""
+    folded = name.casefold()
+    if folded == needle:
+        return (0, 0)
+    if folded.startswith(needle):
+        return (1, len(name))
+    if folded.rpartition("/")[2].startswith(needle):
+        return (2, len(name))
+    return (3, len(name))

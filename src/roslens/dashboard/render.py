@@ -1,0 +1,101 @@
+"""From a view to HTML: templates, the same for every medium; only links and the frame differ."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import msgspec
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+import roslens
+from roslens.dashboard.address import FileLinks, Links, PageRef
+from roslens.dashboard.figures import number, plural, share
+from roslens.dashboard.pages.help import KEYS
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import next_sort
+from roslens.dashboard.table_rows import rows_html
+from roslens.dashboard.view import Query, View
+
+TEMPLATES = Path(__file__).with_name("templates")
+WEB = Path(__file__).with_name("web")
+
+NAVIGATION = (
+    ("overview", "Overview"),
+    ("graph", "Graph"),
+    ("packages", "Packages"),
+    ("findings", "Findings"),
+    ("metrics", "Metrics"),
+    ("rules", "Rules"),
+    ("failures", "Not analysed"),
+)
+PARENTS = {"package": "packages", "file": "packages", "metric": "metrics", "rule": "rules"}
+"""Under which word of the navigation a page is found."""
+
+
+class Renderer:
+    """Renders the views of one site for one medium: served, folder or file."""
+
+    def __init__(self, site: Site, medium: str) -> None:
+        """Load the templates."""
+        self._medium = medium
+        self._environment = Environment(
+            loader=FileSystemLoader(TEMPLATES),
+            autoescape=True,
+            trim_blocks=True,
+            lstrip_blocks=True,
+            undefined=StrictUndefined,
+        )
+        self._environment.globals.update(
+            site=site,
+            medium=medium,
+            number=number,
+            share=share,
+            plural=plural,
+            next_sort=next_sort,
+            reference=reference,
+            requery=requery,
+            embedded=embedded,
+            rows_html=rows_html,
+            navigation=NAVIGATION,
+            parents=PARENTS,
+            help_keys=KEYS,
+            version=roslens.__version__,
+        )
+
+    def page(self, view: View, links: Links) -> str:
+        """Return a whole page."""
+        return self._render("frame.html", view, links)
+
+    def section(self, view: View, links: FileLinks) -> str:
+        """Return the content of a page without its frame, for a single file."""
+        return self._render(f"pages/{view.ref.page}.html", view, links)
+
+    def text(self, template: str, **values: object) -> str:
+        """Return any other template."""
+        return self._environment.get_template(template).render(**values)
+
+    def message(self, view: View, links: Links) -> str:
+        """Return a page that says ``what`` and gives ``advice``, both among what the view shows."""
+        return self._render("frame.html", view, links, content="message")
+
+    def _render(self, template: str, view: View, links: Links, content: str = "") -> str:
+        return self._environment.get_template(template).render(
+            view=view, content=content or view.ref.page, link=links.to, twin=links.twin, asset=links.asset, **view.shown
+        )
+
+
+def reference(page: str, key: str = "", anchor: str = "", **query: str) -> PageRef:
+    """Return a reference; the templates' way to name a page."""
+    return PageRef(page, key, tuple((name, value) for name, value in query.items() if value), anchor)
+
+
+def requery(ref: PageRef, **query: str) -> PageRef:
+    """Return the same page asked with these parameters set anew; an empty value takes one away."""
+    return PageRef(ref.page, ref.key, Query(ref.query).replaced(**query))
+
+
+def embedded(value: object) -> Markup:
+    """Return JSON that may stand inside a script element: nothing in it can end the element."""
+    text = msgspec.json.encode(value).decode()
+    return Markup(text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026"))  # noqa: S704 - escaped

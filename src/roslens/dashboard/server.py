@@ -1,0 +1,135 @@
+"""The pages over HTTP, on this machine unless told otherwise."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable, Mapping
+from contextlib import closing
+
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.requests import Request as HttpRequest
+from starlette.responses import HTMLResponse, PlainTextResponse, Response
+from starlette.routing import Mount, Route
+from starlette.staticfiles import StaticFiles
+
+from roslens.dashboard.address import PageRef, ServedLinks
+from roslens.dashboard.guard import Guard
+from roslens.dashboard.render import WEB, Renderer
+from roslens.dashboard.routes import PAGES, Target, candidates
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import to_csv
+from roslens.dashboard.view import Query, Request, View
+from roslens.model.errors import StoreError, UsageError
+
+_MEDIA: Mapping[str, str] = {"json": "application/json", "csv": "text/csv; charset=utf-8"}
+
+
+def create_app(site: Site, names: frozenset[str] = frozenset()) -> Starlette:
+    """Return the application that shows ``site``; ``names`` are further host names that it answers to."""
+    renderer = Renderer(site, "served")
+    links = ServedLinks()
+
+    # Views read a connection that belongs to one thread, and answer in milliseconds: so no worker threads.
+    async def answer(request: HttpRequest) -> Response:
+        query = Query(request.query_params.multi_items())
+        for target in candidates(request.path_params["path"]):
+            view = PAGES[target.page](site, _request(target, query))
+            if view is not None and (response := _respond(site, renderer, links, view, target)):
+                return response
+        return _missing(renderer, links, request.url.path)
+
+    async def failed(request: HttpRequest, error: Exception) -> Response:  # noqa: ARG001 - Starlette's shape
+        view = View(PageRef("help"), "The run cannot be read", {}, shown={"what": str(error), "advice": ""})
+        return HTMLResponse(renderer.message(view, links), status_code=503)
+
+    return Starlette(
+        routes=[
+            Mount("/web", StaticFiles(directory=WEB)),
+            Route("/favicon.ico", lambda _: PlainTextResponse("", status_code=404)),
+            Route("/{path:path}", answer),
+        ],
+        middleware=[Middleware(Guard, names=names)],
+        exception_handlers={StoreError: failed},
+    )
+
+
+def _request(target: Target, query: Query) -> Request:
+    return Request(target.key, query, complete=target.form == "csv")
+
+
+def _respond(site: Site, renderer: Renderer, links: ServedLinks, view: View, target: Target) -> Response | None:
+    if target.form == "html":
+        return HTMLResponse(renderer.page(view, links))
+    if target.form == "json":
+        return Response(view.to_json(site.run_facts()), media_type=_MEDIA["json"])
+    table = next((table for table in view.tables if table.name == target.table or not target.table), None)
+    return Response(to_csv(table), media_type=_MEDIA["csv"]) if table else None
+
+
+def _missing(renderer: Renderer, links: ServedLinks, path: str) -> Response:
+    view = View(
+        PageRef("help"),
+        "No such page",
+        {},
+        shown={
+            "what": f"There is nothing at {path}.",
+            "advice": "It may be part of another run, or have another name. Search for it, or start at the overview.",
+        },
+    )
+    return HTMLResponse(renderer.message(view, links), status_code=404)
+
+
+def serve(
+    site: Site, *, host: str = "127.0.0.1", port: int = 8080, ready: Callable[[str], None] = lambda _: None
+) -> None:
+    """Serve until interrupted.
+
+    Args:
+        site: what to show.
+        host: name or address to listen on; only this machine by default.
+        port: to listen on; 0 takes a free one.
+        ready: told the address of the first page once connections are accepted.
+
+    Raises:
+        UsageError: the host is unknown, or the port is taken or not allowed.
+    """
+    import uvicorn
+
+    app = create_app(site, frozenset({host.lower()}))
+    with closing(_listen(host, port)) as listener:
+        address = listener.getsockname()
+        shown = f"[{address[0]}]" if ":" in address[0] else address[0]
+        ready(f"http://{shown}:{address[1]}/")
+        config = uvicorn.Config(app, log_level="error", access_log=False, lifespan="off", server_header=False)
+        try:
+            uvicorn.Server(config).run(sockets=[listener])
+        except KeyboardInterrupt:
+            # Ctrl-C is how a reader ends it, not an error.
+            return
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    if not 0 <= port <= 65535:
+        raise UsageError(f"port {port}", expected="a number from 0 to 65535")
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    except OSError as error:
+        raise UsageError(
+            f"cannot listen on {host!r}: {error.strerror or error}",
+            expected="a name or address of this machine",
+            advice="Leave --host out to listen on this machine only",
+        ) from error
+    listener = socket.socket(family, kind, protocol)
+    try:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(address)
+        listener.listen(64)
+    except OSError as error:
+        listener.close()
+        raise UsageError(
+            f"cannot listen on {host}:{port}: {error.strerror}",
+            expected="a free port",
+            advice="Give another one with --port, or --port 0 for any free one",
+        ) from error
+    return listener

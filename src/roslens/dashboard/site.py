@@ -1,0 +1,284 @@
+"""What all pages show: one run, the quantities and models that explain it, the sources it is about."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.dashboard.source_text import ReadSource, Sources
+from roslens.judge.constraint import Constraint
+from roslens.judge.rate import Rating, rate
+from roslens.judge.select import EVERY
+from roslens.model.entity import EntityKind
+from roslens.model.failure import Failure
+from roslens.model.finding import RuleInfo, Severity
+from roslens.model.quantity import Quantity
+from roslens.model.result import PackageSummary, RuleCount
+from roslens.model.source import SourceFile
+from roslens.model.tags import TagFilter
+
+if TYPE_CHECKING:
+    from roslens.dashboard.graph_model import PackageGraph
+    from roslens.dashboard.layout.lay_out import Layout
+    from roslens.judge.quality_model import QualityModel
+    from roslens.store.read import RunView
+
+
+class FilePlace(msgspec.Struct, frozen=True):
+    """A file and the package it belongs to."""
+
+    package: str
+    file: SourceFile
+
+
+class RuleTotal(msgspec.Struct, frozen=True):
+    """How often a rule was broken in all packages, and in how many."""
+
+    rule: str
+    severity: Severity
+    tags: tuple[str, ...]
+    count: int
+    gated: int
+    packages: int
+
+
+def _no_source(path: str) -> bytes | None:  # noqa: ARG001 - the shape of every reader
+    return None
+
+
+class Site:
+    """A run with everything that its pages need; loads what is asked and keeps what is small."""
+
+    def __init__(
+        self,
+        view: RunView,
+        *,
+        quantities: Mapping[str, Quantity],
+        models: Sequence[QualityModel] = (),
+        read_source: ReadSource = _no_source,
+    ) -> None:
+        """Bring a run and its explanations together.
+
+        Args:
+            view: the run.
+            quantities: everything that may have been measured, by key.
+            models: quality models whose thresholds are shown; the run's own first.
+            read_source: gives the content of a file by its path below the workspace root, None where it cannot.
+        """
+        self.view = view
+        self.quantities = dict(quantities)
+        self.models = tuple(models)
+        self.sources = Sources(read_source, self._file_of)
+
+    def _file_of(self, path: str) -> SourceFile | None:
+        place = self.places.get(path)
+        return place.file if place else None
+
+    @property
+    def name(self) -> str:
+        """The workspace as a reader calls it: the last part of its root that says something."""
+        parts = [part for part in PurePath(self.view.header.root).parts if part not in {"/", "src"}]
+        return parts[-1] if parts else self.view.header.root
+
+    @cached_property
+    def packages(self) -> tuple[PackageSummary, ...]:
+        """All packages, by id."""
+        return self.view.packages()
+
+    @cached_property
+    def by_id(self) -> dict[str, PackageSummary]:
+        """Package id to package."""
+        return {package.id: package for package in self.packages}
+
+    @cached_property
+    def _ids_of_name(self) -> dict[str, str]:
+        # Where a name is doubled, a dependency means the first: which one a build takes is not ours to know.
+        ids: dict[str, str] = {}
+        for package in self.packages:
+            ids.setdefault(package.name, package.id)
+        return ids
+
+    @cached_property
+    def dependencies(self) -> dict[str, tuple[str, ...]]:
+        """Package id to the ids of the packages in the workspace that it needs, in order of their names."""
+        ids = self._ids_of_name
+        return {
+            package.id: tuple(ids[name] for name in package.dependencies if name in ids and ids[name] != package.id)
+            for package in self.packages
+        }
+
+    @cached_property
+    def dependents(self) -> dict[str, tuple[str, ...]]:
+        """Package id to the ids of the packages that need it."""
+        found: dict[str, list[str]] = {package.id: [] for package in self.packages}
+        for package, needs in self.dependencies.items():
+            for needed in needs:
+                found[needed].append(package)
+        return {package: tuple(others) for package, others in found.items()}
+
+    def outside_dependencies(self, package: str) -> tuple[str, ...]:
+        """Return the names of packages that this one needs and that the workspace does not hold."""
+        return tuple(name for name in self.by_id[package].dependencies if name not in self._ids_of_name)
+
+    @cached_property
+    def places(self) -> dict[str, FilePlace]:
+        """Path to file and package."""
+        return {file.path: FilePlace(package, file) for package, file in self.view.files()}
+
+    @cached_property
+    def rules(self) -> dict[str, RuleInfo]:
+        """Rule id to rule; rules that findings name but nobody declared are there too."""
+        known = {rule.id: rule for rule in self.view.rules()}
+        for package in self.packages:
+            for count in package.rules:
+                if count.rule not in known:
+                    known[count.rule] = RuleInfo(count.rule, count.rule, "", count.severity, count.tags)
+        for finding in self.view.workspace.findings:
+            if finding.rule not in known:
+                known[finding.rule] = RuleInfo(finding.rule, finding.rule, "", finding.severity, finding.tags)
+        return dict(sorted(known.items()))
+
+    @cached_property
+    def failures(self) -> tuple[Failure, ...]:
+        """What could not be analysed."""
+        return self.view.failures()
+
+    @cached_property
+    def workspace_counts(self) -> tuple[RuleCount, ...]:
+        """Counts of the findings that belong to no package."""
+        findings = self.view.workspace.findings
+        counted = Counter((finding.rule, finding.severity, finding.tags) for finding in findings)
+        gated = Counter((finding.rule, finding.severity, finding.tags) for finding in findings if finding.gated)
+        return tuple(
+            RuleCount(rule, severity, count, gated[rule, severity, tags], tags=tags)
+            for (rule, severity, tags), count in counted.items()
+        )
+
+    def counts(self, package: str | None = None) -> Iterable[tuple[str, RuleCount]]:
+        """Yield package id and count of every rule broken, in all packages or one; ``""`` is the workspace."""
+        for summary in self.packages:
+            if package is None or summary.id == package:
+                for count in summary.rules:
+                    yield summary.id, count
+        if not package:
+            for count in self.workspace_counts:
+                yield "", count
+
+    def rule_totals(
+        self,
+        *,
+        package: str | None = None,
+        tags: TagFilter | None = None,
+        severities: frozenset[Severity] | None = None,
+    ) -> tuple[RuleTotal, ...]:
+        """Return the rules broken under these conditions: most severe first, then most frequent, then by id."""
+        wanted = tags or TagFilter()
+        sums: dict[tuple[str, Severity], list[int]] = defaultdict(lambda: [0, 0])
+        packages: dict[tuple[str, Severity], set[str]] = defaultdict(set)
+        held: dict[tuple[str, Severity], dict[str, None]] = defaultdict(dict)
+        for owner, count in self.counts(package):
+            if (severities and count.severity not in severities) or not wanted.matches(count.tags):
+                continue
+            key = (count.rule, count.severity)
+            sums[key][0] += count.count
+            sums[key][1] += count.gated
+            packages[key].add(owner)
+            held[key].update(dict.fromkeys(count.tags))
+        totals = [
+            RuleTotal(key[0], key[1], tuple(held[key]), count=count, gated=gated, packages=len(packages[key]))
+            for key, (count, gated) in sums.items()
+        ]
+        totals.sort(key=lambda total: (-total.severity.rank, -total.count, total.rule))
+        return tuple(totals)
+
+    @cached_property
+    def tag_counts(self) -> dict[str, int]:
+        """Tag to number of findings that carry it, the most frequent first."""
+        counts: Counter[str] = Counter()
+        for _, count in self.counts():
+            for tag in count.tags:
+                counts[tag] += count.count
+        return dict(sorted(counts.items(), key=lambda item: (-item[1], item[0])))
+
+    def severity_counts(self, package: str | None = None) -> dict[Severity, int]:
+        """Return how many findings there are of each severity, the most severe first."""
+        counts = dict.fromkeys((Severity.ERROR, Severity.WARNING, Severity.NOTE), 0)
+        for _, count in self.counts(package):
+            counts[count.severity] += count.count
+        return counts
+
+    def severity_counts_of(self, package: PackageSummary, tags: TagFilter | None = None) -> dict[Severity, int]:
+        """Return how many findings of each severity a package has among those that the tags mean."""
+        counts = dict.fromkeys((Severity.ERROR, Severity.WARNING, Severity.NOTE), 0)
+        for count in package.rules:
+            if not tags or tags.matches(count.tags):
+                counts[count.severity] += count.count
+        return counts
+
+    @cached_property
+    def kinds_measured(self) -> dict[str, tuple[EntityKind, ...]]:
+        """Quantity key to the kinds of entity that may have a value of it: its own, then those it is folded to."""
+        order = (EntityKind.FUNCTION, EntityKind.CLASS, EntityKind.FILE, EntityKind.PACKAGE)
+        found: dict[str, tuple[EntityKind, ...]] = {}
+        for key, quantity in self.quantities.items():
+            own = [kind for kind in order if kind in quantity.kinds]
+            lowest = order.index(own[0]) if own else len(order)
+            folded = [
+                kind for kind in (EntityKind.FILE, EntityKind.PACKAGE) if quantity.folds and order.index(kind) > lowest
+            ]
+            found[key] = tuple(dict.fromkeys((*own, *folded)))
+        return found
+
+    @cached_property
+    def graph(self) -> tuple[PackageGraph, Layout]:
+        """The package graph and its layout."""
+        from roslens.dashboard.graph_model import graph_of
+
+        return graph_of(self)
+
+    @cached_property
+    def run_models(self) -> tuple[QualityModel, ...]:
+        """The models that the run was judged by; the others are there to compare."""
+        names = {PurePath(name).stem for name in self.view.header.models}
+        return tuple(model for model in self.models if model.name in names)
+
+    @cached_property
+    def _constraints(self) -> dict[tuple[EntityKind, str], list[tuple[QualityModel, Constraint]]]:
+        found: dict[tuple[EntityKind, str], list[tuple[QualityModel, Constraint]]] = {}
+        for model in self.models:
+            for constraint in model.constraints:
+                found.setdefault((constraint.kind, constraint.quantity), []).append((model, constraint))
+        return found
+
+    def constraints_on(self, kind: EntityKind, quantity: str) -> Sequence[tuple[QualityModel, Constraint]]:
+        """Return what the models say about a quantity (or a fold of it) of entities of this kind."""
+        return self._constraints.get((kind, quantity), ())
+
+    def rating(self, kind: EntityKind, quantity: str, value: float | None) -> str:
+        """Return how the value stands to the run's own models: ``high``, ``low``, ``ok`` or nothing without a bound."""
+        own = {model.name for model in self.run_models}
+        ratings = [
+            rate(value, constraint.range)
+            for model, constraint in self.constraints_on(kind, quantity)
+            if model.name in own and constraint.name == EVERY
+        ]
+        for rating in (Rating.HIGH, Rating.LOW, Rating.OK):
+            if rating in ratings:
+                return str(rating.value)
+        return ""
+
+    def run_facts(self) -> dict[str, object]:
+        """Return what every JSON twin says of the run."""
+        header = self.view.header
+        return {
+            "id": self.view.id,
+            "root": header.root,
+            "started": header.started,
+            "commit": header.commit,
+            "models": list(header.models),
+        }

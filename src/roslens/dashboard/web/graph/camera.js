@@ -1,0 +1,127 @@
+// Zoom and pan. While a gesture lasts, the finished picture is moved as a whole (cheap without a graphics card);
+// when it ends, the scene is drawn anew and is sharp again.
+
+import { settled } from "../dom.js";
+
+const LEAST = 0.05;
+const MOST = 6;
+
+export class Camera {
+  /** `changed` is called when a gesture has ended. */
+  constructor(canvas, svg, scene, changed) {
+    Object.assign(this, { canvas, svg, scene, changed });
+    this.k = 1;
+    this.x = 0;
+    this.y = 0;
+    this.drawn = { k: 1, x: 0, y: 0 };
+    svg.removeAttribute("viewBox");
+    this.finish = settled(() => this.redraw(), 140);
+    this.pointers = new Map();
+    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener("pointerdown", (event) => this.press(event));
+    canvas.addEventListener("pointermove", (event) => this.drag(event));
+    for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => this.release(event));
+    canvas.addEventListener("click", (event) => {
+      if (!this.dragged) return;
+      // The end of a drag is no click on what happens to lie below it.
+      event.preventDefault();
+      event.stopPropagation();
+      this.dragged = false;
+    }, true);
+  }
+
+  size() {
+    return { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+  }
+
+  /** Show all of a box. */
+  fit(box) {
+    const { width, height } = this.size();
+    const pad = 24;
+    this.k = Math.max(LEAST, Math.min(1.6, (width - 2 * pad) / Math.max(1, box.width), (height - 2 * pad) / Math.max(1, box.height)));
+    this.x = width / 2 - this.k * (box.x + box.width / 2);
+    this.y = height / 2 - this.k * (box.y + box.height / 2);
+    this.redraw();
+  }
+
+  /** Zoom by a factor around a point of the canvas, its middle by default. */
+  zoom(factor, point) {
+    const { width, height } = this.size();
+    const [px, py] = point || [width / 2, height / 2];
+    const k = Math.max(LEAST, Math.min(MOST, this.k * factor));
+    this.x = px - ((px - this.x) * k) / this.k;
+    this.y = py - ((py - this.y) * k) / this.k;
+    this.k = k;
+    this.moved();
+  }
+
+  pan(dx, dy) {
+    this.x += dx;
+    this.y += dy;
+    this.moved();
+  }
+
+  /** Bring a point of the scene into view if it is outside. */
+  reveal(x, y) {
+    const { width, height } = this.size();
+    const [sx, sy] = [this.k * x + this.x, this.k * y + this.y];
+    const pad = 60;
+    const dx = sx < pad ? pad - sx : sx > width - pad ? width - pad - sx : 0;
+    const dy = sy < pad ? pad - sy : sy > height - pad ? height - pad - sy : 0;
+    if (dx || dy) this.pan(dx, dy);
+  }
+
+  moved() {
+    const k = this.k / this.drawn.k;
+    this.canvas.classList.add("moving");
+    this.svg.style.transform = `matrix(${k},0,0,${k},${this.x - k * this.drawn.x},${this.y - k * this.drawn.y})`;
+    this.finish();
+  }
+
+  redraw() {
+    this.drawn = { k: this.k, x: this.x, y: this.y };
+    this.canvas.classList.remove("moving");
+    this.svg.style.transform = "";
+    this.scene.setAttribute("transform", `translate(${this.x.toFixed(2)} ${this.y.toFixed(2)}) scale(${this.k.toFixed(4)})`);
+    this.changed();
+  }
+
+  wheel(event) {
+    event.preventDefault();
+    const box = this.canvas.getBoundingClientRect();
+    const amount = event.deltaY * (event.deltaMode === 1 ? 24 : 1);
+    this.zoom(Math.exp(-amount * 0.0016), [event.clientX - box.left, event.clientY - box.top]);
+  }
+
+  press(event) {
+    if (event.button !== 0) return;
+    this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+    this.dragged = false;
+  }
+
+  drag(event) {
+    const before = this.pointers.get(event.pointerId);
+    if (!before) return;
+    const now = [event.clientX, event.clientY];
+    if (this.pointers.size === 1) {
+      if (!this.dragged && Math.hypot(now[0] - before[0], now[1] - before[1]) < 4) return;
+      this.pan(now[0] - before[0], now[1] - before[1]);
+    } else {
+      const other = [...this.pointers].find(([id]) => id !== event.pointerId)[1];
+      const box = this.canvas.getBoundingClientRect();
+      const grown = Math.hypot(now[0] - other[0], now[1] - other[1]) / Math.max(1, Math.hypot(before[0] - other[0], before[1] - other[1]));
+      this.zoom(grown, [(now[0] + other[0]) / 2 - box.left, (now[1] + other[1]) / 2 - box.top]);
+    }
+    if (!this.dragged) {
+      this.dragged = true;
+      this.canvas.classList.add("dragging");
+      this.canvas.setPointerCapture(event.pointerId);
+    }
+    this.pointers.set(event.pointerId, now);
+  }
+
+  release(event) {
+    this.pointers.delete(event.pointerId);
+    if (!this.pointers.size) this.canvas.classList.remove("dragging");
+  }
+}

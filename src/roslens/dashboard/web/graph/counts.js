@@ -1,0 +1,40 @@
+// What each package's colour stands for: findings under a tag filter, per thousand lines, or a metric.
+
+/** Which kinds of rule the tag filter means: any tag of `include` (if there are any), none of `exclude`. */
+export function wantedRules(graph, include, exclude) {
+  const number = new Map(graph.tags.map((tag, place) => [tag.toLocaleLowerCase(), place]));
+  const wanted = include.map((tag) => number.get(tag.toLocaleLowerCase()) ?? -1);
+  const unwanted = exclude.map((tag) => number.get(tag.toLocaleLowerCase()) ?? -1);
+  return graph.rules.map(
+    (rule) => (!wanted.length || wanted.some((tag) => rule.tags.includes(tag))) && !unwanted.some((tag) => rule.tags.includes(tag)),
+  );
+}
+
+/** Findings of a node under the filter. */
+export function findingsOf(node, rules, own) {
+  let total = 0;
+  for (const [rule, count, gated] of node.counts) if (rules[rule]) total += own ? gated : count;
+  return total;
+}
+
+/** The quantity that colours: title, unit, digits, which way it is better, and a value per node. */
+export function colourOf(graph, settings) {
+  const metric = settings.colour.startsWith("metric:") && graph.metrics.find((one) => `metric:${one.key}` === settings.colour);
+  if (metric) return metric;
+  const rules = wantedRules(graph, settings.include, settings.exclude);
+  const totals = graph.nodes.map((node) => findingsOf(node, rules, settings.own));
+  if (settings.colour === "kloc") {
+    const values = totals.map((total, place) => (graph.nodes[place].loc ? (1000 * total) / graph.nodes[place].loc : null));
+    return { title: "Findings per kLOC", unit: "", decimals: 1, better: "lower", values };
+  }
+  return { title: "Findings", unit: "", decimals: 0, better: "lower", values: totals };
+}
+
+/** Tag -> findings that carry it in the visible nodes. */
+export function tagCounts(graph, visible, own) {
+  const ofRule = graph.rules.map(() => 0);
+  for (const place of visible) for (const [rule, count, gated] of graph.nodes[place].counts) ofRule[rule] += own ? gated : count;
+  const totals = graph.tags.map(() => 0);
+  graph.rules.forEach((rule, place) => rule.tags.forEach((tag) => (totals[tag] += ofRule[place])));
+  return new Map(graph.tags.map((tag, place) => [tag, totals[place]]).filter(([, count]) => count > 0).sort((a, b) => b[1] - a[1]));
+}

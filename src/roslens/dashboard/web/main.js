@@ -1,0 +1,46 @@
+// Everything here improves pages that already work without it.
+
+import { medium } from "./address.js";
+import { startChips } from "./chips.js";
+import { startFilters, startFindingKeys } from "./findings.js";
+import { startGraph } from "./graph/graph.js";
+import { onKey, startKeys } from "./keys.js";
+import { startSearch } from "./search.js";
+import { startSections } from "./sections.js";
+import { startShell } from "./shell.js";
+import { startSource } from "./source.js";
+import { startTables } from "./tables.js";
+
+function improve(root) {
+  const chips = startChips(root);
+  startTables(root);
+  startFilters(root, replace);
+  startSource(root);
+  const graph = root.querySelector("#graph");
+  if (graph) startGraph(root, chips);
+}
+
+/** Load another address of this page in place, so that the reader stays where he is. */
+async function replace(address) {
+  const answer = await fetch(address);
+  const page = new DOMParser().parseFromString(await answer.text(), "text/html");
+  const focused = document.activeElement?.id;
+  const main = document.adoptNode(page.querySelector("main"));
+  document.querySelector("main").replaceWith(main);
+  document.title = page.title;
+  history.replaceState(null, "", address);
+  improve(main);
+  if (focused) document.getElementById(focused)?.focus();
+}
+
+startShell();
+startKeys();
+startSearch();
+startFindingKeys();
+onKey("Escape", () => {
+  const current = document.querySelector(".finding.current");
+  current?.classList.remove("current");
+  return Boolean(current);
+});
+if (medium === "file") startSections(improve);
+else improve(document.querySelector("main"));

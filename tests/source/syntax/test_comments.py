@@ -43,6 +43,11 @@ def test_cpp(source, blanked):
         (b'def f():\n  """a\n  b"""  # c\n  x', b"def f():\n" + b" " * 6 + b"\n" + b" " * 11 + b"\n  x"),
         (b'a = """x\n# y"""', b"a = \xa2\xa2\xa2x\xff\xa3\xa0y\xa2\xa2\xa2"),
         (b"# a \\\nb", b"     \nb"),
+        (b'def f():\n  r"""a"""\n  x', b"def f():\n" + b" " * 10 + b"\n  x"),
+        (b'"""a""" "b"', b"\xa2\xa2\xa2a\xa2\xa2\xa2 \xa2b\xa2"),
+        (b'"""a""" # b', b" " * 11),
+        (b'"""a\n""" """b"""\n', b"\xa2\xa2\xa2a\xff\xa2\xa2\xa2 \xa2\xa2\xa2b\xa2\xa2\xa2\n"),
+        (b"'' 'a'''b'", b"\xa7\xa7 \xa7a\xa7\xa7\xa7b\xa7"),
         (b"'a\\\n b'", b"\xa7a\x81\xff\xa0b\xa7"),
     ],
 )

@@ -56,8 +56,11 @@ _RAW_SEARCH_LIMIT = 50_000_000
 """Raw strings opened and never closed make the search quadratic: starts times bytes beyond which it is left out."""
 _DIGIT_SEPARATOR = re.compile(rb"'(?<=[0-9A-F]')(?<!u8')(?=[0-9A-F])")
 _PYTHON_PARTS = re.compile(
-    rb"""\#[^\n\x02]*|\"{3}.*?(?:\"{3}|\Z)|'{3}.*?(?:'{3}|\Z)|"[^"\n]*"?|'[^'\n]*'?""", re.DOTALL
+    rb"""([\#"'](?:(?<=\#)[^\n\x02]*|(?<=")(?:"".*?(?:\"{3}|\Z)|[^"\n]*"?)|(?<=')(?:''.*?(?:'{3}|\Z)|[^'\n]*'?)))""",
+    re.DOTALL,
 )
+"""One class of first bytes, told apart behind it: the search for the next part is what takes the time."""
+_TRIPLE_QUOTES = (b'"""', b"'''")
 _NOTHING_FOLLOWS = re.compile(rb"[ \t]*(?:[\n#]|\Z)")
 _WIDEST_INDENT = 400
 
@@ -71,7 +74,7 @@ def blank_comments(content: bytes, syntax: str) -> bytes:
     """
     text = _without_escapes(content)
     if syntax == "python":
-        text = _PYTHON_PARTS.sub(_python_part, text)
+        text = b"".join(_python_parts(_PYTHON_PARTS.split(text)))
     else:
         if b"'" in text:
             text = _DIGIT_SEPARATOR.sub(b"_", text)
@@ -107,17 +110,28 @@ def _cpp_part(match: re.Match[bytes]) -> bytes:
     return text.translate(_IN_COMMENT if text.startswith(b"/") else _IN_STRING)
 
 
-def _python_part(match: re.Match[bytes]) -> bytes:
-    text = match[0]
-    if text.startswith(b"#") or (text.startswith((b'"""', b"'''")) and _stands_alone(match)):
-        return text.translate(_IN_COMMENT)
-    return text.translate(_IN_STRING)
+def _python_parts(parts: list[bytes]) -> list[bytes]:
+    """Blank comments and docstrings and make words of strings; every second part is one of these."""
+    for place in range(1, len(parts), 2):
+        part = parts[place]
+        if part.startswith(b"#"):
+            parts[place] = b" " * len(part)
+        elif part.startswith(_TRIPLE_QUOTES) and _stands_alone(parts, place):
+            parts[place] = part.translate(_IN_COMMENT)
+            before = parts[place - 1].rstrip(b"rRuUbBfF")
+            parts[place - 1] = before.ljust(len(parts[place - 1]))
+        else:
+            parts[place] = part.translate(_IN_STRING)
+    return parts
 
 
-def _stands_alone(match: re.Match[bytes]) -> bool:
-    """Tell whether nothing but white space, a string prefix and a comment shares the lines of a match."""
-    text, start, end = match.string, match.start(), match.end()
-    line_start = text.rfind(b"\n", max(0, start - _WIDEST_INDENT), start) + 1
-    if not line_start and start >= _WIDEST_INDENT:
+def _stands_alone(parts: list[bytes], place: int) -> bool:
+    """Tell whether nothing but white space, a string prefix and a comment shares the lines of a part."""
+    before, after = parts[place - 1], parts[place + 1]
+    line_start = before.rfind(b"\n") + 1
+    if (not line_start and place > 1) or before[line_start:].strip(_WHITE + b"rRuUbBfF"):
         return False
-    return not text[line_start:start].strip(_WHITE + b"rRuUbBfF") and _NOTHING_FOLLOWS.match(text, end) is not None
+    line_end = after.find(b"\n")
+    if line_end >= 0:
+        return not after[:line_end].strip(_WHITE)
+    return not after.strip(_WHITE) and (place + 2 >= len(parts) or parts[place + 2].startswith(b"#"))

@@ -34,7 +34,7 @@ def parse_python(content: bytes) -> FileFacts:
     walk = Walk(parsed.source, captures)
     code = blank_comments(text, "python")
     hashes, numbers = hashes_of(code)
-    lines = LineMap(parsed.source, hashes, numbers)
+    lines = LineMap(parsed.source, hashes, numbers, captures.idle)
     faults = faults_of(parsed, text, lines)
     assembly = Assembly(parsed.source, token_text(code, "python"), lines, captures, walk, faults)
     return FileFacts(

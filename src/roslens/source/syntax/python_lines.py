@@ -17,18 +17,31 @@ class LineMap:
     """Lines of a source text: numbers of positions, and how many lines of a span are executed.
 
     A line is executed when it holds a token, but not when it holds nothing besides at most three brackets, commas,
-    colons and semicolons, nor when it is a bare ``else:``, ``try:`` or ``finally:``. Comments and docstrings hold no
-    token; every line of another string does. In that, lines of a function differ from cloc, which takes all but
+    colons and semicolons, nor when it is a bare ``else:``, ``try:`` or ``finally:``, nor when it belongs to a string
+    that stands alone (a docstring) or to a ``global`` or ``nonlocal`` statement. Every line of another string is. In that, lines of a function differ from cloc, which takes all but
     the first line of any triple-quoted string for a comment.
     """
 
-    def __init__(self, source: bytes, hashes: Sequence[int], numbers: Sequence[int]) -> None:
-        """Find the line starts of ``source``; the hashes of its code lines and their numbers tell what is on them."""
+    def __init__(
+        self, source: bytes, hashes: Sequence[int], numbers: Sequence[int], idle: Sequence[tuple[int, int]]
+    ) -> None:
+        """Find the lines of ``source``.
+
+        Args:
+            source: the text.
+            hashes: of its code lines.
+            numbers: of the same lines.
+            idle: extents of statements that do nothing.
+        """
         lines = source.splitlines(keepends=True)
         self._starts = list(accumulate(map(len, lines), initial=0))
         self._blank = [number for number, line in enumerate(lines, 1) if not line.strip()]
         self._numbers = numbers
-        self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in hashes]))
+        executed = compress(numbers, [one not in _NOT_EXECUTED for one in hashes])
+        nothing: set[int] = set()
+        for start, end in idle:
+            nothing.update(range(self.number(start), self.number(end) + 1))
+        self._executed = [number for number in executed if number not in nothing]
 
     def number(self, position: int) -> int:
         """Return the 1-based line of a byte position."""

@@ -58,6 +58,7 @@ _QUERY = f"""
 [(expression_statement) (pass_statement) (delete_statement) (print_statement) (exec_statement)
  (import_statement) (import_from_statement) (future_import_statement)] @statement
 (expression_statement . [(string) (concatenated_string)] .) @comment
+[(global_statement) (nonlocal_statement)] @declaration
 (interpolation) @interpolation
 (yield) @yield
 (await) @await
@@ -87,7 +88,9 @@ class Captures:
 
     Attributes:
         events: all of them in source order.
-        statements: where simple statements begin that are no events; strings that stand alone are comments.
+        statements: where simple statements begin that are no events.
+        idle: extents of what looks like a statement and does nothing: strings that stand alone, ``global`` and
+            ``nonlocal``.
         interpolations: extents of the expressions in f-strings.
         definitions: the nodes of functions and classes by their extent.
         operators: extents of the words ``and`` and ``or`` by that of their expression.
@@ -98,9 +101,10 @@ class Captures:
         cursor = QueryCursor(_COMPILED)
         cursor.set_max_start_depth(DEEPEST)
         captured = cursor.captures(tree.root_node)
-        comments = {node.start_byte for node in captured.pop("comment", ())}
+        comments = [node.byte_range for node in captured.pop("comment", ())]
         starts = {node.start_byte for node in captured.pop("statement", ())}
-        self.statements = sorted(starts - comments)
+        self.statements = sorted(starts.difference(start for start, _ in comments))
+        self.idle = [*comments, *(node.byte_range for node in captured.pop("declaration", ()))]
         self.interpolations = sorted(node.byte_range for node in captured.pop("interpolation", ()))
         self.definitions = {node.byte_range: node for name in ("function", "class") for node in captured.get(name, ())}
         self.operators: dict[Span, Span] = {}

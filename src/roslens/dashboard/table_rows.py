@@ -56,7 +56,8 @@ def _bar(value: object, most: float) -> str:
 def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
     if cell.refs:
         return " ".join(_linked(escape(name), ref, "", link) for name, ref in cell.refs)
-    text: str = escape(shown(column, cell, digits))
+    # A plain string: what is joined to safe markup would be escaped once more.
+    text = str(escape(shown(column, cell, digits)))
     if column.kind == "mark":
         return mark_html(str(cell.value))
     if column.kind == "code" and text:

@@ -18,7 +18,8 @@ GAP = 56.0
 LABEL = 15.0
 ROOM = 12.0
 WAY = 9.0
-ASPECT = 1.9
+ASPECT = 1.6
+TALLEST = 2.4
 HEAD = 44.0
 
 
@@ -75,9 +76,11 @@ def lay_out(nodes: Sequence[Node], edges: Sequence[Edge]) -> Layout:
     grid = route([members for _, members in columns], len(nodes), routed if drawn else ())
     order = untangle(grid)
     heights = [_room(node) for node in nodes] + [WAY] * (len(grid.left) - len(nodes))
-    centres = spread(order, heights, grid.left, grid.right)
-    top = min((centres[item] - heights[item] / 2 for column in order for item in column), default=0.0)
     spans, right = _spans(nodes, [members for _, members in columns])
+    centres = spread(order, heights, grid.left, grid.right)
+    stretch = _stretch(centres, order, right)
+    centres = [centre * stretch for centre in centres]
+    top = min((centres[item] - heights[item] / 2 for column in order for item in column), default=0.0)
     places: list[tuple[float, float]] = [(0.0, 0.0)] * len(nodes)
     numbers = [-1] * len(nodes)
     bottom = 0.0
@@ -107,6 +110,13 @@ def lay_out(nodes: Sequence[Node], edges: Sequence[Edge]) -> Layout:
         edges=tuple(pictured),
         reduced=tuple(reduced),
     )
+
+
+def _stretch(centres: Sequence[float], order: Sequence[Sequence[int]], right: float) -> float:
+    """Return by how much to pull the rows of a low and wide picture apart, so that names have room on a screen."""
+    found = [centres[item] for column in order for item in column]
+    height = max(found, default=0.0) - min(found, default=0.0)
+    return min(TALLEST, max(1.0, right / ASPECT / height)) if height > 0 else 1.0
 
 
 def _room(node: Node) -> float:

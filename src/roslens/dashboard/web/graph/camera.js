@@ -2,6 +2,7 @@
 // when it ends, the scene is drawn anew and is sharp again.
 
 import { settled } from "../dom.js";
+import { READABLE } from "./names.js";
 
 const LEAST = 0.05;
 const MOST = 6;
@@ -37,8 +38,10 @@ export class Camera {
   /** Show all of a box. */
   fit(box) {
     const { width, height } = this.size();
-    const pad = 24;
-    this.k = Math.max(LEAST, Math.min(1.6, (width - 2 * pad) / Math.max(1, box.width), (height - 2 * pad) / Math.max(1, box.height)));
+    // Names keep their size when the picture is small, so those at its ends need room beside it.
+    const across = (pad) => (width - 2 * pad) / Math.max(1, box.width);
+    const down = (height - 48) / Math.max(1, box.height);
+    this.k = Math.max(LEAST, Math.min(1.6, down, across(24) < READABLE ? across(44) : across(24)));
     this.x = width / 2 - this.k * (box.x + box.width / 2);
     this.y = height / 2 - this.k * (box.y + box.height / 2);
     this.redraw();

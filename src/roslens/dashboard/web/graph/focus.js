@@ -1,7 +1,10 @@
 // A package and those at most n steps away, closed up so that they fit the picture.
 
-const PITCH = 48;
+const LABEL = 15;
+const ROOM = 14;
 const GAP = 60;
+const ASPECT = 1.6;
+const TALLEST = 2.4;
 
 /** Who needs each node. */
 export function dependentsOf(nodes) {
@@ -41,10 +44,24 @@ export function closeUp(nodes, visible) {
   for (const column of [...columns.keys()].sort((a, b) => a - b)) {
     const members = columns.get(column);
     const width = Math.max(...members.map((place) => Math.max(2 * nodes[place].r, nodes[place].label.length * 6.9)));
-    members.forEach((place, row) => found.set(place, { x: left + width / 2, y: (row - (members.length - 1) / 2) * PITCH }));
+    const heights = members.map((place) => 2 * nodes[place].r + LABEL + ROOM);
+    let top = -heights.reduce((sum, height) => sum + height, 0) / 2;
+    members.forEach((place, row) => {
+      found.set(place, { x: left + width / 2, y: top + nodes[place].r + ROOM / 2 });
+      top += heights[row];
+    });
     left += width + GAP;
   }
-  return found;
+  return pulledApart(found, left);
+}
+
+/** The same places with more room between rows where the picture would be low and wide, as lay_out.py does it. */
+function pulledApart(places, width) {
+  const ys = [...places.values()].map((place) => place.y);
+  const height = Math.max(...ys) - Math.min(...ys);
+  const stretch = height > 0 ? Math.min(TALLEST, Math.max(1, width / ASPECT / height)) : 1;
+  for (const place of places.values()) place.y *= stretch;
+  return places;
 }
 
 /** Edges among the visible nodes that no longer way among them says already. */

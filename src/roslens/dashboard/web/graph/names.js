@@ -1,6 +1,7 @@
-// Which names are shown: all once there is room, before that as many as fit without touching each other.
+// Which names are shown: all once there is room, before that as many as fit without touching a disc or each other.
 
-const READABLE = 0.66;
+/** From this zoom on, every name is shown in the size of the picture. */
+export const READABLE = 0.66;
 const WIDTH = 6.9;
 const HEIGHT = 15;
 
@@ -10,32 +11,63 @@ export function showNames(svg, elements, nodes, order, places, camera) {
   svg.classList.toggle("no-names", !all);
   svg.style.setProperty("--zoom", String(Math.min(camera.k, 1)));
   if (all) {
-    for (const element of elements) element.classList.remove("named");
+    elements.forEach((element, number) => {
+      element.classList.remove("named");
+      putName(element, nodes[number].r, false);
+    });
     return;
   }
   const { width, height } = camera.size();
-  const taken = new Map();
+  const taken = new Rows();
+  for (const [number, place] of places) {
+    const [x, y, r] = [camera.k * place.x + camera.x, camera.k * place.y + camera.y, camera.k * nodes[number].r];
+    taken.add({ owner: number, left: x - r, right: x + r, top: y - r, bottom: y + r });
+  }
   const named = new Set();
   for (const number of order) {
     const place = places.get(number);
     if (!place) continue;
     const x = camera.k * place.x + camera.x;
-    const y = camera.k * (place.y + nodes[number].r) + camera.y;
+    const y = camera.k * place.y + camera.y;
+    const away = camera.k * (nodes[number].r + 2);
     const half = (nodes[number].label.length * WIDTH) / 2;
-    if (x + half < 0 || x - half > width || y < 0 || y > height) continue;
-    if (claim(taken, x - half, x + half, y)) named.add(number);
+    const from = (top) => ({ owner: number, left: x - half, right: x + half, top, bottom: top + HEIGHT });
+    const box = [from(y + away), from(y - away - HEIGHT)].find(
+      (one) => one.right > 0 && one.left < width && one.bottom > 0 && one.top < height && taken.free(one),
+    );
+    if (!box) continue;
+    putName(elements[number], nodes[number].r, box.top < y);
+    taken.add(box);
+    named.add(number);
   }
   elements.forEach((element, number) => element.classList.toggle("named", named.has(number)));
 }
 
-/** Take the room of a name unless another one has part of it. Rows of the map are as high as a name. */
-function claim(taken, left, right, y) {
-  const row = Math.floor(y / HEIGHT);
-  for (const near of [row - 1, row, row + 1]) {
-    for (const [start, end, at] of taken.get(near) || []) {
-      if (left < end + 6 && start < right + 6 && Math.abs(at - y) < HEIGHT) return false;
-    }
+/** Below its disc, or above it where there is no room below. */
+function putName(element, radius, above) {
+  element.classList.toggle("above", above);
+  element.lastElementChild.setAttribute("y", (above ? -radius - 2 : radius + 2).toFixed(1));
+}
+
+/** Boxes by the rows of the picture that they cross, so that only near ones are compared. */
+class Rows {
+  constructor() {
+    this.rows = new Map();
   }
-  taken.set(row, [...(taken.get(row) || []), [left, right, y]]);
-  return true;
+
+  of(box) {
+    const found = [];
+    for (let row = Math.floor(box.top / HEIGHT); row <= Math.floor(box.bottom / HEIGHT); row += 1) found.push(row);
+    return found;
+  }
+
+  add(box) {
+    for (const row of this.of(box)) this.rows.set(row, [...(this.rows.get(row) || []), box]);
+  }
+
+  free(box) {
+    const touches = (other) =>
+      other.owner !== box.owner && other.left < box.right + 3 && box.left < other.right + 3 && other.top < box.bottom && box.top < other.bottom;
+    return !this.of(box).some((row) => (this.rows.get(row) || []).some(touches));
+  }
 }

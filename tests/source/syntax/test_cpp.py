@@ -208,7 +208,7 @@ HOSTILE = {
     "ifs": b"void f() { " + b"if (a) { " * DEEP + b"}" * DEEP + b"}",
     "else_ifs": b"void f() { " + b"if (a) { } else " * DEEP + b"{ } }",
     "lambdas": b"void f() { " + b"[] { " * 2000 + b"}; " * 2000 + b"}",
-    "classes": b"class A { " * 2000 + b"}; " * 2000,
+    "classes": b"class A { " * 500 + b"}; " * 500,
     "namespaces": b"namespace a { " * 2000 + b"} " * 2000,
     "ands": b"bool f() { return " + b" && ".join([b"a"] * 5000) + b"; }",
     "ternaries": b"int f() { return " + b"a ? b : " * 5000 + b"c; }",

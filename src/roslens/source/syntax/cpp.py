@@ -39,8 +39,8 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
     if tree.root_node.has_error:
         source, tree = repaired(source, tree, macros)
     captures = Captures(tree)
-    walk = Walk(source, captures)
     code = blank_comments(content, "cpp")
+    walk = Walk(source, code, captures)
     hashes, numbers = hashes_of(code)
     lines = LineMap(content, hashes, numbers)
     lines.leave_out(captures.not_executed, captures.statements)

@@ -8,7 +8,7 @@ makes the walk cheap: reading attributes of nodes costs more than everything els
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from operator import attrgetter
 
 import tree_sitter_cpp
@@ -22,8 +22,7 @@ _KIND_WORDS = (
 KINDS = tuple(_KIND_WORDS.split())
 """Names of the captures that become events, outer before inner."""
 
-_LOGICAL = '["&&" "||" "and" "or"]'
-_QUERY = f"""
+_QUERY = """
 (namespace_definition) @namespace
 [(class_specifier body: (_)) (struct_specifier body: (_)) (union_specifier body: (_))] @class
 (function_definition body: (_) @function_body) @function
@@ -47,12 +46,7 @@ _QUERY = f"""
 (try_statement) @try
 (catch_clause) @catch
 (conditional_expression consequence: (_)? @part_body) @ternary
-(binary_expression operator: ["&&" "and"]) @and
-(binary_expression operator: ["||" "or"]) @or
-(binary_expression (binary_expression operator: {_LOGICAL}) @operand)
-(binary_expression (parenthesized_expression (binary_expression operator: {_LOGICAL}) @operand))
-(binary_expression (parenthesized_expression (parenthesized_expression
-  (binary_expression operator: {_LOGICAL}) @operand)))
+(binary_expression) @binary
 (lambda_expression) @lambda
 [(preproc_if) (preproc_ifdef)] @preproc_if
 [(preproc_else) (preproc_elif) (preproc_elifdef)] @preproc_else
@@ -66,8 +60,9 @@ _QUERY = f"""
 (co_await_expression) @await
 (expression_statement (_)) @statement
 (init_declarator) @initialised
-(compound_statement (declaration) @declaration)
-(case_statement (declaration) @declaration)
+(declaration) @declaration
+(for_statement initializer: (declaration) @in_header)
+(condition_clause [(declaration) (init_statement (declaration))] @in_header)
 (call_expression function: (_) @callee)
 (type_identifier) @type
 (preproc_include path: (_) @include)
@@ -96,8 +91,7 @@ class Captures:
         callees: extents of what is called, sorted; ``types`` those of names of types, ``includes`` of headers.
         statements: where simple statements begin, jumps and initialised declarations included.
         not_executed: extents of local declarations without an initialiser, and where labels stand.
-        operands: extents of the logical operators that are operands of another one with nothing but (at most two
-            pairs of) parentheses between.
+        operators: extents of logical expressions to those of their operators.
         else_ifs: extents of the ``if`` of an ``else if``; ``else_of_ifs`` those of its ``else``.
         definitions: the nodes of functions, classes, namespaces and members by their kind and extent.
     """
@@ -109,7 +103,7 @@ class Captures:
         def spans(name: str) -> list[Span]:
             return list(map(_EXTENT, captured.pop(name, ())))
 
-        self.operands = set(spans("operand"))
+        self.operators: dict[Span, Span] = {}
         self.else_ifs = set(spans("else_if"))
         self.else_of_ifs = set(spans("else_of_if"))
         self.callees = sorted(spans("callee"))
@@ -119,8 +113,9 @@ class Captures:
         labels = list(map(_EXTENT, captured.get("label", ())))
         initialised = sorted(start for start, _ in spans("initialised"))
         self.not_executed: list[Span] = [(start, start + 1) for start, _ in labels]
-        self._sort_declarations(spans("declaration"), initialised, starts)
-        events: list[Event] = []
+        in_header = set(spans("in_header"))
+        self._sort_declarations([one for one in spans("declaration") if one not in in_header], initialised, starts)
+        events: list[Event] = self._logical(captured.pop("binary", ()))
         for name, nodes in captured.items():
             kind = _KIND_NUMBERS[name]
             extents = list(map(_EXTENT, nodes))
@@ -136,6 +131,21 @@ class Captures:
             for node in captured.get(name, ())
         }
 
+    def _logical(self, nodes: Iterable[Node]) -> list[Event]:
+        """Return the events of those binary expressions that are logical.
+
+        A pattern that asks for the operator costs time quadratic in the length of ``a && b && c …``.
+        """
+        events = []
+        for node in nodes:
+            operator = node.child_by_field_name("operator")
+            kind = _LOGICAL.get(operator.type) if operator is not None else None
+            if operator is not None and kind is not None:
+                start, end = node.byte_range
+                self.operators[start, end] = operator.byte_range
+                events.append((start, -end, kind))
+        return events
+
     def _sort_declarations(self, declarations: list[Span], initialised: list[int], starts: set[int]) -> None:
         for start, end in declarations:
             place = bisect_left(initialised, start)
@@ -146,6 +156,9 @@ class Captures:
 
 
 _EXTENT: Callable[[Node], Span] = attrgetter("byte_range")
+_LOGICAL = {
+    word: _KIND_NUMBERS[kind] for kind, words in (("and", ("&&", "and")), ("or", ("||", "or"))) for word in words
+}
 _JUMPS = frozenset(_KIND_NUMBERS[name] for name in ("return", "throw", "break", "continue", "goto", "yield"))
 
 

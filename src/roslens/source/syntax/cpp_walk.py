@@ -26,6 +26,7 @@ from roslens.source.syntax.facts import Control
 
 _LONGEST_NAME = 300
 _IDENTIFIER = re.compile(rb"[A-Za-z_]\w*")
+_OPENING, _CLOSING = b"( \t\r\n", b") \t\r\n"
 _END_OF_HEADER = re.compile(rb"[;{=:]")
 _SECTION = re.compile(rb"\w?\s*:(?!:)")
 _DEFAULT_ACCESS = {"class_specifier": "private", "struct_specifier": "public", "union_specifier": "public"}
@@ -95,11 +96,12 @@ class Frame:
     """Where the walk is: until ``end``, so deep, in this part of that statement of this function or class."""
 
     __slots__ = ("alternative", "depth", "end", "in_lambda", "own_depth", "own_part", "owner", "part", "prefix", "role",
-                 "scope")  # fmt: skip
+                 "scope", "start")  # fmt: skip
 
     def __init__(self, role: str, end: int, above: Frame | None) -> None:
         """Begin as a part of ``above``; None begins the file."""
         self.role = role
+        self.start = 0
         self.end = end
         self.depth: int = above.depth if above else 0
         self.own_depth: int = self.depth
@@ -122,14 +124,15 @@ class Walk:
         macro_headers: extents of the arguments of macros that look like functions; they name no types.
     """
 
-    def __init__(self, source: bytes, captures: Captures) -> None:
-        """Walk over ``captures`` of ``source``."""
+    def __init__(self, source: bytes, code: bytes, captures: Captures) -> None:
+        """Walk over ``captures`` of ``source``; ``code`` is the same with its comments blanked."""
         self.functions: list[FunctionScope] = []
         self.classes: list[ClassScope] = []
         self.counts: defaultdict[str, int] = defaultdict(int)
         self.macro_calls: list[Span] = []
         self.macro_headers: list[Span] = []
         self._source = source
+        self._code = code
         self._captures = captures
         self._top = Frame("file", len(source) + 1, None)
         self._run()
@@ -197,13 +200,23 @@ class Walk:
 
     def _logical(self, role: str, start: int, end: int) -> Frame:
         top = self._top
-        nested = top.role == "logical" and (start, end) in self._captures.operands
+        nested = top.role == "logical" and self._is_operand(start, end, top)
         depth = top.own_depth + 1 if nested else top.depth
         self._event(role, depth, top.part)
         frame = Frame("logical", end, top)
+        frame.start = start
         frame.own_depth = depth
         frame.own_part = top.own_part
         return frame
+
+    def _is_operand(self, start: int, end: int, outer: Frame) -> bool:
+        """Tell whether nothing but parentheses stands between a logical expression and the one around it."""
+        first, last = self._captures.operators[outer.start, outer.end]
+        if start < first:
+            before, after = self._code[outer.start : start], self._code[end:first]
+        else:
+            before, after = self._code[last:start], self._code[end : outer.end]
+        return not before.strip(_OPENING) and not after.strip(_CLOSING)
 
     def _on_part_body(self, _role: str, _start: int, _end: int) -> None:
         self._top.part = "body"

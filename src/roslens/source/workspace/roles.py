@@ -1,7 +1,8 @@
 """What a file is to its package: own, test, generated or vendored.
 
 The path decides first. Patterns of the user come before what is known here, and among them ``own`` before all. A path
-that says nothing leaves it to the first lines of the content, where generators sign their work.
+that says nothing leaves it to the comments that the content begins with, where generators sign their work: behind
+the first line of code a signature belongs to a template, so the generator itself is no generated file.
 """
 
 from __future__ import annotations
@@ -35,11 +36,32 @@ def role_by_path(path: str, settings: WorkspaceSettings) -> Role | None:
 
 
 def role_by_content(content: bytes) -> Role:
-    """Return ``generated`` where the first lines say so, else ``own``."""
+    """Return ``generated`` where the comments before the first code say so, else ``own``."""
     head = content[:HEAD]
     if b"enerated" not in head and b"GENERATED" not in head:
         return Role.OWN
-    return Role.GENERATED if _SIGNED.search(head) else Role.OWN
+    return Role.GENERATED if _SIGNED.search(_leading_comments(head)) else Role.OWN
+
+
+_BLOCKS = ((b"/*", b"*/"), (b'"""', b'"""'), (b"'''", b"'''"), (b"<!--", b"-->"), (b"<?", b"?>"))
+
+
+def _leading_comments(head: bytes) -> bytes:
+    """Return the part of a head before its first line of code; preprocessor lines may pass for comments."""
+    at = 3 if head.startswith(b"\xef\xbb\xbf") else 0
+    while at < len(head):
+        start = len(head) - len(head[at:].lstrip())
+        for opening, closing in _BLOCKS:
+            if head.startswith(opening, start):
+                end = head.find(closing, start + len(opening))
+                at = len(head) if end < 0 else end + len(closing)
+                break
+        else:
+            if not head.startswith((b"#", b"//", b"%", b"--", b";"), start):
+                return head[:start]
+            end = head.find(b"\n", start)
+            at = len(head) if end < 0 else end + 1
+    return head
 
 
 @lru_cache(maxsize=16)

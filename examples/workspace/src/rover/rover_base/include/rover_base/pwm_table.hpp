@@ -1,0 +1,28 @@
+// Copyright 2025 The roslens authors
+//
+// Licensed under the Apache License, Version 2.0 (the "License");
+// you may not use this file except in compliance with the License.
+// You may obtain a copy of the License at
+//
+//     http://www.apache.org/licenses/LICENSE-2.0
+//
+// Unless required by applicable law or agreed to in writing, software
+// distributed under the License is distributed on an "AS IS" BASIS,
+// WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+// See the License for the specific language governing permissions and
+// limitations under the License.
+
+#ifndef ROVER_BASE__PWM_TABLE_HPP_
+#define ROVER_BASE__PWM_TABLE_HPP_
+
+#include <cstdint>
+
+namespace rover_base
+{
+
+/// Returns the pulse width (-1000 to 1000) that makes a free wheel turn with a speed in rad/s.
+std::int16_t pwm_of(double rad_s);
+
+}  // namespace rover_base
+
+#endif  // ROVER_BASE__PWM_TABLE_HPP_

@@ -8,7 +8,8 @@ import msgspec
 class WorkspaceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Where packages are looked for and how files are told apart.
 
-    Patterns are globs on the path below the workspace root, with ``**`` for any depth.
+    Patterns are globs on the path below the workspace root, with ``**`` for any depth; one without ``/`` matches at
+    any depth. A pattern that matches a folder matches all below. ``own`` wins over the other roles.
     ``environment`` is what conditions of manifests (REP-149) see.
     """
 

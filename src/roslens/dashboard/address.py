@@ -11,7 +11,9 @@ from urllib.parse import quote, urlencode
 import msgspec
 
 _LONGEST_NAME = 120
-_UNSAFE = re.compile(r"[^A-Za-z0-9._+@-]")
+# An underscore that begins what looks like an escape is itself escaped, so that no two names become one.
+_UNSAFE = re.compile(r"[^A-Za-z0-9._+@-]|_(?=[0-9a-f]+_)")
+_SUFFIX = re.compile(r"\.(?=(?:html|json|csv)\Z)")
 
 PLACES = {
     "overview": "overview",
@@ -79,6 +81,7 @@ class FolderLinks:
 
     def to(self, ref: PageRef) -> str:
         """Return a relative path, the query (scripts read it) and the fragment."""
+        ref = written(ref)
         return self._relative(folder_path(ref, "html")) + _query(ref.query) + _fragment(ref.anchor)
 
     def twin(self, ref: PageRef, suffix: str) -> str:
@@ -102,9 +105,12 @@ class FileLinks:
 
     def to(self, ref: PageRef) -> str:
         """Return a fragment; empty where the file has no such page."""
+        ref = written(ref)
         section = section_id(ref)
         if section not in self._known:
             return ""
+        if ref.page == "file" and ref.anchor:
+            section = f"{section}:{ref.anchor}"
         return "#" + quote(section, safe="/@:+") + _query(ref.query)
 
     def twin(self, ref: PageRef, suffix: str) -> str:  # noqa: ARG002 - one file has no twins
@@ -114,6 +120,22 @@ class FileLinks:
     def asset(self, name: str) -> str:  # noqa: ARG002 - everything is inside
         """Return nothing: everything is inside."""
         return ""
+
+
+def written(ref: PageRef) -> PageRef:
+    """Return the page of a written report that answers what is asked of the findings page.
+
+    A server filters all findings; a written page can only hide some of those it holds, and the page of a package, a
+    rule or a file holds more of its own than the page of all.
+    """
+    if ref.page != "findings":
+        return ref
+    asked = dict(ref.query)
+    for name, page in (("path", "file"), ("package", "package"), ("rule", "rule")):
+        if asked.get(name):
+            rest = tuple((key, value) for key, value in ref.query if key not in {"path", "package", name})
+            return PageRef(page, asked[name], rest, ref.anchor or ("findings" if page != "file" else ""))
+    return ref
 
 
 def served_path(ref: PageRef) -> str:
@@ -135,7 +157,9 @@ def folder_path(ref: PageRef, suffix: str) -> str:
         return f"index.{suffix}" if suffix == "html" else f"overview.{suffix}"
     if not place.endswith("/"):
         return f"{place}.{suffix}"
-    parts = [_safe_name(part) for part in ref.key.split("/")]
+    *folders, name = (_safe_name(part) for part in ref.key.split("/"))
+    # A folder "a.html" would stand where the page of a file "a" must stand.
+    parts = [*(_SUFFIX.sub("_2e_", folder) for folder in folders), name]
     return f"{place}{'/'.join(parts)}.{suffix}"
 
 

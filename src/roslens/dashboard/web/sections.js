@@ -7,19 +7,27 @@ const PARENTS = { "packages/": "packages", "rules/": "rules", "metrics/": "metri
 export function startSections(improve) {
   const sections = new Map([...document.querySelectorAll(".paged > section")].map((element) => [element.id, element]));
   const improved = new Set();
+  let shown = false;
   const show = () => {
-    const name = sections.has(section()) ? section() : "overview";
+    const asked = section();
+    const place = sections.has(asked) ? null : document.getElementById(asked);
+    const owner = place?.closest(".paged > section");
+    // A place outside of the sections (the target of "Skip to content") leaves the section that is shown.
+    if (place && !owner && shown) return;
+    shown = true;
+    const name = sections.has(asked) ? asked : owner ? owner.id : "overview";
     for (const [id, element] of sections) element.classList.toggle("current", id === name);
     const parent = Object.entries(PARENTS).find(([start]) => name.startsWith(start));
     for (const link of document.querySelectorAll("[data-nav]")) {
       if (link.dataset.nav === (parent ? parent[1] : name)) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     }
+    scrollTo(0, 0);
     if (!improved.has(name)) {
       improved.add(name);
       improve(sections.get(name));
     }
-    scrollTo(0, 0);
+    if (owner) place.scrollIntoView({ block: "center" });
   };
   addEventListener("hashchange", show);
   show();

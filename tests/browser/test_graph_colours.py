@@ -1,0 +1,125 @@
+"""The package graph's colours: relative to what is visible, under tags, per thousand lines, by a metric."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+from playwright.sync_api import Page, expect
+
+Visit = Callable[..., Page]
+Steps = Callable[[list[float]], list[str]]
+
+
+def fills(page: Page) -> list[str]:
+    """Return the step of the ramp of each package, in the order of the twin."""
+    classes = page.locator("#nodes .node").evaluate_all("found => found.map(one => one.getAttribute('class'))")
+    return [re.findall(r"\bs[0-5n]\b", names)[0] for names in classes]
+
+
+def legend_counts(page: Page) -> list[int]:
+    """Return how many packages the legend says that each step holds."""
+    return [int(text.split()[0].replace(",", "")) for text in page.locator("#legend-steps small").all_inner_texts()]
+
+
+def test_edges_are_drawn_for_dependencies_and_lead_in_the_twin(visit: Visit, facts: Any) -> None:
+    page = visit("/graph?table=1")
+    path = page.locator("#scene > .edges").first.get_attribute("d")
+    assert path
+    assert path.count("M") > len(facts.nodes) / 2
+    for node in facts.nodes:
+        row = page.locator(f'#graph-table tr[data-id="{facts.names.index(node["id"])}"]')
+        shown = set((row.locator("td").nth(3).text_content() or "").split())
+        assert shown == {facts.names[place] for place in node["needs"]}
+
+
+def test_darker_means_more_findings(visit: Visit, facts: Any, steps: Steps) -> None:
+    page = visit("/graph")
+    found = facts.findings()
+    expect(page.locator("#legend-title")).to_have_text(f"Findings, relative to the {len(found)} packages shown")
+    assert fills(page) == steps(found)
+    assert sum(legend_counts(page)) == len(found)
+    expect(page.locator("#legend-steps li").last).to_contain_text(str(max(found)))
+
+
+def test_excluding_a_tag_by_completion_recolours_and_is_kept(visit: Visit, facts: Any, steps: Steps) -> None:
+    page = visit("/graph")
+    before = fills(page)
+    page.locator("#exclude-chips").click()
+    options = page.locator("#exclude ~ .chips .options li")
+    everything = dict(
+        zip(
+            options.evaluate_all("found => found.map(one => one.dataset.tag)"),
+            options.locator("small").all_inner_texts(),
+            strict=True,
+        )
+    )
+    assert everything["calls"] == f"{sum(facts.findings('calls')):,}"
+    page.keyboard.type("call")
+    expect(options).to_have_count(1)
+    page.keyboard.press("Enter")
+    expect(page.locator(".chip.out")).to_contain_text("calls")
+    expect(page).to_have_url(re.compile("exclude=calls"))
+    after = steps(facts.findings(exclude="calls"))
+    assert fills(page) == after
+    assert after != before
+    page.reload()
+    expect(page.locator(".chip.out")).to_contain_text("calls")
+    assert fills(page) == after
+    page.get_by_role("button", name="take calls away").click()
+    expect(page.locator(".chip.out")).to_have_count(0)
+    assert fills(page) == before
+
+
+def test_including_a_tag_shows_only_its_findings(visit: Visit, facts: Any, steps: Steps) -> None:
+    page = visit("/graph")
+    page.locator("#include-chips").click()
+    page.keyboard.press("ArrowDown")
+    page.locator("#include ~ .chips .options li", has_text="google").first.click()
+    expect(page).to_have_url(re.compile("include=google"))
+    found = facts.findings("google")
+    assert fills(page) == steps(found)
+    labels = page.locator("#nodes .node").evaluate_all("found => found.map(one => one.getAttribute('aria-label'))")
+    assert labels == [f"{name}: {count} findings" for name, count in zip(facts.names, found, strict=True)]
+    page.locator("#include-chips").press("Backspace")
+    expect(page.locator(".chips .chip")).to_have_count(0)
+
+
+def test_per_kloc_and_metric_colour_and_own_code(visit: Visit, facts: Any, steps: Steps) -> None:
+    page = visit("/graph")
+    found = facts.findings()
+    page.locator("#colour").select_option("kloc")
+    expect(page.locator("#legend-title")).to_contain_text("Findings per kLOC")
+    expect(page).to_have_url(re.compile("colour=kloc"))
+    rates = [1000 * count / node["loc"] if node["loc"] else None for count, node in zip(found, facts.nodes, strict=True)]
+    known = steps([rate for rate in rates if rate is not None])
+    assert fills(page) == ["sn" if rate is None else known.pop(0) for rate in rates]
+    expect(page.locator("#legend-steps")).to_contain_text("not measured")
+    metric = facts.metrics["loc"]
+    page.locator("#colour").select_option("metric:loc")
+    expect(page.locator("#legend-title")).to_contain_text(metric["title"])
+    largest = max(range(len(found)), key=lambda place: metric["values"][place] or 0)
+    assert fills(page)[largest] == "s5"
+    page.reload()
+    expect(page.locator("#colour")).to_have_value("metric:loc")
+    assert fills(page)[largest] == "s5"
+    page.locator("#colour").select_option("findings")
+    page.get_by_label("own code only").check()
+    expect(page).to_have_url(re.compile("own=1"))
+    assert fills(page) == steps(facts.findings(own=True))
+
+
+def test_colours_are_relative_to_the_focus(visit: Visit, facts: Any, steps: Steps) -> None:
+    found = facts.findings()
+    # A package whose neighbours are all paler than the darkest of the workspace.
+    name = next(
+        name for name in facts.names if len(near := facts.around(name, 1)) > 2
+        and 0 < max(found[facts.names.index(other)] for other in near) < max(found) / 4
+    )  # fmt: skip
+    page = visit(f"/graph?focus={name}")
+    near = [facts.names.index(other) for other in facts.around(name, 1)]
+    expect(page.locator("#legend-title")).to_contain_text(f"relative to the {len(near)} packages shown")
+    shown = fills(page)
+    assert [shown[place] for place in near] == steps([found[place] for place in near])
+    assert "s5" in {shown[place] for place in near}

@@ -79,7 +79,6 @@ class Assembly:
                 counts["recursion"] = recursions
         if statements := self._within(scope.body) - sum(map(self._within, scope.inner)):
             counts["statement"] = statements
-        inner = sum(self._lines.executed(self._lines.number(a), self._lines.number(b - 1)) for a, b in scope.inner)
         body_first, body_last = self._lines.number(scope.body[0]), self._lines.number(scope.body[1] - 1)
         return FunctionFacts(
             name=declarator.name or "(unnamed)",
@@ -94,11 +93,11 @@ class Assembly:
             virtual=scope.virtual,
             parameters=declarator.parameters,
             counts=counts,
-            lambda_counts=self._with_calls(scope.lambda_counts, scope.lambdas),
-            alternative_counts=self._with_calls(scope.alternative_counts, scope.alternatives),
+            lambda_counts=self._with_calls(scope.lambda_counts, scope.lambdas, scope.inner),
+            alternative_counts=self._with_calls(scope.alternative_counts, scope.alternatives, scope.inner),
             control=tuple(scope.control),
             lines=self._lines.lines(first, last),
-            eloc=self._eloc(scope.body, body_first, body_last) - inner,
+            eloc=max(0, self._eloc(scope.body, body_first, body_last) - self._inner_lines(scope)),
             halstead=halstead_of(self._text, words, start, end),
             parameter_types=self._types_in(start, scope.body[0]),
             types=self._types_in(start, end),
@@ -169,6 +168,21 @@ class Assembly:
         on_it = begun < len(self._statements) and self._lines.number(self._statements[begun]) == first
         return count - opening + (1 if opening and on_it else 0)
 
+    def _inner_lines(self, scope: FunctionScope) -> int:
+        """Return how many executed lines hold only what is inside local classes."""
+        if not scope.inner:
+            return 0
+        first, last = scope.body
+        own = {
+            self._lines.number(start)
+            for start in self._statements[bisect_left(self._statements, first) : bisect_left(self._statements, last)]
+            if not any(begin <= start < end for begin, end in scope.inner)
+        }
+        inside: set[int] = set()
+        for begin, end in scope.inner:
+            inside.update(range(self._lines.number(begin), self._lines.number(end - 1) + 1))
+        return sum(self._lines.executed(line, line) for line in inside - own)
+
     def _within(self, span: Span) -> int:
         return bisect_left(self._statements, span[1]) - bisect_left(self._statements, span[0])
 
@@ -180,10 +194,11 @@ class Assembly:
             spans = [span for span in spans if not first <= span[0] < last]
         return [source[max(start, end - _LONGEST_NAME) : end] for start, end in spans]
 
-    def _with_calls(self, counts: Mapping[str, int], spans: Sequence[Span]) -> dict[str, int]:
-        """Return counts with the calls inside ``spans``."""
+    def _with_calls(self, counts: Mapping[str, int], spans: Sequence[Span], inner: Sequence[Span]) -> dict[str, int]:
+        """Return counts with the calls inside ``spans`` and outside ``inner``."""
         found = dict(counts)
-        if calls := sum(len(_between(self._called_at, *span)) for span in spans):
+        called = (start for span in spans for start, _ in _between(self._called_at, *span))
+        if calls := sum(1 for start in called if not any(first <= start < last for first, last in inner)):
             found["call"] = calls
         return found
 

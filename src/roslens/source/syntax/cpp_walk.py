@@ -273,7 +273,8 @@ class Walk:
         top = self._top
         node = self._captures.definitions["class", start, end]
         name_node = node.child_by_field_name("name") or _typedef_name(node)
-        name = without_arguments(self._text(name_node.start_byte, name_node.end_byte)) if name_node else "(anonymous)"
+        name = without_arguments(self._text(name_node.start_byte, name_node.end_byte)) if name_node else ""
+        name = name or "(anonymous)"
         prefix = top.scope.qualified_name if top.scope is not None else top.prefix
         scope = ClassScope(
             name,

@@ -59,7 +59,7 @@ class Assembly:
     def counts(self, scope: Scope) -> dict[str, int]:
         """Return the counts of a function, or of the file outside functions, with its statements."""
         counts = _kept(scope.counts)
-        statements = self._statements_in(scope.body) - sum(self._statements_in(inner.body) for inner in scope.nested)
+        statements = self._statements_in(scope.body) - sum(map(self._statements_in, _inner_bodies(scope)))
         statements += sum(counts.get(role, 0) for role in _SIMPLE_STATEMENTS)
         if statements:
             counts["statement"] = statements
@@ -171,7 +171,7 @@ class Assembly:
     def _executed_lines(self, scope: Scope) -> int:
         """Count the executed lines of a body; of functions defined in it, only those before their bodies."""
         count = self._lines.executed(*self._lines_of(scope.body))
-        return count - sum(self._lines.executed(*self._lines_of(inner.body)) for inner in scope.nested)
+        return count - sum(self._lines.executed(*self._lines_of(inner)) for inner in _inner_bodies(scope))
 
     def _is_approximate(self, first: int, last: int) -> bool:
         before = bisect_right(self._fault_starts, last)
@@ -182,6 +182,12 @@ class Assembly:
 def _reached_through(receivers: tuple[bytes, ...]) -> re.Pattern[bytes]:
     names = b"|".join(re.escape(receiver.removesuffix(b".")) for receiver in receivers)
     return re.compile(rb"(?<![\w.])(?:" + names + rb")\s*\.\s*([A-Za-z_]\w*)")
+
+
+def _inner_bodies(scope: Scope) -> list[Span]:
+    """Return the bodies of functions defined in the body; a broken file may have some in the header."""
+    start, end = scope.body
+    return [inner.body for inner in scope.nested if start <= inner.body[0] and inner.body[1] <= end]
 
 
 def _kept(counts: Counts) -> dict[str, int]:

@@ -18,8 +18,9 @@ class LineMap:
 
     A line is executed when it holds a token, but not when it holds nothing besides at most three brackets, commas,
     colons and semicolons, nor when it is a bare ``else:``, ``try:`` or ``finally:``, nor when it belongs to a string
-    that stands alone (a docstring) or to a ``global`` or ``nonlocal`` statement. Every line of another string is. In that, lines of a function differ from cloc, which takes all but
-    the first line of any triple-quoted string for a comment.
+    that stands alone (a docstring) or to a ``global`` or ``nonlocal`` statement. Every line of another string is;
+    there the lines of a function differ from cloc, which takes all but the first line of any triple-quoted string
+    for a comment.
     """
 
     def __init__(

@@ -30,6 +30,7 @@ DEEPEST = 60_000
 _LONGEST_RUN = 500
 _MOST_ROUNDS = 4
 _LONGEST_QUOTE = 60
+_SPACE = re.compile(r"[ \t\r\n\f]+")
 _FAULTS = Query(LANGUAGE, "(ERROR) @error (MISSING) @missing")
 
 
@@ -84,14 +85,15 @@ def faults_of(parsed: PythonTree, content: bytes, lines: LineMap) -> tuple[Synta
             continue
         reached = max(end, reached)
         line = lines.number(start)
-        text = missing or _quote(content[start:end])
+        text = missing or _quote(content[start:end]) or "unexpected white space"
         last_line = max(lines.number(max(end - 1, start)), line)
         faults.append(SyntaxFault(line, start - lines.start(line) + 1, last_line, text))
     return tuple(faults)
 
 
 def _quote(found: bytes) -> str:
-    text = " ".join(text_of(found[: 4 * _LONGEST_QUOTE]).split())
+    text = _SPACE.sub(" ", text_of(found[: 4 * _LONGEST_QUOTE])).strip(" ")
+    text = "".join(letter if letter.isprintable() else f"\\x{ord(letter):02x}" for letter in text)
     return text if len(text) <= _LONGEST_QUOTE else text[: _LONGEST_QUOTE - 1] + "…"
 
 

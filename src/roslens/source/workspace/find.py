@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from operator import attrgetter
 from pathlib import Path
 from posixpath import dirname
 
@@ -25,6 +26,9 @@ __all__ = ["FoundFile", "FoundPackage", "ManifestReader", "Workspace", "find_wor
 
 ManifestReader = Callable[[bytes, str, Mapping[str, str]], tuple[Package | None, tuple[Failure, ...]]]
 """Takes content, path and environment as :func:`read_manifest` does; a cached one saves its time."""
+
+
+_path: Callable[[FoundFile], str] = attrgetter("path")
 
 
 class FoundPackage(msgspec.Struct, frozen=True):
@@ -247,10 +251,6 @@ def _package_around(folder: str) -> str:
         if (parent / MANIFEST_NAME).is_file():
             return str(parent)
     return ""
-
-
-def _path(file: FoundFile) -> str:
-    return file.path
 
 
 def _place(failure: Failure) -> tuple[Location, str]:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from operator import attrgetter
 from pathlib import Path
 from posixpath import basename, dirname
 from stat import S_ISREG
@@ -49,6 +50,9 @@ class Walked(msgspec.Struct):
     repositories: set[str]
     hidden: dict[str, str]
     failures: list[Failure]
+
+
+_name: Callable[[os.DirEntry[str]], str] = attrgetter("name")
 
 
 class _Visit(msgspec.Struct, gc=False):
@@ -197,10 +201,6 @@ def repository_of(path: str, repositories: set[str], root: str) -> str:
     while parts and parts[0] == "src":
         del parts[0]
     return parts[0] if len(parts) > 1 else ""
-
-
-def _name(entry: os.DirEntry[str]) -> str:
-    return entry.name
 
 
 def _shown(name: str) -> str:

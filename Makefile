@@ -13,11 +13,12 @@ demo: .venv/stamp
 	$(BIN)/roslens serve $(WS) --port $(PORT)
 
 test: lint parts
-	$(BIN)/pytest
+	$(BIN)/pytest -n auto --dist loadgroup -m "not slow"
+	$(BIN)/pytest -m slow
 
 # An answer in two minutes: no real tools, no browser, nothing slow.
 quick: lint
-	$(BIN)/pytest -m "not slow and not real and not browser"
+	$(BIN)/pytest -n auto -m "not slow and not real and not browser"
 
 lint: .venv/stamp
 	$(BIN)/ruff check

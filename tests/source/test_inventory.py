@@ -34,7 +34,9 @@ def test_what_is_known_is_not_opened(tmp_path: Path):
     seen = workspace(tmp_path, a__cpp="int a;")
     first = take_inventory(seen, WorkspaceSettings(), {})
     (tmp_path / "arm" / "a.cpp").chmod(0)
-    lied = {path: stat._replace(content_hash="told by the cache") for path, stat in first.learned.items()}
+    lied = {
+        path: msgspec.structs.replace(stat, content_hash="told by the cache") for path, stat in first.learned.items()
+    }
     second = take_inventory(seen, WorkspaceSettings(), lied)
     assert second.learned == {}
     assert {file.content_hash for file in second.files["arm"]} == {"told by the cache"}

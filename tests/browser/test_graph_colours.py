@@ -28,10 +28,12 @@ def test_edges_are_drawn_for_dependencies_and_lead_in_the_twin(visit: Visit, fac
     path = page.locator("#scene > .edges").first.get_attribute("d")
     assert path
     assert path.count("M") > len(facts.nodes) / 2
-    for node in facts.nodes:
-        row = page.locator(f'#graph-table tr[data-id="{facts.names.index(node["id"])}"]')
-        shown = set((row.locator("td").nth(3).text_content() or "").split())
-        assert shown == {facts.names[place] for place in node["needs"]}
+    needs = page.locator("#graph-table tbody tr").evaluate_all(
+        "found => found.map(row => [Number(row.dataset.id), row.cells[4].textContent.trim()])"
+    )
+    assert len(needs) == len(facts.nodes)
+    for place, text in needs:
+        assert set(text.split()) == {facts.names[other] for other in facts.nodes[place]["needs"]}
 
 
 def test_darker_means_more_findings(visit: Visit, facts: Any, steps: Steps) -> None:

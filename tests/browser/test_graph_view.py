@@ -183,7 +183,7 @@ def test_table_twin_follows_filter_focus_and_sort(visit: Visit, facts: Any) -> N
     page.keyboard.press("t")
     table = page.locator("#graph-table")
     expect(table).to_be_visible()
-    expect(page.locator("#graph")).to_be_hidden()
+    expect(page.locator("#graph-view")).to_be_hidden()
     expect(page).to_have_url(re.compile("table=1"))
     found = facts.findings()
     first = table.locator("tbody tr").first

@@ -16,7 +16,7 @@ function improve(root) {
   startTables(root);
   startFilters(root, replace);
   startSource(root);
-  const graph = root.querySelector("#graph");
+  const graph = root.querySelector("#graph-view");
   if (graph) startGraph(root, chips);
 }
 

@@ -77,7 +77,7 @@ class GraphView {
       "zoom-out": () => this.camera.zoom(1 / 1.4),
       "zoom-all": () => this.fit(),
       table: () => this.showTable(!this.root.classList.contains("as-table")),
-      panel: () => this.showPanel(this.root.querySelector("#graph").classList.contains("panel-closed")),
+      panel: () => this.showPanel(this.root.querySelector("#graph-view").classList.contains("panel-closed")),
     };
     for (const [name, action] of Object.entries(actions)) this.form.querySelector(`[data-do="${name}"]`).addEventListener("click", action);
     this.form.addEventListener("change", () => this.readForm());
@@ -374,7 +374,7 @@ class GraphView {
   }
 
   showPanel(shown, remember = true) {
-    this.root.querySelector("#graph").classList.toggle("panel-closed", !shown);
+    this.root.querySelector("#graph-view").classList.toggle("panel-closed", !shown);
     this.form.querySelector('[data-do="panel"]').setAttribute("aria-expanded", String(shown));
     if (remember) setParameters({ panel: shown ? "" : "0" });
   }

@@ -18,7 +18,8 @@ def build(site: Site, request: Request) -> View | None:
         return None
     wanted = filter_of(request.query, rule=rule.id, group="file")
     found = list_findings(site, wanted, request)
-    tables = [sort_rows(_packages(site, rule.id), request.query.get("sort_packages"))]
+    limit = None if request.complete else request.limits.rows
+    tables = [sort_rows(_packages(site, rule.id), request.query.get("sort_packages"), limit)]
     if request.complete:
         tables.append(findings_table(site, select(site, wanted), found.total))
     return View(

@@ -6,18 +6,24 @@ from functools import cache
 
 import msgspec
 
+from roslens.model.failure import Failure
 from roslens.model.source import Language
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.facts import FileFacts
 from roslens.source.syntax.macros import MacroPreset, load_macros
+from roslens.source.workspace.encoding import encoding_failure
 from roslens.source.workspace.suppress import Suppression, suppressions
 
 
 class FileAnalysis(msgspec.Struct, frozen=True, array_like=True):
-    """The facts of a file and the findings its author asked to leave out."""
+    """The facts of a file, the findings its author asked to leave out, and what is wrong with its bytes.
+
+    It is kept by content: the failure names no file.
+    """
 
     facts: FileFacts
     suppressions: tuple[Suppression, ...] = ()
+    encoding: Failure | None = None
 
 
 _preset = cache(load_macros)
@@ -45,4 +51,4 @@ def analyse_file(content: bytes, language: Language, macros: MacroSettings) -> F
         facts = parse_python(content)
     else:
         raise ValueError(f"{language.value!r} has no syntax; expected C, C++ or Python")
-    return FileAnalysis(facts, suppressions(content))
+    return FileAnalysis(facts, suppressions(content), encoding_failure("", content))

@@ -20,6 +20,12 @@ MOST_FAULTS = 10
 """Of a file with more places that cannot be parsed, the first ones are told, and how many more there are."""
 
 
+_ADVICE = {
+    "cpp": "The rest of the file is measured; if a macro of yours stands here, name it under [macros] in roslens.toml",
+    "python": "The rest of the file is measured; mend the place, or name the file under `ignore` in roslens.toml",
+}
+
+
 class PackageTask(msgspec.Struct, frozen=True):
     """What a worker needs: the package, its files, where they are, and what is already known.
 
@@ -92,6 +98,8 @@ def _measure(task: PackageTask) -> MeasuredPackage:
         if analysis.suppressions:
             suppressions[file.path] = analysis.suppressions
         failures.extend(_faults(file, task.package, analysis))
+        if analysis.encoding is not None:
+            failures.append(_placed(analysis.encoding, file, task.package))
         measured.append((file, analysis.facts, measure_file(file.path, analysis.facts, task.counting)))
     entities = measure_package(task.package, measured, task.counting)
     return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new)
@@ -125,6 +133,15 @@ def _analyses(
         yield file, analysis
 
 
+def _placed(failure: Failure, file: SourceFile, package: Package) -> Failure:
+    """Return a failure that was kept by content with the file it is about."""
+    where = Location(file.path)
+    if failure.location is not None:
+        where = msgspec.structs.replace(failure.location, path=file.path)
+    entity = str(EntityId(EntityKind.FILE, file.path))
+    return msgspec.structs.replace(failure, location=where, entity=entity, package=package.id)
+
+
 def _broken(file: SourceFile, package: Package, error: Exception) -> Failure:
     import traceback
 
@@ -150,8 +167,7 @@ def _faults(file: SourceFile, package: Package, analysis: FileAnalysis) -> Itera
             tool="syntax",
             what=f"cannot parse `{fault.text}`{rest}",
             expected=f"{file.language.value} source",
-            advice="The rest of the file is measured; if a macro of yours stands here, name it under [macros] "
-            "in roslens.toml",
+            advice=_ADVICE[file.language.parsed_as],
             location=Location(file.path, fault.line, fault.column, fault.end_line),
             entity=str(EntityId(EntityKind.FILE, file.path)),
             package=package.id,

@@ -121,15 +121,15 @@ def run(options: argparse.Namespace) -> int:
 def _settings(options: argparse.Namespace, configuration: Configuration, environment: dict[str, str]) -> SourceSettings:
     import msgspec
 
+    from roslens.source.workspace.conditions import environment_of
+
     settings = configuration.source
     if options.model:
         names = [name for given in options.model for name in given.split(",") if name]
         settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
     # Conditions of manifests (REP-149) see what the user sourced, unless the configuration says otherwise.
-    seen = {
-        name: environment[name] for name in ("ROS_VERSION", "ROS_DISTRO", "ROS_PYTHON_VERSION") if name in environment
-    }
-    workspace = msgspec.structs.replace(settings.workspace, environment={**seen, **settings.workspace.environment})
+    seen = {**environment_of(environment), **settings.workspace.environment}
+    workspace = msgspec.structs.replace(settings.workspace, environment=seen)
     return msgspec.structs.replace(settings, workspace=workspace)
 
 

@@ -1,0 +1,127 @@
+"""The pages over HTTP: every page and twin, what is refused, what every answer carries."""
+
+from __future__ import annotations
+
+import csv
+import io
+import socket
+from contextlib import closing
+
+import pytest
+from starlette.testclient import TestClient
+
+from roslens.dashboard.address import PageRef, ServedLinks
+from roslens.dashboard.export import pages_of
+from roslens.dashboard.routes import PAGES
+from roslens.dashboard.server import create_app, serve
+from roslens.dashboard.site import Site
+from roslens.dashboard.view import Request
+from roslens.model.errors import UsageError
+
+
+@pytest.fixture(scope="module")
+def client(site: Site) -> TestClient:
+    return TestClient(create_app(site, frozenset({"robot"})), base_url="http://localhost")
+
+
+def _one_of_each(site: Site) -> list[PageRef]:
+    return list({ref.page: ref for ref in pages_of(site)}.values())
+
+
+def test_every_page_and_its_twins_answer(site: Site, client: TestClient) -> None:
+    links = ServedLinks()
+    refs = _one_of_each(site)
+    assert {ref.page for ref in refs} == set(PAGES)
+    for ref in refs:
+        page = client.get(links.to(ref))
+        assert page.status_code == 200
+        assert page.headers["content-type"] == "text/html; charset=utf-8"
+        twin = client.get(links.twin(ref, "json"))
+        assert twin.status_code == 200
+        assert (twin.json()["page"], twin.json()["key"]) == (ref.page, ref.key)
+        view = PAGES[ref.page](site, Request(ref.key, complete=True))
+        assert view is not None
+        for table in view.tables:
+            found = client.get(links.twin(ref, f"{table.name}.csv"))
+            assert found.headers["content-type"] == "text/csv; charset=utf-8"
+            rows = list(csv.reader(io.StringIO(found.text, newline="")))
+            assert rows[0] == [column.key for column in table.columns]
+            assert len(rows) == 1 + len(table.rows)
+
+
+def test_the_twin_of_a_filtered_page_is_filtered(client: TestClient) -> None:
+    everything = client.get("/findings.json").json()["total"]
+    errors = client.get("/findings.json", params={"severity": "error"}).json()["total"]
+    rows = list(csv.DictReader(io.StringIO(client.get("/findings.csv", params={"severity": "error"}).text)))
+    assert 0 < errors < everything
+    assert len(rows) == errors
+    assert {row["severity"] for row in rows} == {"error"}
+
+
+@pytest.mark.parametrize(
+    "path", ["/nothing", "/packages/none", "/files/../../etc/passwd", "/help.csv", "/rules/x.json"]
+)
+def test_an_unknown_page_says_what_helps(client: TestClient, path: str) -> None:
+    answer = client.get(path)
+    assert answer.status_code == 404
+    assert "There is nothing at" in answer.text
+    assert "Search for it, or start at the overview" in answer.text
+
+
+def test_a_hostile_address_is_escaped(client: TestClient) -> None:
+    answer = client.get("/%3Cscript%3Ealert(1)%3C/script%3E")
+    assert answer.status_code == 404
+    assert "<script>alert" not in answer.text
+    assert "<script>alert" not in client.get("/search", params={"q": "<script>alert(1)"}).text
+    assert '"><b' not in client.get("/findings", params={"text": '"><b onload=x>'}).text
+
+
+def test_text_from_source_is_escaped(site: Site, client: TestClient) -> None:
+    shown = "".join(client.get(ServedLinks().to(PageRef("file", path))).text for path in list(site.places)[:5])
+    assert "<script>alert" not in shown
+    assert "&lt;script&gt;alert" in shown
+
+
+@pytest.mark.parametrize("host", ["evil.example", "evil.example:8080", "", "localhost.evil.example"])
+def test_foreign_host_names_are_refused(client: TestClient, host: str) -> None:
+    answer = client.get("/", headers={"host": host})
+    assert answer.status_code == 421
+    assert "Expected localhost or an address" in answer.text
+    assert "finding" not in answer.text
+
+
+@pytest.mark.parametrize("host", ["localhost", "localhost:8080", "127.0.0.1:80", "[::1]:8080", "ROBOT", "robot.:80"])
+def test_own_names_and_addresses_are_answered(client: TestClient, host: str) -> None:
+    assert client.get("/", headers={"host": host}).status_code == 200
+
+
+@pytest.mark.parametrize("path", ["/", "/nothing", "/findings.json", "/rules.csv", "/web/main.js"])
+def test_every_answer_is_guarded(client: TestClient, path: str) -> None:
+    headers = client.get(path).headers
+    policy = headers["content-security-policy"]
+    assert "default-src 'self'" in policy
+    assert "unsafe-inline" not in policy
+    assert "frame-ancestors 'none'" in policy
+    assert headers["x-content-type-options"] == "nosniff"
+
+
+def test_pages_need_nothing_that_the_policy_forbids(site: Site, client: TestClient) -> None:
+    for ref in _one_of_each(site):
+        text = client.get(ServedLinks().to(ref)).text
+        assert " style=" not in text
+        assert " onclick=" not in text
+        assert "<style" not in text
+        assert "<script>" not in text
+
+
+def test_a_port_in_use_is_said(site: Site) -> None:
+    with closing(socket.create_server(("127.0.0.1", 0))) as taken:
+        port = taken.getsockname()[1]
+        with pytest.raises(UsageError, match=f"cannot listen on 127.0.0.1:{port}.*expected a free port.*--port 0"):
+            serve(site, port=port)
+
+
+@pytest.mark.parametrize("port", [-1, 65536])
+def test_a_port_that_is_none_is_said(site: Site, port: int) -> None:
+    with pytest.raises(UsageError, match="expected a number from 0 to 65535"):
+        serve(site, port=port)

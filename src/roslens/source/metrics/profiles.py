@@ -27,7 +27,7 @@ from roslens.source.syntax.facts import FunctionFacts
 _BRANCHES = ("if", "elif", "for", "while", "catch", "ternary", "and", "or", "case")
 
 ROSLENS = frozenset((*_BRANCHES, "do", "guard", "comprehension", "comprehension_if"))
-_LIZARD_CPP = frozenset((*_BRANCHES, "do", "preproc_if"))
+_LIZARD_CPP = frozenset((*_BRANCHES, "do", "preproc_if", "preproc_elif"))
 _LIZARD_PYTHON = frozenset((*_BRANCHES, "default", "finally", "guard", "comprehension", "comprehension_if"))
 _RADON = frozenset((*_BRANCHES, "assert", "loop_else", "try_else", "comprehension", "comprehension_if"))
 _MCCABE = frozenset(("if", "elif", "for", "while", "catch", "try_else", "case", "function"))
@@ -36,12 +36,14 @@ _MCCABE = frozenset(("if", "elif", "for", "while", "catch", "try_else", "case", 
 class Profile(msgspec.Struct, frozen=True):
     """What a profile counts in one language: the roles, and what it does with functions inside the function.
 
-    ``aside`` is whether it looks into assertions, local classes and the headers of nested functions; ``nested``
-    whether the decisions of nested functions are the outer function's too; ``own_header`` whether defaults and
-    annotations count for the function itself and not for what it is defined in.
+    ``but`` are roles that are counted besides another one and taken off again. ``aside`` is whether it looks into
+    assertions, local classes and the headers of nested functions; ``nested`` whether the decisions of nested
+    functions are the outer function's too; ``own_header`` whether defaults and annotations count for the function
+    itself and not for what it is defined in.
     """
 
     roles: frozenset[str]
+    but: frozenset[str] = frozenset()
     aside: bool = True
     nested: bool = False
     own_header: bool = False
@@ -50,7 +52,7 @@ class Profile(msgspec.Struct, frozen=True):
 PROFILES: dict[tuple[str, str], Profile] = {
     ("roslens", "cpp"): Profile(ROSLENS),
     ("roslens", "python"): Profile(ROSLENS),
-    ("lizard", "cpp"): Profile(_LIZARD_CPP),
+    ("lizard", "cpp"): Profile(_LIZARD_CPP, but=frozenset({"preproc_ifndef"})),
     ("lizard", "python"): Profile(_LIZARD_PYTHON, own_header=True),
     ("radon", "python"): Profile(_RADON, aside=False),
     ("mccabe", "python"): Profile(_MCCABE, nested=True),
@@ -85,7 +87,7 @@ def cyclomatic(
         known = ", ".join(f"{name} for {language}" for name, language in PROFILES)
         raise ValueError(f"no profile {profile!r} for {syntax!r}: expected one of {known}")
     roles = counted.roles
-    number = 1 + _total(function.counts, roles)
+    number = 1 + _total(function.counts, roles) - _total(function.counts, counted.but)
     if not lambdas:
         number -= _total(function.lambda_counts, roles)
     if not alternatives:

@@ -244,20 +244,28 @@ class Walk:
         frame.in_lambda = True
         return frame
 
-    def _on_preproc_if(self, role: str, _start: int, _end: int) -> None:
+    def _on_preproc_if(self, role: str, start: int, _end: int) -> None:
         if self._top.scope is not None:
             self._count(role)
+            if self._is_directive(start, b"ifndef"):
+                self._count("preproc_ifndef")
 
     def _on_preproc_else(self, role: str, start: int, end: int) -> Frame:
         scope = self._top.scope
         if scope is not None:
             self._count(role)
+            if self._is_directive(start, b"elif"):
+                self._count("preproc_elif")
             if not self._top.alternative:
                 scope.alternatives.append((start, end))
         frame = Frame(self._top.role if self._top.role != "logical" else "preproc_else", end, self._top)
         frame.own_part = self._top.own_part
         frame.alternative = True
         return frame
+
+    def _is_directive(self, start: int, word: bytes) -> bool:
+        written = self._source[start : start + 2 * len(word)]
+        return written.removeprefix(b"#").lstrip(b" \t").startswith(word)
 
     # Definitions
 

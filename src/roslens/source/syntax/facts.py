@@ -25,6 +25,7 @@ Roles name what a piece of syntax does, in one vocabulary for all languages:
 ``call``            a call as written (a macro used like a function included)
 ``recursion``       a call of the function's own unqualified name (counted besides ``call``)
 ``preproc_if``      ``#if`` / ``#ifdef`` / ``#ifndef`` inside a function; ``preproc_else`` for ``#else`` / ``#elif``
+``preproc_ifndef``  ``#ifndef`` (counted besides ``preproc_if``); ``preproc_elif``: ``#elif`` (and ``preproc_else``)
 ``statement``       a simple statement (expression statement, jump, declaration with initialiser)
 ==================  ==================================================================================
 """

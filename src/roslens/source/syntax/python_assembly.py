@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
 from roslens.source.syntax.facts import (
     ClassFacts,
+    Control,
     FieldFacts,
     FunctionFacts,
     Halstead,
@@ -75,6 +76,7 @@ class Assembly:
         parameter_types = annotated(scope.parameter_types)
         types = parameter_types | annotated(scope.types) | constructed(calls)
         method = scope.owner is not None
+        approximate = self._is_approximate(first, last) or not measured
         return FunctionFacts(
             name=scope.name,
             qualified_name=scope.qualified_name,
@@ -90,7 +92,7 @@ class Assembly:
             nested_in=scope.nested_in,
             counts=self.counts(scope),
             lambda_counts=_kept(scope.lambda_counts),
-            control=tuple(scope.control),
+            control=_in_steps(scope.control) if approximate else tuple(scope.control),
             lines=self._lines.lines(first, last),
             eloc=self._executed_lines(scope),
             halstead=self.halstead(start, end) if measured else Halstead(),
@@ -98,7 +100,7 @@ class Assembly:
             types=tuple(sorted(types)),
             calls=tuple(sorted(calls)),
             identifiers=self._identifiers(scope) if method else (),
-            approximate=self._is_approximate(first, last) or not measured,
+            approximate=approximate,
             aside_counts=_kept(scope.aside_counts),
             header_counts=_kept(scope.header_counts),
         )
@@ -188,6 +190,17 @@ def _inner_bodies(scope: Scope) -> list[Span]:
     """Return the bodies of functions defined in the body; a broken file may have some in the header."""
     start, end = scope.body
     return [inner.body for inner in scope.nested if start <= inner.body[0] and inner.body[1] <= end]
+
+
+def _in_steps(control: Iterable[Control]) -> tuple[Control, ...]:
+    """Return events of a broken function such that each has a parent."""
+    settled: list[Control] = []
+    deepest = 0
+    for event in control:
+        depth = min(event.depth, deepest)
+        settled.append(Control(event.role, depth, event.part))
+        deepest = depth + 1
+    return tuple(settled)
 
 
 def _kept(counts: Counts) -> dict[str, int]:

@@ -36,7 +36,8 @@ class LineMap:
         """
         lines = source.splitlines(keepends=True)
         self._starts = list(accumulate(map(len, lines), initial=0))
-        self._blank = [number for number, line in enumerate(lines, 1) if not line.strip()]
+        blank = {number for number, line in enumerate(lines, 1) if not line.strip()}
+        self._blank = sorted(blank.difference(numbers))
         self._numbers = numbers
         executed = compress(numbers, [one not in _NOT_EXECUTED for one in hashes])
         nothing: set[int] = set()

@@ -233,3 +233,10 @@ def steps() -> Callable[[list[float]], list[str]]:
         return [f"s{min(5, max(1, math.ceil(5 * math.sqrt(value / most) - 1e-9))) if value else 0}" for value in values]
 
     return of
+
+
+@pytest.fixture(scope="session")
+def flagged_file(fetch: Callable[[str], str]) -> str:
+    """Return the address of a file with findings."""
+    found = json.loads(fetch("/findings.json?severity=error"))["findings"]
+    return f"/files/{found[0]['path']}"

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import asyncio
 import importlib.util
 import sys
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
+import httpx
 import pytest
+from starlette.types import ASGIApp
 
+from roslens.dashboard.server import create_app
 from roslens.dashboard.site import Site
 
 
@@ -33,3 +38,30 @@ def site() -> Site:
 def large_site() -> Site:
     """A thousand packages and fifty thousand findings, without sources."""
     return _fake_run().FakeRun(packages=1000, findings=50_000, sources=False).site()
+
+
+class Client:
+    """Asks an application without a network."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    def get(self, path: str, **given: Any) -> httpx.Response:
+        """Return the answer; redirects are not followed."""
+        return asyncio.run(self._get(path, **given))
+
+    async def _get(self, path: str, **given: Any) -> httpx.Response:
+        async with httpx.AsyncClient(transport=httpx.ASGITransport(self._app), base_url="http://localhost") as client:
+            return await client.get(path, **given)
+
+
+@pytest.fixture(scope="session")
+def client(site: Site) -> Client:
+    """The small workspace as served; the server is also called robot."""
+    return Client(create_app(site, frozenset({"robot"})))
+
+
+@pytest.fixture(scope="session")
+def large_client(large_site: Site) -> Client:
+    """The large workspace as served."""
+    return Client(create_app(large_site))

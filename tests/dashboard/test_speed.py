@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import time
+from typing import Any
 
 import pytest
-from starlette.testclient import TestClient
 
 from roslens.dashboard.address import ServedLinks
 from roslens.dashboard.export import pages_of
 from roslens.dashboard.routes import PAGES
-from roslens.dashboard.server import create_app
 from roslens.dashboard.site import Site
 
 LONGEST = 1.0
@@ -18,11 +17,10 @@ LONGEST = 1.0
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES)
-def test_a_page_of_a_large_workspace_answers_within_a_second(large_site: Site, page: str) -> None:
+def test_a_page_of_a_large_workspace_answers_within_a_second(large_site: Site, large_client: Any, page: str) -> None:
     ref = next(ref for ref in pages_of(large_site) if ref.page == page)
-    client = TestClient(create_app(large_site), base_url="http://localhost")
     begun = time.perf_counter()
-    answer = client.get(ServedLinks().to(ref))
+    answer = large_client.get(ServedLinks().to(ref))
     took = time.perf_counter() - begun
     assert answer.status_code == 200
     assert took < LONGEST, f"{took:.2f} s"

@@ -35,6 +35,12 @@ def site() -> Site:
 
 
 @pytest.fixture(scope="session")
+def bare_site() -> Site:
+    """Three packages without sources, for what does not depend on what the pages say."""
+    return _fake_run().FakeRun(packages=3, sources=False).site()
+
+
+@pytest.fixture(scope="session")
 def large_site() -> Site:
     """A thousand packages and fifty thousand findings, without sources."""
     return _fake_run().FakeRun(packages=1000, findings=50_000, sources=False).site()

@@ -20,10 +20,18 @@ function improve(root) {
   if (graph) startGraph(root, chips);
 }
 
+let awaited = "";
+
 /** Load another address of this page in place, so that the reader stays where he is. */
 async function replace(address) {
+  // Enter in a field both changes it and submits; and a late answer must not undo a newer choice.
+  if (address === awaited) return;
+  awaited = address;
   const answer = await fetch(address);
-  const page = new DOMParser().parseFromString(await answer.text(), "text/html");
+  const text = await answer.text();
+  if (address !== awaited) return;
+  awaited = "";
+  const page = new DOMParser().parseFromString(text, "text/html");
   const focused = document.activeElement?.id;
   const main = document.adoptNode(page.querySelector("main"));
   document.querySelector("main").replaceWith(main);

@@ -20,6 +20,7 @@ from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, key_of
+from roslens.source.known_manifests import KnownManifests
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
 from roslens.source.settings import SourceSettings
@@ -92,7 +93,9 @@ def analyse(
     """
     watch = progress or Silent()
     watch.step("Looking for packages", 0)
-    workspace = find_workspace(paths, settings.workspace)
+    manifests = KnownManifests(cache)
+    workspace = find_workspace(paths, settings.workspace, read=manifests.read)
+    manifests.keep()
     known = cache.stats(now_s=clock.epoch_s)
     inventory = take_inventory(workspace, settings.workspace, known)
     plugins = discover_plugins(settings, base, log)

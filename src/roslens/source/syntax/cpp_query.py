@@ -7,8 +7,9 @@ makes the walk cheap: reading attributes of nodes costs more than everything els
 
 from __future__ import annotations
 
-from bisect import bisect_left
-from collections.abc import Callable, Iterable, Iterator
+import sys
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from operator import attrgetter
 
 import tree_sitter_cpp
@@ -49,6 +50,9 @@ _QUERY = """
 (binary_expression) @binary
 (lambda_expression) @lambda
 [(preproc_if) (preproc_ifdef)] @preproc_if
+(preproc_if condition: (_) @compiled)
+(preproc_elif condition: (_) @compiled)
+(noexcept) @compiled
 [(preproc_else) (preproc_elif) (preproc_elifdef)] @preproc_else
 [(return_statement) (co_return_statement)] @return
 (throw_statement) @throw
@@ -115,7 +119,8 @@ class Captures:
         self.not_executed: list[Span] = [(start, start + 1) for start, _ in labels]
         in_header = set(spans("in_header"))
         self._sort_declarations([one for one in spans("declaration") if one not in in_header], initialised, starts)
-        events: list[Event] = self._logical(captured.pop("binary", ()))
+        decided_by_the_compiler = sorted(spans("compiled"))
+        events: list[Event] = self._logical(captured.pop("binary", ()), decided_by_the_compiler)
         for name, nodes in captured.items():
             kind = _KIND_NUMBERS[name]
             extents = list(map(_EXTENT, nodes))
@@ -131,8 +136,8 @@ class Captures:
             for node in captured.get(name, ())
         }
 
-    def _logical(self, nodes: Iterable[Node]) -> list[Event]:
-        """Return the events of those binary expressions that are logical.
+    def _logical(self, nodes: Iterable[Node], left_out: Sequence[Span]) -> list[Event]:
+        """Return the events of those binary expressions that are logical and stand outside the spans ``left_out``.
 
         A pattern that asks for the operator costs time quadratic in the length of ``a && b && c …``.
         """
@@ -140,7 +145,7 @@ class Captures:
         for node in nodes:
             operator = node.child_by_field_name("operator")
             kind = _LOGICAL.get(operator.type) if operator is not None else None
-            if operator is not None and kind is not None:
+            if operator is not None and kind is not None and not _within(node.start_byte, left_out):
                 start, end = node.byte_range
                 self.operators[start, end] = operator.byte_range
                 events.append((start, -end, kind))
@@ -160,6 +165,11 @@ _LOGICAL = {
     word: _KIND_NUMBERS[kind] for kind, words in (("and", ("&&", "and")), ("or", ("||", "or"))) for word in words
 }
 _JUMPS = frozenset(_KIND_NUMBERS[name] for name in ("return", "throw", "break", "continue", "goto", "yield"))
+
+
+def _within(position: int, spans: Sequence[Span]) -> bool:
+    before = bisect_right(spans, (position, sys.maxsize))
+    return before > 0 and position < spans[before - 1][1]
 
 
 def fault_nodes(tree: Tree) -> Iterator[Node]:

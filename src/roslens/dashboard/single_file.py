@@ -26,12 +26,12 @@ LARGEST = 4_800_000
 SOURCE_BUDGET = 1_500_000
 _MAIN = ("overview", "graph", "packages", "findings", "metrics", "rules", "failures", "help")
 _FEW, _MANY = (
-    Limits(findings=100, per_group=8, groups=40, entities=20, rows=200, lines=1500),
-    Limits(findings=12, per_group=3, groups=8, entities=5, rows=15, lines=1500),
+    Limits(findings=24, per_group=4, groups=12, entities=8, rows=25, lines=800, excerpts=False),
+    Limits(findings=12, per_group=3, groups=8, entities=5, rows=15, lines=800, excerpts=False),
 )
 _MAIN_LIMITS = Limits(findings=120, per_group=6, groups=25, entities=20, rows=5000)
 _FEW_PACKAGES = 60
-_TRIES = 3
+_TRIES = 12
 _INDEXED_FILES = 2000
 
 

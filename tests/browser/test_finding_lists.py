@@ -26,7 +26,9 @@ def test_filters_work_in_place_and_live_in_the_address(visit: Visit, fetch: Fetc
     page.keyboard.type("manif")
     page.keyboard.press("Enter")
     expect(page).to_have_url(re.compile("include=manifest"))
-    expect(page.locator(".finding")).to_have_count(json.loads(fetch("/findings.json?include=manifest&severity=error"))["total"])
+    expect(page.locator(".finding")).to_have_count(
+        json.loads(fetch("/findings.json?include=manifest&severity=error"))["total"]
+    )
     page.reload()
     expect(page.get_by_label("Severity")).to_have_value("error")
     expect(page.locator(".chips .chip")).to_contain_text("manifest")

@@ -94,7 +94,9 @@ def test_per_kloc_and_metric_colour_and_own_code(visit: Visit, facts: Any, steps
     page.locator("#colour").select_option("kloc")
     expect(page.locator("#legend-title")).to_contain_text("Findings per kLOC")
     expect(page).to_have_url(re.compile("colour=kloc"))
-    rates = [1000 * count / node["loc"] if node["loc"] else None for count, node in zip(found, facts.nodes, strict=True)]
+    rates = [
+        1000 * count / node["loc"] if node["loc"] else None for count, node in zip(found, facts.nodes, strict=True)
+    ]
     known = steps([rate for rate in rates if rate is not None])
     assert fills(page) == ["sn" if rate is None else known.pop(0) for rate in rates]
     expect(page.locator("#legend-steps")).to_contain_text("not measured")

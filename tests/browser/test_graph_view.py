@@ -33,7 +33,9 @@ def offset(page: Page) -> tuple[float, float]:
 
 def names_shown(page: Page) -> int:
     """Return how many names can be read."""
-    return int(page.locator("#nodes .node text").evaluate_all("found => found.filter(one => one.checkVisibility()).length"))
+    return int(
+        page.locator("#nodes .node text").evaluate_all("found => found.filter(one => one.checkVisibility()).length")
+    )
 
 
 def busiest(facts: Any) -> str:
@@ -71,8 +73,8 @@ def test_names_touch_neither_discs_nor_each_other(visit: Visit) -> None:
     page = visit("/graph", viewport={"width": 1000, "height": 640})
     boxes = page.locator("#nodes .node").evaluate_all(
         """found => found.map(one => [one.querySelector("circle"), one.querySelector("text")].map(part =>
-        part.checkVisibility() ? (({left, right, top, bottom}) => [left, right, top, bottom])(part.getBoundingClientRect())
-        : null))"""
+        part.checkVisibility() ? (({left, right, top, bottom}) => [left, right, top, bottom])(
+        part.getBoundingClientRect()) : null))"""
     )
     names = [(place, text) for place, (_, text) in enumerate(boxes) if text]
     assert len(names) > 5

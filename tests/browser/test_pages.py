@@ -92,6 +92,7 @@ def test_search_offers_matches_and_goes_there(visit: Visit) -> None:
     expect(page.locator("#search-found [aria-selected=true]")).to_contain_text("nav2_amcl")
     page.keyboard.press("Enter")
     expect(page).to_have_url(re.compile("/packages/nav2_amcl$"))
+    page.wait_for_load_state()
     page.keyboard.press("/")
     page.keyboard.type("zzz")
     expect(page.get_by_text("Nothing has this in its name.")).to_be_visible()
@@ -176,5 +177,6 @@ def test_skip_link_and_keys_lead_through_the_pages(visit: Visit) -> None:
         page.keyboard.press("g")
         page.keyboard.press(key)
         expect(page).to_have_url(re.compile(path))
+        page.wait_for_load_state()
     page.locator("#rules thead a").first.focus()
     assert page.evaluate("getComputedStyle(document.activeElement).outlineStyle") == "solid"

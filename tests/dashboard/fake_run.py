@@ -25,11 +25,46 @@ COMPARED = ("ros", "his", "kth", "nasa-satc", "akureyri", "verifysoft", "microso
 _TO_FILE = fold_steps(QUANTITIES.values(), EntityKind.FILE)
 _TO_PACKAGE = fold_steps(QUANTITIES.values(), EntityKind.PACKAGE)
 
-NAMES = """msgs common util core lifecycle_manager map_server costmap_2d voxel_grid amcl planner controller smoother
-behaviors bt_navigator behavior_tree navfn_planner smac_planner theta_star_planner dwb_core dwb_critics dwb_plugins
-dwb_msgs regulated_pure_pursuit_controller mppi_controller rotation_shim_controller graceful_controller
-waypoint_follower velocity_smoother collision_monitor constrained_smoother simple_commander route docking rviz_plugins
-loopback_sim bringup system_tests navigation""".split()
+NAMES = [
+    "msgs",
+    "common",
+    "util",
+    "core",
+    "lifecycle_manager",
+    "map_server",
+    "costmap_2d",
+    "voxel_grid",
+    "amcl",
+    "planner",
+    "controller",
+    "smoother",
+    "behaviors",
+    "bt_navigator",
+    "behavior_tree",
+    "navfn_planner",
+    "smac_planner",
+    "theta_star_planner",
+    "dwb_core",
+    "dwb_critics",
+    "dwb_plugins",
+    "dwb_msgs",
+    "regulated_pure_pursuit_controller",
+    "mppi_controller",
+    "rotation_shim_controller",
+    "graceful_controller",
+    "waypoint_follower",
+    "velocity_smoother",
+    "collision_monitor",
+    "constrained_smoother",
+    "simple_commander",
+    "route",
+    "docking",
+    "rviz_plugins",
+    "loopback_sim",
+    "bringup",
+    "system_tests",
+    "navigation",
+]
 
 RULES = (
     RuleInfo(
@@ -94,8 +129,40 @@ RULES = (
     RuleInfo("never.broken", "A rule that nothing breaks", "It is there to show zero.", tags=("style",)),
 )
 
-VERBS = "update compute plan get set on handle reset make transform publish declare validate activate configure".split()
-NOUNS = "costmap path goal pose plan footprint layer bounds scan map parameters state velocity feedback request".split()
+VERBS = [
+    "update",
+    "compute",
+    "plan",
+    "get",
+    "set",
+    "on",
+    "handle",
+    "reset",
+    "make",
+    "transform",
+    "publish",
+    "declare",
+    "validate",
+    "activate",
+    "configure",
+]
+NOUNS = [
+    "costmap",
+    "path",
+    "goal",
+    "pose",
+    "plan",
+    "footprint",
+    "layer",
+    "bounds",
+    "scan",
+    "map",
+    "parameters",
+    "state",
+    "velocity",
+    "feedback",
+    "request",
+]
 
 
 class _Writer:
@@ -171,7 +238,8 @@ class FakeRun:
         self._with_sources = sources
         self._models = tuple(load_model(name, QUANTITIES) for name in MODELS)
         self._names = [
-            f"nav2_{NAMES[n % len(NAMES)]}" + (f"_{n // len(NAMES)}" if n >= len(NAMES) else "") for n in range(packages)
+            f"nav2_{NAMES[n % len(NAMES)]}" + (f"_{n // len(NAMES)}" if n >= len(NAMES) else "")
+            for n in range(packages)
         ]
         self._extra = findings // max(1, packages)
         self.store = Store.open(None)
@@ -333,10 +401,18 @@ class FakeRun:
         loc = float(sum(1 for line in writer.lines if line.strip() and "//" not in line))
         comments = float(sum(1 for line in writer.lines if "//" in line))
         inside = [
-            Entity(f"function:{path}#{owner}::{name}", EntityKind.FUNCTION, f"{owner}::{name}", path, line, end, file_id,
-                   values=values)
+            Entity(
+                f"function:{path}#{owner}::{name}",
+                EntityKind.FUNCTION,
+                f"{owner}::{name}",
+                path,
+                line,
+                end,
+                file_id,
+                values=values,
+            )
             for name, line, end, values in functions
-        ]  # fmt: skip
+        ]
         methods = float(len(inside))
         inside.append(
             Entity(
@@ -368,13 +444,15 @@ class FakeRun:
                 if key.startswith(("cyclomatic", "cognitive"))
             },
         }
-        parts += [Entity(file_id, EntityKind.FILE, path.rpartition("/")[2], path, parent=f"package:{package.id}",
-                         values=values), *inside]  # fmt: skip
+        name = path.rpartition("/")[2]
+        parts += [Entity(file_id, EntityKind.FILE, name, path, parent=f"package:{package.id}", values=values), *inside]
         for line, text in enumerate(writer.lines, 1):
             if "unseen" in text or ("never seen" in text and chance.random() < 0.3):
                 findings.append(self._finding(RULES[3], path, line, "a note without a name", text, role))
             elif "for (" in text and chance.random() < 0.25:
-                findings.append(self._finding(RULES[6], path, line, "variable 'i' is assigned but <never> used", text, role))
+                findings.append(
+                    self._finding(RULES[6], path, line, "variable 'i' is assigned but <never> used", text, role)
+                )
             elif "_ = " in text and chance.random() < 0.02:
                 findings.append(self._finding(RULES[chance.choice((1, 4))], path, line, "see the rule", text, role))
         if chance.random() < 0.2:

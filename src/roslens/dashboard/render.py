@@ -6,7 +6,7 @@ from pathlib import Path
 
 import msgspec
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 import roslens
 from roslens.dashboard.address import FileLinks, Links, PageRef
@@ -46,6 +46,7 @@ class Renderer:
             lstrip_blocks=True,
             undefined=StrictUndefined,
         )
+        self._environment.filters["ticks"] = ticks
         self._environment.globals.update(
             site=site,
             medium=medium,
@@ -93,6 +94,14 @@ def reference(page: str, key: str = "", anchor: str = "", **query: str) -> PageR
 def requery(ref: PageRef, **query: str) -> PageRef:
     """Return the same page asked with these parameters set anew; an empty value takes one away."""
     return PageRef(ref.page, ref.key, Query(ref.query).replaced(**query))
+
+
+def ticks(text: str) -> Markup:
+    """Return the text with what stands between backticks as code; everything is escaped."""
+    parts = str(escape(text)).split("`")
+    if len(parts) % 2 == 0:
+        return escape(text)
+    return Markup("".join(f"<code>{part}</code>" if place % 2 else part for place, part in enumerate(parts)))  # noqa: S704 - escaped above
 
 
 def embedded(value: object) -> Markup:

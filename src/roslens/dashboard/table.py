@@ -34,7 +34,7 @@ class Column(msgspec.Struct, frozen=True):
 class Cell(msgspec.Struct, frozen=True):
     """A value; ``text`` where it is not shown as such; ``refs`` are shown instead, as links with their texts.
 
-    ``rating`` (ok, low, high) says how a number stands to its bounds.
+    ``rating`` (ok, low, high) says how a number stands to its bounds; ``spark`` are the heights of small bars.
     """
 
     value: Value = None
@@ -43,6 +43,7 @@ class Cell(msgspec.Struct, frozen=True):
     refs: tuple[tuple[str, PageRef | None], ...] = ()
     hint: str = ""
     rating: str = ""
+    spark: tuple[int, ...] = ()
 
 
 class Table(msgspec.Struct, frozen=True):

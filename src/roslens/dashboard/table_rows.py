@@ -61,7 +61,8 @@ def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
     if column.kind == "mark":
         return mark_html(str(cell.value))
     if column.kind == "code" and text:
-        text = f"<code>{text}</code>"
+        # A long path or qualified name may break between its parts, not inside them.
+        text = f"<code>{text.replace('/', '/<wbr>').replace('::', '::<wbr>')}</code>"
     return _rating(cell.rating) + _linked(text, cell.ref, cell.hint, link)
 
 
@@ -71,6 +72,17 @@ def _linked(text: str, ref: PageRef | None, hint: str, link: Link) -> str:
     if href:
         return f'<a href="{escape(href)}"{title}>{text}</a>'
     return f"<span{title}>{text}</span>" if title else text
+
+
+def _spark(counts: tuple[int, ...]) -> str:
+    most = max(counts)
+    bars = "".join(
+        f'<rect x="{3 * place}" y="{18 - height:.1f}" width="2.4" height="{height:.1f}"/>'
+        for place, count in enumerate(counts)
+        if count
+        for height in (max(1.0, 16 * count / most),)
+    )
+    return f'<svg class="spark" viewBox="0 0 {3 * len(counts)} 18" aria-hidden="true">{bars}</svg>'
 
 
 def glyph_html(name: str) -> str:

@@ -33,6 +33,8 @@ def build(site: Site, request: Request) -> View | None:
     values = [value for _, _, value in found]
     folded = kind is not None and kind not in quantity.kinds
     digits = max(1, quantity.decimals) if folded and fold in {"", "mean"} else quantity.decimals
+    whole = all(value == int(value) for value in values)
+    digits = 0 if whole else digits
     figures = figures_of(values)
     bounds = _bounds(site, kind, request.key, values) if kind else None
     worst = _worst(site, quantity, kind, found, digits, None if request.complete else WORST) if kind else None
@@ -52,21 +54,27 @@ def build(site: Site, request: Request) -> View | None:
             "figures": figures,
             "digits": digits,
             "histogram": histogram_of(values, digits),
-            "lines": _lines(site, kind, request.key) if kind else [],
+            "lines": _lines(site, kind, request.key, whole=whole) if kind else [],
             "folds": [fold.value for fold in quantity.folds],
             "key": key,
         },
     )
 
 
-def _lines(site: Site, kind: EntityKind, key: str) -> list[tuple[float, str]]:
-    """Return (bound, the models that set it): one line in the distribution for each."""
+def _lines(site: Site, kind: EntityKind, key: str, *, whole: bool) -> list[tuple[float, str]]:
+    """Return (place, the bound and the models that set it): one line in the distribution for each.
+
+    A bar of whole numbers begins at its number, so the line of an upper bound stands at the end of the bar.
+    """
     names: dict[tuple[float, str], list[str]] = {}
     for model, constraint in site.constraints_on(kind, key):
         for side in constraint.sides:
             word = "at most" if side == "max" else "at least"
             names.setdefault((constraint.bound(side), word), []).append(model.name)
-    return [(bound, f"{word} {number(bound)}: {', '.join(models)}") for (bound, word), models in sorted(names.items())]
+    return [
+        (bound + (whole and word == "at most"), f"{word} {number(bound)}: {', '.join(models)}")
+        for (bound, word), models in sorted(names.items())
+    ]
 
 
 def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> Table:

@@ -14,15 +14,13 @@ from roslens.model.entity import EntityKind
 def build(site: Site, request: Request) -> View | None:
     """Return the page."""
     on_packages = measured_on(site.quantities, EntityKind.PACKAGE)
-    sparks: dict[str, tuple[int, ...]] = {}
     rows = []
     for key, quantity in site.quantities.items():
         measured = on_packages.get(key, Measured(key, quantity))
         values = [package.values[key] for package in site.packages if key in package.values]
         figures = figures_of(values)
         distribution = histogram_of(values, measured.decimals)
-        if distribution:
-            sparks[key] = tuple(bar.count for bar in distribution.bars)
+        spark = tuple(bar.count for bar in distribution.bars) if distribution else ()
         bounds = {model.name for model in site.models for constraint in model.constraints if constraint.quantity == key}
         digits = measured.decimals
         rows.append(
@@ -37,6 +35,7 @@ def build(site: Site, request: Request) -> View | None:
                     Cell(value, text="" if value is None else f"{value:,.{digits}f}")
                     for value in ((figures.least, figures.median, figures.most) if figures else (None, None, None))
                 ),
+                Cell(None, text=" ", spark=spark),
                 Cell(" ".join(sorted(bounds))),
             )
         )
@@ -50,6 +49,7 @@ def build(site: Site, request: Request) -> View | None:
         Column("least", "Least", "number"),
         Column("median", "Median", "number"),
         Column("most", "Most", "number"),
+        Column("spark", "Over the packages", hint="How many packages have how much, from least to most", optional=True),
         Column("models", "Bounded by", optional=True),
     )
     table = Table(
@@ -66,5 +66,4 @@ def build(site: Site, request: Request) -> View | None:
         title="Metrics",
         facts={"models": [{"name": model.name, "title": model.title} for model in site.models]},
         tables=(sort_rows(table, request.query.get("sort")),),
-        shown={"sparks": sparks},
     )

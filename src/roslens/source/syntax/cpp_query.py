@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import sys
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from itertools import accumulate
 from operator import attrgetter
 
 import tree_sitter_cpp
-from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
+from tree_sitter import Language, Node, Parser, Point, Query, QueryCursor, Tree
 
+_STEP = 64
 _KIND_WORDS = (
     "part_body part_condition namespace class function function_body field access friend try if else for while do "
     "switch catch case default lambda ternary and or preproc_if preproc_else return throw break continue goto label "
@@ -74,7 +76,6 @@ _QUERY = """
 
 _LANGUAGE = Language(tree_sitter_cpp.language())
 _COMPILED = Query(_LANGUAGE, _QUERY)
-_FAULTS = Query(_LANGUAGE, "(ERROR) @error (MISSING) @missing")
 _KIND_NUMBERS = {name: number for number, name in enumerate(KINDS)}
 
 Span = tuple[int, int]
@@ -85,6 +86,35 @@ Event = tuple[int, int, int]
 def parse_tree(source: bytes) -> Tree:
     """Parse ``source``; never fails, what is no C++ becomes error nodes."""
     return Parser(_LANGUAGE).parse(source)
+
+
+def parse_again(source: bytes, earlier: bytes, tree: Tree) -> Tree:
+    """Parse ``source``, of which ``earlier`` is a version of the same length with ``tree``, where it differs."""
+    tree = tree.copy()
+    starts = [0, *accumulate(map(_with_line_end, earlier.split(b"\n")))]
+
+    def point(position: int) -> Point:
+        row = bisect_right(starts, position) - 1
+        return Point(row, position - starts[row])
+
+    for start, end in _differences(earlier, source):
+        tree.edit(start, end, end, point(start), point(end), point(end))
+    return Parser(_LANGUAGE).parse(source, tree)
+
+
+def _differences(one: bytes, other: bytes) -> list[Span]:
+    """Return extents, in steps of some bytes, where two texts of the same length differ."""
+    found: list[Span] = []
+    for start in range(0, len(one), _STEP):
+        end = min(start + _STEP, len(one))
+        if one[start:end] != other[start:end]:
+            begin = found.pop()[0] if found and found[-1][1] == start else start
+            found.append((begin, end))
+    return found
+
+
+def _with_line_end(line: bytes) -> int:
+    return len(line) + 1
 
 
 class Captures:
@@ -172,13 +202,16 @@ def _within(position: int, spans: Sequence[Span]) -> bool:
     return before > 0 and position < spans[before - 1][1]
 
 
-def fault_nodes(tree: Tree) -> Iterator[Node]:
-    """Yield the places that could not be parsed, in source order, the outermost only."""
-    if not tree.root_node.has_error:
-        return
-    captured = QueryCursor(_FAULTS).captures(tree.root_node)
-    end = -1
-    for node in sorted((n for nodes in captured.values() for n in nodes), key=lambda n: (n.start_byte, -n.end_byte)):
-        if node.start_byte >= end:
-            yield node
-            end = max(node.end_byte, end)
+def fault_nodes(tree: Tree) -> list[Node]:
+    """Return the places that could not be parsed, in source order, the outermost only."""
+    found = []
+    waiting = [tree.root_node]
+    while waiting:
+        node = waiting.pop()
+        if node.is_error or node.is_missing:
+            found.append(node)
+        elif node.has_error:
+            waiting += node.children
+    found.sort(key=lambda node: (node.start_byte, -node.end_byte))
+    ends = accumulate((node.end_byte for node in found), max, initial=-1)
+    return [node for node, end in zip(found, ends, strict=False) if node.start_byte >= end]

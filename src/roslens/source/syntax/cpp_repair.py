@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from tree_sitter import Tree
 
-from roslens.source.syntax.cpp_query import fault_nodes, parse_tree
+from roslens.source.syntax.cpp_query import fault_nodes, parse_again
 from roslens.source.syntax.macros import MacroPreset
 
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b[^\n]*", re.MULTILINE)
@@ -27,18 +27,18 @@ _MOST_BYTES = 2_000_000
 
 def repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tree]:
     """Return the source and tree with the fewest faults; every byte keeps its place."""
-    best = (sum(1 for _ in fault_nodes(tree)), source, tree)
     if len(source) > _MOST_BYTES:
         return source, tree
+    fewest, best, last = len(fault_nodes(tree)), (source, tree), (source, tree)
     first = with_parameter_types(macros.repair(source))
-    second = first_arms(first)
-    for attempt in (first, second, _DIRECTIVE.sub(_spaces, second)):
-        if best[0] and attempt != best[1]:
-            again = parse_tree(attempt)
-            faults = sum(1 for _ in fault_nodes(again))
-            if faults < best[0]:
-                best = (faults, attempt, again)
-    return best[1], best[2]
+    for attempt in (lambda: first, lambda: first_arms(first), lambda: _DIRECTIVE.sub(_spaces, first_arms(first))):
+        text = attempt()
+        if fewest and text != last[0]:
+            last = (text, parse_again(text, *last))
+            faults = len(fault_nodes(last[1]))
+            if faults < fewest:
+                fewest, best = faults, last
+    return best
 
 
 def with_parameter_types(source: bytes) -> bytes:

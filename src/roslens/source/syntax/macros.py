@@ -60,8 +60,13 @@ class MacroPreset:
         self._underscored = re.compile(_triggers(quick.values()))
         self._kind_of: dict[bytes, str] = {b"__cplusplus": "linkage"}
         self._own = _words({"anywhere": settings.blank, "statement": settings.statement})
-        self._repaired = _words({kind: map(re.escape, table["repair"][kind]) for kind in _REPAIR_KINDS})
-        self._rewrites = [(re.compile(row["pattern"].encode()), row["with"].encode()) for row in table["rewrite"]]
+        repair = {kind: table["repair"][kind] for kind in _REPAIR_KINDS}
+        self._repaired_words = [word.encode() for words in repair.values() for word in words]
+        self._repaired = _words({kind: map(re.escape, words) for kind, words in repair.items()})
+        self._rewrites = [
+            (list(map(str.encode, row.get("words", ()))), re.compile(row["pattern"].encode()), row["with"].encode())
+            for row in table["rewrite"]
+        ]
 
     def blank(self, content: bytes) -> bytes:
         """Return ``content`` with the macros of the preset and the project blanked."""
@@ -73,13 +78,18 @@ class MacroPreset:
 
     def repair(self, content: bytes) -> bytes:
         """Return ``content``, blanked before, with what only files with errors need rewritten."""
-        if self._repaired:
+        if self._repaired and any(word in content for word in self._repaired_words):
             content = _edited(content, [(*m.span(), m.lastgroup or "") for m in self._repaired.finditer(content)])
-        text = bytearray(content)
-        for pattern, with_ in self._rewrites:
-            for match in pattern.finditer(bytes(text)):
-                fill(text, match.start(1), match.end(1), with_)
-        return bytes(text)
+        for words, pattern, with_ in self._rewrites:
+            if words and not any(word in content for word in words):
+                continue
+            found = [match.span(1) for match in pattern.finditer(content)]
+            if found:
+                text = bytearray(content)
+                for start, end in found:
+                    fill(text, start, end, with_)
+                content = bytes(text)
+        return content
 
     def _kind(self, word: bytes) -> str:
         kind = self._kind_of.get(word)

@@ -27,8 +27,14 @@ async function replace(address) {
   // Enter in a field both changes it and submits; and a late answer must not undo a newer choice.
   if (address === awaited) return;
   awaited = address;
-  const answer = await fetch(address);
-  const text = await answer.text();
+  let text;
+  try {
+    text = await (await fetch(address)).text();
+  } catch {
+    // The server is gone: following the address lets the browser say so.
+    location.assign(address);
+    return;
+  }
   if (address !== awaited) return;
   awaited = "";
   const page = new DOMParser().parseFromString(text, "text/html");

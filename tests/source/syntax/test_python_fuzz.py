@@ -26,7 +26,7 @@ WORDS = (
     b"( ) [ ] { } ' \" ''' \"\"\" f' r\" \\ # 0 1.5 0777 ` <> \x00 \xe9 \xc3\xa9 \t \r \x0c"
 ).split(b" ")
 PIECES = [*WORDS, b" ", b"\n", b"\n    ", b"\n        ", b"\r\n", b"\\\n"]
-NOT_IN_CONTROL = {"call", "recursion", "statement"}
+NOT_IN_CONTROL = {"call", "recursion", "statement", "catch_group"}
 
 
 def check(content: bytes) -> FileFacts:

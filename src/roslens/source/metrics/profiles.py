@@ -54,7 +54,7 @@ PROFILES: dict[tuple[str, str], Profile] = {
     ("roslens", "python"): Profile(ROSLENS),
     ("lizard", "cpp"): Profile(_LIZARD_CPP, but=frozenset({"preproc_ifndef"})),
     ("lizard", "python"): Profile(_LIZARD_PYTHON, own_header=True),
-    ("radon", "python"): Profile(_RADON, aside=False),
+    ("radon", "python"): Profile(_RADON, but=frozenset({"catch_group"}), aside=False),
     ("mccabe", "python"): Profile(_MCCABE, nested=True),
 }
 """Name of the profile and syntax to what it counts."""

@@ -12,8 +12,8 @@ Roles name what a piece of syntax does, in one vocabulary for all languages:
 ``for`` ``while``   loops (range loops and ``async for`` are ``for``), ``do`` for do-while
 ``switch``          ``switch`` and Python's ``match``
 ``case``            a label of a switch or a case of a match that is not the catch-all
-``default``         ``default:`` and ``case _:``
-``try`` ``catch``   ``catch`` is also Python's ``except``; ``finally``
+``default``         ``default:`` and ``case _:`` (or ``case name:``) without a guard
+``try`` ``catch``   ``catch`` is also Python's ``except``; ``finally``; ``catch_group``: ``except*`` (and ``catch``)
 ``ternary``         ``a ? b : c`` and ``b if a else c``
 ``and`` ``or``      one event per binary operator (``a && b && c`` has two); ``and``/``or`` spellings too
 ``lambda``          a lambda expression; what is inside it is counted in ``lambda_counts``
@@ -38,7 +38,7 @@ import msgspec
 class Control(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """One event of the control structure of a function, in source order.
 
-    ``role`` is one of the roles above, without ``call``, ``recursion`` and ``statement``. ``depth``
+    ``role`` is one of the roles above that are not counted besides another, nor ``call`` or ``statement``. ``depth``
     counts the control events around it: its parent is the nearest event before it with
     ``depth - 1``. ``part`` says where in its parent it stands: ``condition`` or ``body``. An
     ``elif`` and an ``else`` have the depth of the ``if`` they belong to; ``catch``, ``finally`` and

@@ -21,11 +21,12 @@ _LONGEST_CALLEE = 200
 _IRREFUTABLE = re.compile(
     rb"case\b[\s(]*(?!(?:True|False|None)\b)[A-Za-z_\x80-\xff][\w\x80-\xff]*(?:\s+as\s+[\w\x80-\xff]+)?[\s)]*:"
 )
+_EXCEPT_GROUP = re.compile(rb"except\s*\*")
 _BLANK = re.compile(rb"(?:[\s\\]|#[^\n]*)*")
 _ELSE_ROLES = {"if": "else", "for": "loop_else", "while": "loop_else", "try": "try_else"}
 _HANDLERS = {
     **dict.fromkeys(("if", "for", "while", "try", "with", "switch"), "_hold"),
-    **dict.fromkeys(("elif", "catch", "finally"), "_arm"),
+    **dict.fromkeys(("elif", "finally"), "_arm"),
     **dict.fromkeys(("return", "throw", "break", "continue", "yield", "await"), "_leaf"),
     **dict.fromkeys(("and", "or"), "_logical"),
     **dict.fromkeys(("ternary_if", "ternary_else"), "_ternary_part"),
@@ -93,6 +94,12 @@ class Walk:
         top = self._top
         self._event(role, top.depth - 1 if top.depth else 0, top.own_part)
         return Frame(role, end, top.depth, "condition", top.own_part, top.place)
+
+    def _on_catch(self, role: str, start: int, end: int) -> Frame:
+        if _EXCEPT_GROUP.match(self._source, start):
+            for counts in self._top.place.sinks:
+                counts["catch_group"] += 1
+        return self._arm(role, start, end)
 
     def _leaf(self, role: str, _start: int, _end: int) -> None:
         self._event(role, self._top.depth, self._top.part)

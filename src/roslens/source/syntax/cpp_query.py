@@ -14,7 +14,7 @@ from itertools import accumulate
 from operator import attrgetter
 
 import tree_sitter_cpp
-from tree_sitter import Language, Node, Parser, Point, Query, QueryCursor, Tree
+from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
 _STEP = 64
 _KIND_WORDS = (
@@ -93,9 +93,9 @@ def parse_again(source: bytes, earlier: bytes, tree: Tree) -> Tree:
     tree = tree.copy()
     starts = [0, *accumulate(map(_with_line_end, earlier.split(b"\n")))]
 
-    def point(position: int) -> Point:
+    def point(position: int) -> tuple[int, int]:
         row = bisect_right(starts, position) - 1
-        return Point(row, position - starts[row])
+        return row, position - starts[row]
 
     for start, end in _differences(earlier, source):
         tree.edit(start, end, end, point(start), point(end), point(end))

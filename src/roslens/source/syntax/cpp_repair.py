@@ -7,6 +7,7 @@ hold both: only the first arm of each is left (of ``#if 0`` the second). What gi
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from itertools import pairwise
 
 from tree_sitter import Tree
@@ -31,8 +32,13 @@ def repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tre
         return source, tree
     fewest, best, last = len(fault_nodes(tree)), (source, tree), (source, tree)
     first = with_parameter_types(macros.repair(source))
-    for attempt in (lambda: first, lambda: first_arms(first), lambda: _DIRECTIVE.sub(_spaces, first_arms(first))):
-        text = attempt()
+    attempts: tuple[Callable[[bytes], bytes], ...] = (
+        lambda text: text,
+        first_arms,
+        lambda text: _DIRECTIVE.sub(_spaces, first_arms(text)),
+    )
+    for attempt in attempts:
+        text = attempt(first)
         if fewest and text != last[0]:
             last = (text, parse_again(text, *last))
             faults = len(fault_nodes(last[1]))

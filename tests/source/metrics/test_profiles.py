@@ -53,6 +53,26 @@ def test_examples(file):
                 assert (ours == value) is (f"{name} {profile}" not in NOT_REPRODUCED), (name, profile, ours)
 
 
+def test_the_page_tells_the_table():
+    page = (ROOT / "docs" / "reference" / "metrics" / "disagreements.md").read_text()
+    told = {}
+    for line in page.splitlines():
+        if match := re.fullmatch(r"(?:- )?`([\w:.]+)`: (.*)", line):
+            values = [one.split(" ") for one in match[2].split(", ")]
+            told[match[1]] = {tool: None if value == "none" else int(value) for tool, value in values}
+    assert told == {name: row for rows in TABLE.values() for name, row in rows.items() if name != "last"}
+
+
+def test_the_examples_of_the_page_are_the_files():
+    page = (ROOT / "docs" / "reference" / "metrics" / "disagreements.md").read_text()
+    blocks = re.findall(r"```(?:python|cpp)\n(.*?)```", page, re.DOTALL)
+    files = "\n\n".join((EXAMPLES / file).read_text() for file in TABLE)
+    squeezed = " ".join(files.split())
+    for block in blocks:
+        for example in re.split(r"\n\n(?=\S)", block):
+            assert " ".join(example.split()) in squeezed
+
+
 def test_the_default_is_the_metric():
     assert frozenset(DECISIONS) == ROSLENS
 

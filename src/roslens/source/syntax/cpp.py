@@ -43,7 +43,7 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
     walk = Walk(source, code, captures)
     hashes, numbers = hashes_of(code)
     lines = LineMap(content, hashes, numbers)
-    lines.leave_out(captures.not_executed, captures.statements)
+    lines.leave_out(code, captures.not_executed, captures.statements)
     if source is not blanked:
         lines.leave_only(hashes_of(blank_comments(source, "cpp"))[1])
     faults = _faults(source, tree, lines)

@@ -6,6 +6,7 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from itertools import accumulate, compress, count, product
+from operator import add
 from zlib import crc32
 
 from roslens.source.syntax.facts import Lines
@@ -13,8 +14,8 @@ from roslens.source.syntax.facts import Lines
 _BRACES = tuple("".join(marks) for length in (1, 2, 3) for marks in product("{}();", repeat=length))
 _WORDS = tuple(f"{left}{word}{right}" for word in ("else", "do", "try") for left in ("", "}") for right in ("", "{"))
 _NOT_EXECUTED = frozenset(crc32(text.encode()) for text in (*_BRACES, *_WORDS))
-_DIRECTIVE = re.compile(rb"^[ \t]*#", re.MULTILINE)
-_WHITE = b" \t\r\v\f"
+_DIRECTIVE = re.compile(rb"[#\xa3]")
+"""A directive, or an ``#include`` that is one word since its comments were blanked."""
 
 
 class LineMap:
@@ -29,23 +30,33 @@ class LineMap:
     def __init__(self, source: bytes, hashes: Sequence[int], numbers: Sequence[int]) -> None:
         """Find the line starts of ``source``; the hashes of its code lines and their numbers tell what is on them."""
         lines = source.split(b"\n")
-        self._starts = [0, *accumulate(map(len, lines))]
-        self._starts = list(map(int.__add__, self._starts, count()))
+        self._starts = [0, *map(add, accumulate(map(len, lines)), count(1))]
         self._numbers = numbers
-        self._filled = list(compress(count(1), source.translate(None, _WHITE).split(b"\n")))
+        self._filled = list(compress(count(1), map(bytes.strip, lines)))
         self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in hashes]))
-        self._directives = (
-            {self.number(match.start()) for match in _DIRECTIVE.finditer(source)} if b"#" in source else set()
-        )
 
-    def leave_out(self, spans: Sequence[tuple[int, int]], statements: Sequence[int]) -> None:
-        """Leave out directives and the lines of ``spans``, unless a statement begins on them."""
-        left_out = set(self._directives)
+    def leave_out(self, code: bytes, spans: Sequence[tuple[int, int]], statements: Sequence[int]) -> None:
+        """Leave out the directives of ``code`` and the lines of ``spans``, unless a statement begins on them."""
+        left_out = set()
+        for match in _DIRECTIVE.finditer(code):
+            line = self.number(match.start())
+            if not code[self.start(line) : match.start()].strip():
+                left_out.add(line)
         for start, end in spans:
-            left_out.update(range(self.number(start), self.number(end - 1) + 1))
+            first, last = self.number(start), self.number(end - 1)
+            left_out.update(range(first, last + 1) if last > first else (first,))
+        left_out = {line for line in left_out if not self._begins_on(line, statements)}
         if left_out:
-            kept = left_out - {self.number(position) for position in statements}
-            self._executed = [number for number in self._executed if number not in kept]
+            self._executed = [number for number in self._executed if number not in left_out]
+
+    def _begins_on(self, line: int, positions: Sequence[int]) -> bool:
+        place = bisect_left(positions, self._starts[line - 1])
+        return place < len(positions) and positions[place] < self._starts[line]
+
+    @property
+    def filled(self) -> int:
+        """Number of lines that are not blank."""
+        return len(self._filled)
 
     def leave_only(self, filled: Sequence[int]) -> None:
         """Leave out all lines but ``filled``: those that still hold something in a source that was repaired."""

@@ -13,8 +13,8 @@ demo: .venv/stamp
 	$(BIN)/roslens serve $(WS) --port $(PORT)
 
 test: lint parts
-	$(BIN)/pytest -n auto --dist loadgroup -m "not slow"
-	$(BIN)/pytest -m slow
+	$(BIN)/pytest -n auto -m "not slow and not browser"
+	$(BIN)/pytest -m "slow or browser"
 
 # An answer in two minutes: no real tools, no browser, nothing slow.
 quick: lint

@@ -109,7 +109,8 @@ def test_a_crash_loses_one_file_of_one_plugin(member, make_package, tmp_path):
 def test_children_of_a_plugin_that_hangs_are_gone(member, make_package):
     before = _sleepers()
     run_package(member("misbehaving.py"), make_package({"a.py": "# hang with child\n"}), time_limit_s=0.5)
-    assert _sleepers() == before
+    # Other tests may have theirs, which come and go.
+    assert _sleepers() <= before
 
 
 def _sleepers():

@@ -31,7 +31,12 @@ def migrate(connection: sqlite3.Connection, path: Path | None, schema: Path = SC
     """
     steps = _migrations(schema)
     newest = max(steps)
-    version = _checked_version(connection, path, newest)
+    # In one transaction: between two look-ups another process may make the store.
+    connection.execute("BEGIN")
+    try:
+        version = _checked_version(connection, path, newest)
+    finally:
+        connection.execute("ROLLBACK")
     if version == newest:
         return
     if version == 0 and path is not None:

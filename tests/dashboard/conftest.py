@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import importlib.util
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -54,7 +55,9 @@ class Client:
 
     def get(self, path: str, **given: Any) -> httpx.Response:
         """Return the answer; redirects are not followed."""
-        return asyncio.run(self._get(path, **given))
+        # In a thread of its own: a browser test of the same session keeps an event loop running in this one.
+        with ThreadPoolExecutor(1) as thread:
+            return thread.submit(lambda: asyncio.run(self._get(path, **given))).result()
 
     async def _get(self, path: str, **given: Any) -> httpx.Response:
         async with httpx.AsyncClient(transport=httpx.ASGITransport(self._app), base_url="http://localhost") as client:

@@ -16,7 +16,7 @@ from roslens.model.quantity import Better
 from roslens.model.result import PackageSummary
 from roslens.model.tags import TagFilter
 
-SMALLEST, LARGEST = 6.0, 24.0
+SMALLEST, LARGEST = 8.0, 30.0
 LONGEST_LABEL = 30
 _CHARACTER = 6.9
 

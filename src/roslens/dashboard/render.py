@@ -6,7 +6,7 @@ from pathlib import Path
 
 import msgspec
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 import roslens
 from roslens.dashboard.address import FileLinks, Links, PageRef
@@ -14,7 +14,7 @@ from roslens.dashboard.figures import number, plural, share
 from roslens.dashboard.pages.help import KEYS
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import next_sort
-from roslens.dashboard.table_rows import rows_html
+from roslens.dashboard.table_rows import rows_html, ticks
 from roslens.dashboard.view import Query, View
 
 TEMPLATES = Path(__file__).with_name("templates")
@@ -94,14 +94,6 @@ def reference(page: str, key: str = "", anchor: str = "", **query: str) -> PageR
 def requery(ref: PageRef, **query: str) -> PageRef:
     """Return the same page asked with these parameters set anew; an empty value takes one away."""
     return PageRef(ref.page, ref.key, Query(ref.query).replaced(**query))
-
-
-def ticks(text: str) -> Markup:
-    """Return the text with what stands between backticks as code; everything is escaped."""
-    parts = str(escape(text)).split("`")
-    if len(parts) % 2 == 0:
-        return escape(text)
-    return Markup("".join(f"<code>{part}</code>" if place % 2 else part for place, part in enumerate(parts)))  # noqa: S704 - escaped above
 
 
 def embedded(value: object) -> Markup:

@@ -56,10 +56,12 @@ def _bar(value: object, most: float) -> str:
 def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
     if cell.refs:
         return " ".join(_linked(escape(name), ref, "", link) for name, ref in cell.refs)
-    # A plain string: what is joined to safe markup would be escaped once more.
-    text = str(escape(shown(column, cell, digits)))
+    if cell.spark:
+        return _spark(cell.spark)
     if column.kind == "mark":
         return mark_html(str(cell.value))
+    # A plain string: what is joined to safe markup would be escaped once more.
+    text = str(ticks(shown(column, cell, digits)) if column.kind == "text" else escape(shown(column, cell, digits)))
     if column.kind == "code" and text:
         # A long path or qualified name may break between its parts, not inside them.
         text = f"<code>{text.replace('/', '/<wbr>').replace('::', '::<wbr>')}</code>"
@@ -82,7 +84,18 @@ def _spark(counts: tuple[int, ...]) -> str:
         if count
         for height in (max(1.0, 16 * count / most),)
     )
-    return f'<svg class="spark" viewBox="0 0 {3 * len(counts)} 18" aria-hidden="true">{bars}</svg>'
+    box = f'viewBox="0 0 {3 * len(counts)} 18" preserveAspectRatio="none"'
+    return f'<svg class="spark" {box} aria-hidden="true">{bars}</svg>'
+
+
+def ticks(text: str) -> Markup:
+    """Return the text with what stands between backticks as code; everything is escaped."""
+    parts = escape(text).split("`")
+    if len(parts) % 2 == 0 or len(parts) == 1:
+        return escape(text)
+    return Markup("").join(
+        Markup("<code>{}</code>").format(part) if place % 2 else part for place, part in enumerate(parts)
+    )
 
 
 def glyph_html(name: str) -> str:

@@ -19,6 +19,8 @@ LABEL = 15.0
 ROOM = 12.0
 WAY = 9.0
 ASPECT = 1.6
+SCREEN = 1.75
+WIDEST = 1.5
 TALLEST = 2.4
 HEAD = 44.0
 
@@ -80,6 +82,7 @@ def lay_out(nodes: Sequence[Node], edges: Sequence[Edge]) -> Layout:
     centres = spread(order, heights, grid.left, grid.right)
     stretch = _stretch(centres, order, right)
     centres = [centre * stretch for centre in centres]
+    spans, right = _widened(spans, right, _extent(centres, order))
     top = min((centres[item] - heights[item] / 2 for column in order for item in column), default=0.0)
     places: list[tuple[float, float]] = [(0.0, 0.0)] * len(nodes)
     numbers = [-1] * len(nodes)
@@ -114,9 +117,26 @@ def lay_out(nodes: Sequence[Node], edges: Sequence[Edge]) -> Layout:
 
 def _stretch(centres: Sequence[float], order: Sequence[Sequence[int]], right: float) -> float:
     """Return by how much to pull the rows of a low and wide picture apart, so that names have room on a screen."""
-    found = [centres[item] for column in order for item in column]
-    height = max(found, default=0.0) - min(found, default=0.0)
+    height = _extent(centres, order)
     return min(TALLEST, max(1.0, right / ASPECT / height)) if height > 0 else 1.0
+
+
+def _extent(centres: Sequence[float], order: Sequence[Sequence[int]]) -> float:
+    found = [centres[item] for column in order for item in column]
+    return max(found, default=0.0) - min(found, default=0.0)
+
+
+def _widened(
+    spans: Sequence[tuple[float, float]], right: float, height: float
+) -> tuple[list[tuple[float, float]], float]:
+    """Return the columns of a tall picture further apart, so that it fills a screen and names have room beside it."""
+    between = len(spans) - 1
+    if between < 1:
+        return list(spans), right
+    more = min(WIDEST * GAP, max(0.0, (height * SCREEN - right) / between))
+    return [
+        (left + place * more, end + place * more) for place, (left, end) in enumerate(spans)
+    ], right + between * more
 
 
 def _room(node: Node) -> float:

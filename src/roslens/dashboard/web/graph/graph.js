@@ -7,6 +7,7 @@ import { onKey } from "../keys.js";
 import { sortTable } from "../tables.js";
 import { Camera } from "./camera.js";
 import { colourOf, tagCounts, wantedRules } from "./counts.js";
+import { curve } from "./curves.js";
 import { around, closeUp, dependentsOf, reducedEdges } from "./focus.js";
 import { showNames } from "./names.js";
 import { showSelected } from "./panel.js";
@@ -206,22 +207,17 @@ class GraphView {
     if (this.focus < 0) this.edges.forEach((edge, place) => edge.setAttribute("d", this.drawnEdges[place]));
     else {
       const drawn = this.visible.size <= 300 ? reducedEdges(nodes, this.visible) : [];
-      this.edges[0].setAttribute("d", drawn.map(([from, to]) => this.curve(from, to)).join(""));
+      this.edges[0].setAttribute("d", drawn.map(([from, to]) => this.curve(from, to, drawn.length <= 300)).join(""));
       this.edges[1].setAttribute("d", "");
     }
     this.showCrumbs();
   }
 
-  curve(from, to) {
-    const [a, b] = [this.places.get(to), this.places.get(from)];
-    const [ra, rb] = [this.graph.nodes[to].r, this.graph.nodes[from].r];
-    if (a.x === b.x) {
-      const out = a.x + Math.max(ra, rb) + 28;
-      return `M${a.x + ra} ${a.y}C${out} ${a.y} ${out} ${b.y} ${b.x + rb} ${b.y}`;
-    }
-    const [left, right] = a.x < b.x ? [a.x + ra, b.x - rb] : [a.x - ra, b.x + rb];
-    const middle = (left + right) / 2;
-    return `M${left.toFixed(1)} ${a.y}C${middle.toFixed(1)} ${a.y} ${middle.toFixed(1)} ${b.y} ${right.toFixed(1)} ${b.y}`;
+  curve(from, to, around = false) {
+    const ends = [this.places.get(to), this.places.get(from)];
+    const radii = [this.graph.nodes[to].r, this.graph.nodes[from].r];
+    const others = around ? [...this.places].filter(([number]) => number !== from && number !== to) : [];
+    return curve(ends, radii, others.map(([number, place]) => ({ x: place.x, y: place.y, r: this.graph.nodes[number].r })));
   }
 
   /** The box around what is visible. */
@@ -270,8 +266,8 @@ class GraphView {
     });
     const links = [];
     if (node) {
-      for (const other of node.needs) if (this.visible.has(other)) links.push(draw("path", { class: "needs", d: this.curve(this.selected, other) }));
-      for (const other of this.dependents[this.selected]) if (this.visible.has(other)) links.push(draw("path", { class: "needed-by", d: this.curve(other, this.selected) }));
+      for (const other of node.needs) if (this.visible.has(other)) links.push(draw("path", { class: "needs", d: this.curve(this.selected, other, true) }));
+      for (const other of this.dependents[this.selected]) if (this.visible.has(other)) links.push(draw("path", { class: "needed-by", d: this.curve(other, this.selected, true) }));
     }
     this.svg.querySelector("#links").replaceChildren(...links);
     showSelected(this.root.querySelector("#graph-selected"), this, this.selected);

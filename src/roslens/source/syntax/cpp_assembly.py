@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Generic, TypeVar
 
 from roslens.source.syntax.cpp_lines import LineMap
 from roslens.source.syntax.cpp_names import callee_name, text_of
@@ -17,16 +19,57 @@ from roslens.source.syntax.facts import (
     MethodFacts,
     SyntaxFault,
 )
-from roslens.source.syntax.tokens import NO_NAMES, TokenText, halstead_of, word_counts
+from roslens.source.syntax.tokens import NO_NAMES, TokenText, halstead_of, word_counts, words_of
 
 _LONGEST_NAME = 300
+_NEAR = 60
+_NOTHING = {""}
+_Named = TypeVar("_Named")
 _SCOPE = frozenset(b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_:")
+_SCOPE_OR_SPACE = bytes(byte if byte in _SCOPE else 0x20 for byte in range(256))
 _LETTERS = frozenset(b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")
 
 
-def _between(spans: list[Span], start: int, end: int) -> list[Span]:
-    """Return those of the sorted ``spans`` that begin from ``start`` to before ``end``."""
-    return spans[bisect_left(spans, (start, 0)) : bisect_left(spans, (end, 0))]
+class _Names(dict[bytes, str]):
+    """Names as written to their text, each decoded once."""
+
+    def __missing__(self, written: bytes) -> str:
+        name = self[written] = text_of(written)
+        return name
+
+
+class _Callees(dict[bytes, str]):
+    """What is called as written to its name."""
+
+    def __missing__(self, written: bytes) -> str:
+        name = self[written] = callee_name(text_of(written))
+        return name
+
+
+class _Places(Generic[_Named]):
+    """Sorted positions with what is there; a span of source is a slice of both."""
+
+    def __init__(self, starts: list[int], named: list[_Named]) -> None:
+        """Keep positions and, in the same order, what is there."""
+        self.starts = starts
+        self.named = named
+
+    def within(self, start: int, end: int) -> list[_Named]:
+        """Return what begins from ``start`` to before ``end``."""
+        return self.named[bisect_left(self.starts, start) : bisect_left(self.starts, end)]
+
+    def number(self, start: int, end: int) -> int:
+        """Return how much begins from ``start`` to before ``end``."""
+        return bisect_left(self.starts, end) - bisect_left(self.starts, start)
+
+    def outside(self, start: int, end: int, areas: Iterable[Span]) -> list[_Named]:
+        """Return what begins from ``start`` to before ``end``, but in none of the sorted ``areas``."""
+        found: list[_Named] = []
+        for first, last in areas:
+            if last > start:
+                found += self.within(start, min(max(first, start), end))
+                start = max(start, last)
+        return found + self.within(start, max(start, end))
 
 
 def _outside(spans: list[Span], areas: list[Span]) -> list[Span]:
@@ -57,29 +100,34 @@ class Assembly:
         self._statements = captures.statements
         self._fault_starts = [fault.line for fault in faults]
         self._fault_ends = [fault.end_line for fault in faults]
-        self._names: dict[bytes, str] = {}
-        self._callees: dict[bytes, str] = {}
+        self._names = _Names()
         self._walk = walk
         self._source = source
-        self._called_at = sorted([*captures.callees, *walk.macro_calls])
-        self._typed_at = _outside(captures.types, walk.macro_headers)
+        called = sorted([*captures.callees, *walk.macro_calls])
+        written = [source[max(start, end - _LONGEST_NAME) : end] for start, end in called]
+        self._written = _Places([start for start, _ in called], written)
+        self._called = _Places(self._written.starts, list(map(_Callees().__getitem__, written)))
+        typed = _outside(captures.types, walk.macro_headers)
+        self._types = _Places([start for start, _ in typed], [self._type(start, end) for start, end in typed])
         self._bodies = sorted(scope.body for scope in walk.functions)
 
     def function(self, scope: FunctionScope) -> FunctionFacts:
         """Return the facts of a function."""
         start, end = scope.span
+        begin, finish = scope.body
         first, last = self._lines.number(start), self._lines.number(end - 1)
-        words = word_counts(self._text, start, end)
+        in_body = words_of(self._text, begin, finish)
+        words = Counter([*words_of(self._text, start, begin), *in_body, *words_of(self._text, finish, end)])
         declarator = scope.declarator
         counts = dict(scope.counts)
-        called = self._callees_in(scope)
-        if called:
+        inner = sorted(scope.inner)
+        if called := self._called.outside(start, end, inner):
             counts["call"] = len(called)
-            if recursions := called.count(declarator.name.encode()):
+            if recursions := self._written.outside(start, end, inner).count(declarator.name.encode()):
                 counts["recursion"] = recursions
         if statements := self._within(scope.body) - sum(map(self._within, scope.inner)):
             counts["statement"] = statements
-        body_first, body_last = self._lines.number(scope.body[0]), self._lines.number(scope.body[1] - 1)
+        body_first, body_last = self._lines.number(begin), self._lines.number(finish - 1)
         return FunctionFacts(
             name=declarator.name or "(unnamed)",
             qualified_name=scope.qualified_name or "(unnamed)",
@@ -99,10 +147,10 @@ class Assembly:
             lines=self._lines.lines(first, last),
             eloc=max(0, self._eloc(scope.body, body_first, body_last) - self._inner_lines(scope)),
             halstead=halstead_of(self._text, words, start, end),
-            parameter_types=self._types_in(start, scope.body[0]),
+            parameter_types=self._types_in(start, begin),
             types=self._types_in(start, end),
-            calls=self._called(called),
-            identifiers=self._identifiers(scope) if scope.class_name else (),
+            calls=tuple(sorted({*called} - _NOTHING)),
+            identifiers=self._identifiers(in_body) if scope.class_name else (),
             approximate=self._is_approximate(first, last),
         )
 
@@ -134,9 +182,10 @@ class Assembly:
     def counts(self) -> dict[str, int]:
         """Return the counts of what stands outside functions."""
         counts = dict(self._walk.counts)
-        inside = sum(len(_between(self._called_at, *scope.span)) for scope in self._walk.functions)
-        nested = sum(len(_between(self._called_at, *span)) for scope in self._walk.functions for span in scope.inner)
-        if calls := len(self._called_at) - inside + nested:
+        scopes = self._walk.functions
+        inside = sum(self._called.number(*scope.span) for scope in scopes)
+        nested = sum(self._called.number(*span) for scope in scopes for span in scope.inner)
+        if calls := len(self._called.starts) - inside + nested:
             counts["call"] = calls
         return counts
 
@@ -186,59 +235,34 @@ class Assembly:
     def _within(self, span: Span) -> int:
         return bisect_left(self._statements, span[1]) - bisect_left(self._statements, span[0])
 
-    def _callees_in(self, scope: FunctionScope) -> list[bytes]:
-        """Return what is called in a function, as written."""
-        source = self._source
-        spans = _between(self._called_at, *scope.span)
-        for first, last in scope.inner:
-            spans = [span for span in spans if not first <= span[0] < last]
-        return [source[max(start, end - _LONGEST_NAME) : end] for start, end in spans]
-
     def _with_calls(self, counts: Mapping[str, int], spans: Sequence[Span], inner: Sequence[Span]) -> dict[str, int]:
         """Return counts with the calls inside ``spans`` and outside ``inner``."""
         found = dict(counts)
-        called = (start for span in spans for start, _ in _between(self._called_at, *span))
-        if calls := sum(1 for start in called if not any(first <= start < last for first, last in inner)):
+        if calls := sum(len(self._called.outside(*span, inner)) for span in spans):
             found["call"] = calls
         return found
 
     def _types_in(self, start: int, end: int) -> tuple[str, ...]:
-        return tuple(sorted({self._type(*span) for span in _between(self._typed_at, start, end)}))
+        return tuple(sorted(set(self._types.within(start, end))))
 
     def _types_outside_bodies(self, start: int, end: int) -> tuple[str, ...]:
-        spans = _between(self._typed_at, start, end)
-        bodies = _between(self._bodies, start, end)
-        outside = (span for span in spans if not any(first <= span[0] < last for first, last in bodies))
-        return tuple(sorted({self._type(*span) for span in outside}))
+        first = bisect_left(self._bodies, (start, 0))
+        bodies = self._bodies[first : bisect_left(self._bodies, (end, 0))]
+        return tuple(sorted(set(self._types.outside(start, end, bodies))))
 
     def _type(self, start: int, end: int) -> str:
+        """Return the name of a type with the scope that is written before it."""
         source = self._source
-        if source[start - 2 : start] == b"::":
-            first = start
-            while first > 0 and start - first < _LONGEST_NAME and source[first - 1] in _SCOPE:
-                first -= 1
-            return self._name(source[first:end].lstrip(b":"))
-        return self._name(source[start:end])
+        first = start
+        if start > 1 and source.startswith(b"::", start - 2):
+            near = max(0, start - _NEAR)
+            first = near + source[near:start].translate(_SCOPE_OR_SPACE).rfind(b" ") + 1
+            while first == near > 0 and start - near < _LONGEST_NAME and source[first - 1] in _SCOPE:
+                near = first = first - 1
+        return self._names[source[first:end].lstrip(b":") if first < start else source[first:end]]
 
-    def _name(self, written: bytes) -> str:
-        known = self._names.get(written)
-        if known is None:
-            known = self._names[written] = text_of(written)
-        return known
-
-    def _called(self, written: Iterable[bytes]) -> tuple[str, ...]:
-        found = set()
-        for one in written:
-            name = self._callees.get(one)
-            if name is None:
-                name = self._callees[one] = callee_name(text_of(one))
-            found.add(name)
-        found.discard("")
-        return tuple(sorted(found))
-
-    def _identifiers(self, scope: FunctionScope) -> tuple[str, ...]:
-        words = word_counts(self._text, *scope.body).keys() - NO_NAMES
-        return tuple(sorted(self._name(word) for word in words if word[0] in _LETTERS))
+    def _identifiers(self, words: Iterable[bytes]) -> tuple[str, ...]:
+        return tuple(sorted([self._names[word] for word in set(words) - NO_NAMES if word[0] in _LETTERS]))
 
     def _is_approximate(self, first: int, last: int) -> bool:
         before = bisect_right(self._fault_starts, last)

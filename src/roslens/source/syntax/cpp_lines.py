@@ -30,7 +30,7 @@ class LineMap:
     def __init__(self, source: bytes, hashes: Sequence[int], numbers: Sequence[int]) -> None:
         """Find the line starts of ``source``; the hashes of its code lines and their numbers tell what is on them."""
         lines = source.split(b"\n")
-        self._starts = [0, *map(add, accumulate(map(len, lines)), count(1))]
+        self._starts: list[int] = [0, *map(add, accumulate(map(len, lines)), count(1))]
         self._numbers = numbers
         self._filled = list(compress(count(1), map(bytes.strip, lines)))
         self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in hashes]))

@@ -23,6 +23,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from itertools import compress, count
+from operator import mul
 from zlib import crc32
 
 import msgspec
@@ -69,6 +70,7 @@ _OPERATOR = re.compile(
     rb"<<=|>>=|<=>|\*\*=|//=|->\*?|\+\+|--|&&|\|\||[-+*/%&|^<>=!:@]=|::|<<|>>|\*\*|//|\.\.\.|\.\*|##|[^\s)\]}\\]"
 )
 _REMEMBERED = 20_000
+_LONGEST_REMEMBERED = 16
 
 
 class TokenText(msgspec.Struct, frozen=True):
@@ -91,23 +93,23 @@ def token_text(code: bytes, syntax: str) -> TokenText:
     return TokenText(code, numbers.translate(_WORDS), numbers.translate(_MARKS), syntax)
 
 
+def words_of(text: TokenText, start: int = 0, end: int | None = None) -> list[bytes]:
+    """Return the words between two offsets; strings are words that begin with a byte above 0x7F."""
+    return text.words[start:end].split()
+
+
 def word_counts(text: TokenText, start: int = 0, end: int | None = None) -> Counter[bytes]:
-    """Count each word between two offsets; strings are words that begin with a byte above 0x7F."""
-    return Counter(text.words[start:end].split())
+    """Count each word between two offsets."""
+    return Counter(words_of(text, start, end))
 
 
 def halstead_of(text: TokenText, words: Counter[bytes], start: int = 0, end: int | None = None) -> Halstead:
     """Count operators and operands between two offsets, whose ``words`` are known."""
     keywords = words.keys() & _KEYWORDS[text.syntax]
     keyword_total = sum(map(words.__getitem__, keywords))
-    distinct: set[bytes] = set()
-    total = 0
-    for run, times in Counter(text.marks[start:end].split()).items():
-        operators = _OPERATORS.get(run)
-        if operators is None:
-            operators = _cut(run)
-        distinct.update(operators)
-        total += times * len(operators)
+    runs = Counter(text.marks[start:end].split())
+    distinct: set[bytes] = set().union(*map(_OPERATORS.__getitem__, runs))
+    total = sum(map(mul, map(len, map(_OPERATORS.__getitem__, runs)), runs.values()))
     return Halstead(
         len(keywords) + len(distinct),
         len(words) - len(keywords),
@@ -116,14 +118,17 @@ def halstead_of(text: TokenText, words: Counter[bytes], start: int = 0, end: int
     )
 
 
-_OPERATORS: dict[bytes, tuple[bytes, ...]] = {}
+class _Operators(dict[bytes, tuple[bytes, ...]]):
+    """Runs of marks to the operators they are made of; those that are usual are remembered."""
+
+    def __missing__(self, run: bytes) -> tuple[bytes, ...]:
+        operators = tuple(_OPERATOR.findall(run))
+        if len(run) < _LONGEST_REMEMBERED and len(self) < _REMEMBERED:
+            self[run] = operators
+        return operators
 
 
-def _cut(run: bytes) -> tuple[bytes, ...]:
-    operators = tuple(_OPERATOR.findall(run))
-    if len(run) < 16 and len(_OPERATORS) < _REMEMBERED:
-        _OPERATORS[run] = operators
-    return operators
+_OPERATORS = _Operators()
 
 
 def halstead(content: bytes, syntax: str) -> Halstead:

@@ -102,7 +102,7 @@ def test_search_offers_matches_and_goes_there(visit: Visit) -> None:
     page.keyboard.type("costmap")
     page.keyboard.press("Enter")
     expect(page).to_have_url(re.compile(r"/search\?q=costmap"))
-    assert page.locator("#results tbody tr").count() > 0
+    expect(page.locator("#results tbody tr").first).to_be_visible()
 
 
 def test_help_opens_and_closes(visit: Visit) -> None:

@@ -17,7 +17,7 @@ from roslens.source.syntax.facts import (
     SyntaxFault,
 )
 from roslens.source.syntax.python_lines import LineMap
-from roslens.source.syntax.python_names import access_of, annotated, callee_name, constructed, text_of
+from roslens.source.syntax.python_names import access_of, annotated, callee_name, is_class_like, text_of
 from roslens.source.syntax.python_query import Captures
 from roslens.source.syntax.python_scopes import Attribute, ClassScope, Counts, Scope, Span
 from roslens.source.syntax.python_walk import Walk
@@ -52,6 +52,8 @@ class Assembly:
         self._fault_starts = [fault.line for fault in faults]
         self._fault_ends = [fault.end_line for fault in faults]
         self._names: dict[bytes, str] = {}
+        self._class_like: set[str] = set()
+        self._annotations: dict[bytes, frozenset[str]] = {}
 
     def halstead(self, start: int, end: int) -> Halstead:
         """Return Halstead's counts between two positions."""
@@ -61,7 +63,7 @@ class Assembly:
         """Return the counts of a function, or of the file outside functions, with its statements."""
         counts = _kept(scope.counts)
         statements = self._statements_in(scope.body) - sum(map(self._statements_in, _inner_bodies(scope)))
-        statements += sum(counts.get(role, 0) for role in _SIMPLE_STATEMENTS)
+        statements += sum([counts[role] for role in _SIMPLE_STATEMENTS if role in counts])
         if statements:
             counts["statement"] = statements
         return counts
@@ -73,8 +75,8 @@ class Assembly:
         line_start = self._lines.start(first)
         measured = scope.level <= _DEEPEST
         calls = self._callees(scope.calls)
-        parameter_types = annotated(scope.parameter_types)
-        types = parameter_types | annotated(scope.types) | constructed(calls)
+        parameter_types = self._annotated(scope.parameter_types)
+        types = parameter_types | self._annotated(scope.types) | self._constructed(calls)
         method = scope.owner is not None
         approximate = self._is_approximate(first, last) or not measured
         return FunctionFacts(
@@ -109,9 +111,9 @@ class Assembly:
         """Return the facts of a class."""
         start = scope.span[0]
         first, last = self._lines_of(scope.span)
-        types = annotated(scope.types) | constructed(self._callees(scope.calls)) | set(scope.bases)
+        types = self._annotated(scope.types) | self._constructed(self._callees(scope.calls)) | set(scope.bases)
         for method in scope.methods:
-            types |= annotated(method.parameter_types)
+            types |= self._annotated(method.parameter_types)
         return ClassFacts(
             name=scope.name,
             qualified_name=scope.qualified_name,
@@ -128,7 +130,7 @@ class Assembly:
 
     def _field(self, attribute: Attribute) -> FieldFacts:
         name = text_of(attribute.name)
-        types = annotated(attribute.types) | constructed(self._callees(attribute.calls))
+        types = self._annotated(attribute.types) | self._constructed(self._callees(attribute.calls))
         return FieldFacts(name, tuple(sorted(types)), access_of(name), attribute.shared)
 
     def _method(self, scope: Scope) -> MethodFacts:
@@ -138,9 +140,22 @@ class Assembly:
             access=access_of(scope.name),
             line=self._lines.number(scope.span[0]),
             static=_is_static(scope),
-            types=tuple(sorted(annotated(scope.parameter_types))),
+            types=tuple(sorted(self._annotated(scope.parameter_types))),
             defined_here=True,
         )
+
+    def _annotated(self, written: set[bytes]) -> set[str]:
+        found: set[str] = set()
+        for one in written:
+            names = self._annotations.get(one)
+            if names is None:
+                names = self._annotations[one] = frozenset(annotated(one))
+            found |= names
+        return found
+
+    def _constructed(self, calls: set[str]) -> set[str]:
+        """Return the class-like names among callees."""
+        return calls & self._class_like if self._class_like else set()
 
     def _callees(self, written: set[bytes]) -> set[str]:
         names = self._names
@@ -149,6 +164,8 @@ class Assembly:
             name = names.get(one)
             if name is None:
                 name = names[one] = callee_name(one, self._bound)
+                if is_class_like(name):
+                    self._class_like.add(name)
             found.add(name)
         found.discard("")
         return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterator
 
 from tree_sitter import Node
 
@@ -57,21 +57,12 @@ def is_class_like(name: str) -> bool:
     return _CLASS_LIKE.match(last) is not None and not (last.isupper() and len(last) > 1) and last not in NOT_CLASSES
 
 
-def constructed(calls: Iterable[str]) -> set[str]:
-    """Return the class-like names among callees."""
-    return {name for name in calls if is_class_like(name)}
-
-
-def annotated(written: Iterable[bytes]) -> set[str]:
-    """Return the class-like names in annotations, those in quotes too, without built-in and ``typing`` names."""
-    names: set[str] = set()
-    for annotation in written:
-        text = _LITERAL.sub("", text_of(annotation))
-        for match in _NAME.finditer(text):
-            name = "".join(match[0].split())
-            if name.rpartition(".")[2] not in NOT_CLASSES:
-                names.add(name)
-    return names
+def annotated(annotation: bytes) -> Iterator[str]:
+    """Yield the class-like names in an annotation, those in quotes too, without built-in and ``typing`` names."""
+    for match in _NAME.finditer(_LITERAL.sub("", text_of(annotation))):
+        name = "".join(match[0].split())
+        if name.rpartition(".")[2] not in NOT_CLASSES:
+            yield name
 
 
 def access_of(name: str) -> str:

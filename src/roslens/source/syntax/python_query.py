@@ -10,7 +10,8 @@ No pattern asks for a node and its descendants where such nodes can stand in eac
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from operator import attrgetter
 
 from tree_sitter import Node, Query, QueryCursor, Tree
 
@@ -81,6 +82,7 @@ _KIND_NUMBERS = {name: number for number, name in enumerate(KINDS)}
 Span = tuple[int, int]
 Event = tuple[int, int, int]
 """Start, negated end and kind of a node: sorted, outer nodes come before inner ones."""
+_EXTENT: Callable[[Node], Span] = attrgetter("byte_range")
 
 
 class Captures:
@@ -101,11 +103,11 @@ class Captures:
         cursor = QueryCursor(_COMPILED)
         cursor.set_max_start_depth(DEEPEST)
         captured = cursor.captures(tree.root_node)
-        comments = [node.byte_range for node in captured.pop("comment", ())]
-        starts = {node.start_byte for node in captured.pop("statement", ())}
+        comments = list(map(_EXTENT, captured.pop("comment", ())))
+        starts = set(map(attrgetter("start_byte"), captured.pop("statement", ())))
         self.statements = sorted(starts.difference(start for start, _ in comments))
-        self.idle = [*comments, *(node.byte_range for node in captured.pop("declaration", ()))]
-        self.interpolations = sorted(node.byte_range for node in captured.pop("interpolation", ()))
+        self.idle = [*comments, *map(_EXTENT, captured.pop("declaration", ()))]
+        self.interpolations = sorted(map(_EXTENT, captured.pop("interpolation", ())))
         self.definitions = {node.byte_range: node for name in ("function", "class") for node in captured.get(name, ())}
         self.operators: dict[Span, Span] = {}
         events = list(self._logical_events(captured.pop("logical", ())))
@@ -113,9 +115,7 @@ class Captures:
             events.extend(_ternary_words(node))
         for name, nodes in captured.items():
             kind = _KIND_NUMBERS[name]
-            for node in nodes:
-                start, end = node.byte_range
-                events.append((start, -end, kind))
+            events += [(start, -end, kind) for start, end in map(_EXTENT, nodes)]
         events.sort()
         self.events = events
 

@@ -139,7 +139,8 @@ def colour(lines: Sequence[str], language: str) -> list[tuple[Piece, ...]]:
     if lexer is None:
         return [(("", line),) for line in lines]
     coloured: list[list[Piece]] = [[]]
-    for kind, text in lexer.get_tokens("\n".join(lines)):
+    # Some lexers know the end of a comment only by the end of its line, so the last line gets one too.
+    for kind, text in lexer.get_tokens("\n".join(lines) + "\n"):
         name = _class_of(str(kind))
         first, *others = text.split("\n")
         _append(coloured[-1], name, first)

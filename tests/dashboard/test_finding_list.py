@@ -1,0 +1,110 @@
+"""Lists of findings: what the address asks for, grouped, cut, with true totals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from roslens.dashboard.finding_list import FindingList, filter_of, list_findings, role_of, select
+from roslens.dashboard.site import Site
+from roslens.dashboard.view import Limits, Query, Request
+from roslens.model.finding import Finding, Severity
+
+Listed = Callable[..., FindingList]
+
+
+@pytest.fixture
+def listed(site: Site) -> Listed:
+    def of(limits: Limits | None = None, **query: str) -> FindingList:
+        asked = Query(query.items())
+        return list_findings(site, filter_of(asked), Request(query=asked, limits=limits or Limits()))
+
+    return of
+
+
+def everything(site: Site) -> list[Finding]:
+    return list(site.view.findings())
+
+
+def test_unknown_words_do_not_filter() -> None:
+    wanted = filter_of(Query([("severity", "fatal"), ("role", "mine"), ("group", "colour")]))
+    assert wanted.severity is None
+    assert (wanted.role, wanted.group) == ("", "rule")
+    assert not wanted.active
+
+
+def test_what_the_page_is_about_cannot_be_overridden() -> None:
+    assert filter_of(Query([("rule", "other")]), rule="this").rule == "this"
+    assert filter_of(Query([("package", "other")]), package="this").package == "this"
+
+
+@pytest.mark.parametrize(
+    ("query", "meant"),
+    [
+        ({"severity": "warning"}, lambda found, _: found.severity is Severity.WARNING),
+        ({"include": "cpp,ros"}, lambda found, _: {"cpp", "ros"} & set(found.tags)),
+        (
+            {"include": "ROS", "exclude": "metrics"},
+            lambda found, _: "ros" in found.tags and "metrics" not in found.tags,
+        ),
+        ({"role": "test"}, lambda found, role: role == "test"),
+        (
+            {"text": "NAME"},
+            lambda found, _: "name" in f"{found.message} {found.path} {found.rule} {found.entity}".lower(),
+        ),
+        ({"rule": "ros.calls.max"}, lambda found, _: found.rule == "ros.calls.max"),
+    ],
+)
+@pytest.mark.parametrize("group", ["rule", "file"])
+def test_exactly_what_is_meant_is_counted_and_selected(
+    site: Site, listed: Listed, query: dict[str, str], meant: Callable[[Finding, str], object], group: str
+) -> None:
+    expected = [found for found in everything(site) if meant(found, role_of(site, found))]
+    assert 0 < len(expected) < len(everything(site))
+    assert listed(group=group, **query).total == len(expected)
+    selected = select(site, filter_of(Query(query.items())))
+    assert sorted(found.fingerprint for found in selected) == sorted(found.fingerprint for found in expected)
+
+
+def test_groups_by_rule_come_most_severe_first_and_say_how_many_there_are(site: Site, listed: Listed) -> None:
+    found = listed()
+    assert found.total == len(everything(site))
+    severities = [group.findings[0].finding.severity.rank for group in found.groups]
+    assert severities == sorted(severities, reverse=True)
+    for group in found.groups:
+        assert group.total == sum(one.rule == group.key for one in everything(site))
+        assert {shown.finding.rule for shown in group.findings} == {group.key}
+        assert (group.more is not None) == (len(group.findings) < group.total)
+
+
+def test_groups_by_file_hold_what_is_in_the_file(site: Site, listed: Listed) -> None:
+    for group in listed(group="file").groups:
+        assert {shown.finding.path for shown in group.findings} == {group.key}
+
+
+@pytest.mark.parametrize("query", [{"group": "file"}, {"text": "o"}, {}])
+def test_pages_lead_from_the_first_to_the_last(listed: Listed, query: dict[str, str]) -> None:
+    limits = Limits(findings=23, per_group=23, groups=3)
+    start, seen = 0, 0
+    while True:
+        found = listed(limits, start=str(start), **query)
+        assert found.shown <= 23
+        seen += found.shown
+        if not found.step:
+            break
+        start += found.step
+    if query:
+        assert seen == found.total
+    else:
+        assert start < found.group_total
+
+
+def test_findings_carry_their_excerpt_and_their_place(listed: Listed) -> None:
+    shown = next(
+        shown for group in listed(severity="warning").groups for shown in group.findings if shown.finding.line > 2
+    )
+    assert shown.excerpt is not None
+    assert any(hit for _, hit, _ in shown.excerpt.lines)
+    assert shown.ref is not None
+    assert (shown.ref.key, shown.ref.anchor) == (shown.finding.path, f"L{shown.finding.line}")

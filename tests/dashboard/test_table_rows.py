@@ -1,0 +1,54 @@
+"""Rows as HTML: everything escaped, signs with words, links where there is a page."""
+
+from __future__ import annotations
+
+from roslens.dashboard.address import PageRef
+from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.table_rows import rows_html, ticks
+
+HOSTILE = "<img src=x onerror=alert(1)>'\"&"
+
+
+def rows(column: Column, *cells: Cell, link: str = "/there") -> str:
+    table = Table("t", "T", (Column("first", "First"), column), tuple((Cell("x"), cell) for cell in cells))
+    return str(rows_html(table, lambda ref: link))
+
+
+def test_text_is_escaped_wherever_it_stands() -> None:
+    column = Column("c", "C")
+    for cell in (
+        Cell(HOSTILE),
+        Cell(1, text=HOSTILE),
+        Cell("x", hint=HOSTILE),
+        Cell("x", refs=((HOSTILE, PageRef("rules")),)),
+    ):
+        assert "<img" not in rows(column, cell)
+    assert "<img" not in rows(Column("c", "C", "code"), Cell(HOSTILE))
+    assert "<img" not in rows(column, Cell("x", ref=PageRef("rules")), link=f'"{HOSTILE}')
+    table = Table("t", "T", (column,), ((Cell("x"),),), identities=(HOSTILE,))
+    assert "<img" not in rows_html(table, lambda _: "")
+
+
+def test_a_cell_links_only_to_a_page_that_is_there() -> None:
+    cell = Cell("amcl", ref=PageRef("package", "amcl"))
+    assert '<a href="/there">amcl</a>' in rows(Column("c", "C"), cell)
+    assert "<a" not in rows(Column("c", "C"), cell, link="")
+
+
+def test_a_rating_is_sign_and_word() -> None:
+    found = rows(Column("c", "C", "number"), Cell(12, rating="high"))
+    assert "#g-high" in found
+    assert '<span class="sr">high</span>' in found
+
+
+def test_bars_are_shares_of_the_most() -> None:
+    found = rows(Column("c", "C", "number", bar=True), Cell(5), Cell(10), Cell(0), Cell(None))
+    assert 'width="50.0%"' in found
+    assert 'width="100.0%"' in found
+    assert found.count("<rect") == 2
+
+
+def test_what_stands_between_backticks_is_code() -> None:
+    assert ticks("use `a<b>` here") == "use <code>a&lt;b&gt;</code> here"
+    assert ticks("one ` alone <b>") == "one ` alone &lt;b&gt;"
+    assert ticks("plain") == "plain"

@@ -12,7 +12,7 @@ from roslens.source.syntax.cpp import parse_cpp
 from roslens.source.syntax.macros import load_macros
 
 FIXTURES = Path(__file__).parents[2] / "fixtures" / "syntax" / "cpp"
-CASES = int(os.environ.get("ROSLENS_FUZZ_CASES", "100000"))
+CASES = int(os.environ.get("ROSLENS_FUZZ_CASES", "5000"))
 FEW = 300
 MACROS = load_macros()
 SEEDS = [path.read_bytes() for path in sorted(FIXTURES.glob("*/source.*"))]

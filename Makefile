@@ -4,7 +4,7 @@ WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo test quick lint parts docs lock bench clean
+.PHONY: demo test slow quick lint parts docs lock bench clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -14,7 +14,11 @@ demo: .venv/stamp
 
 test: lint parts
 	$(BIN)/pytest -n auto -m "not slow and not browser"
-	$(BIN)/pytest -m "slow or browser"
+	$(BIN)/pytest -m "browser and not slow"
+
+# Speed, size and long fuzzing; wants an otherwise idle machine.
+slow: lint parts
+	$(BIN)/pytest -m slow
 
 # An answer in two minutes: no real tools, no browser, nothing slow.
 quick: lint

@@ -14,9 +14,9 @@ demo: .venv/stamp
 
 test: lint parts
 	$(BIN)/pytest -n auto -m "not slow and not browser"
-	$(BIN)/pytest -m "browser and not slow"
+	$(BIN)/pytest -m "slow or browser"
 
-# Speed, size and long fuzzing; wants an otherwise idle machine.
+# Speed, size and long fuzzing alone; wants an otherwise idle machine.
 slow: lint parts
 	$(BIN)/pytest -m slow
 

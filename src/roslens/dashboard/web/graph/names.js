@@ -5,7 +5,10 @@ export const READABLE = 0.66;
 const WIDTH = 6.9;
 const HEIGHT = 15;
 
-/** Show names for a zoom. `order` is who comes first; `places` are where they stand. */
+/**
+ * Show names for a zoom. `order` is who comes first; `places` are where they stand. While only some have a name, because
+ * a selection dims the rest, a name may lie on a dimmed disc.
+ */
 export function showNames(svg, elements, nodes, order, places, camera) {
   const all = camera.k >= READABLE;
   svg.classList.toggle("no-names", !all);
@@ -19,7 +22,9 @@ export function showNames(svg, elements, nodes, order, places, camera) {
   }
   const { width, height } = camera.size();
   const taken = new Rows();
+  const bright = order.length < places.size ? new Set(order) : places;
   for (const [number, place] of places) {
+    if (!bright.has(number)) continue;
     const [x, y, r] = [camera.k * place.x + camera.x, camera.k * place.y + camera.y, camera.k * nodes[number].r];
     taken.add({ owner: number, left: x - r, right: x + r, top: y - r, bottom: y + r });
   }

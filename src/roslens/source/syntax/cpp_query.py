@@ -75,6 +75,7 @@ _QUERY = """
 """
 
 _LANGUAGE = Language(tree_sitter_cpp.language())
+_PARSER = Parser(_LANGUAGE)
 _COMPILED = Query(_LANGUAGE, _QUERY)
 _KIND_NUMBERS = {name: number for number, name in enumerate(KINDS)}
 
@@ -85,7 +86,7 @@ Event = tuple[int, int, int]
 
 def parse_tree(source: bytes) -> Tree:
     """Parse ``source``; never fails, what is no C++ becomes error nodes."""
-    return Parser(_LANGUAGE).parse(source)
+    return _PARSER.parse(source)
 
 
 def parse_again(source: bytes, earlier: bytes, tree: Tree) -> Tree:
@@ -99,7 +100,7 @@ def parse_again(source: bytes, earlier: bytes, tree: Tree) -> Tree:
 
     for start, end in _differences(earlier, source):
         tree.edit(start, end, end, point(start), point(end), point(end))
-    return Parser(_LANGUAGE).parse(source, tree)
+    return _PARSER.parse(source, tree)
 
 
 def _differences(one: bytes, other: bytes) -> list[Span]:

@@ -1,0 +1,154 @@
+"""What a reference expects of a live system: the values that its documents are read into."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+import msgspec
+
+from roslens.judge.range import Range
+from roslens.model.entity import EntityKind
+from roslens.model.finding import Severity
+
+
+class Selector(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Which entities a sentence is about; every part that is given has to hold.
+
+    Patterns are matched against resolved names: ``*`` is any text within one segment, ``**`` any text, ``?`` one
+    character of a segment, ``{a,b}`` one of these; a pattern that begins with ``re:`` is a regular expression.
+
+    Attributes:
+        kind: of the entities.
+        name: pattern of the name; of a connection that of its topic.
+        host: pattern of the host on which it is.
+        type: pattern of the message type of a topic or connection.
+        publisher: pattern of the publishing node of a topic or connection.
+        subscriber: pattern of the receiving node of a connection.
+        without: patterns of names that are left out.
+    """
+
+    kind: EntityKind
+    name: str = "**"
+    host: str = ""
+    type: str = ""
+    publisher: str = ""
+    subscriber: str = ""
+    without: tuple[str, ...] = ()
+
+
+class Timing(msgspec.Struct, frozen=True, omit_defaults=True):
+    """How long something must last before it counts, in seconds.
+
+    Attributes:
+        lasting: a value must be bad this long before the verdict says so (``for``).
+        recovering: it must be fine this long before the verdict says ok again; 0 is as long as ``lasting``.
+        margin: hysteresis as a share of the bound: a bad value counts as fine only when it is inside by that much.
+        grace: after an entity appears, and after a clock jumps, nothing is bad for this long.
+        window: over which values are taken; 0 lets roslens size it by the expected period.
+    """
+
+    lasting: float = 0.0
+    recovering: float = 0.0
+    margin: float = 0.0
+    grace: float = 5.0
+    window: float = 0.0
+
+
+class Told(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What every sentence of a reference has besides what it expects.
+
+    Attributes:
+        id: ``<reference>.<name>``, unique.
+        where: ``file:line`` of the sentence.
+        severity: of its being broken.
+        group: under which operators see it.
+        text: what to tell the operator.
+        timing: how long things must last.
+    """
+
+    id: str
+    where: str = ""
+    severity: Severity = Severity.WARNING
+    group: str = ""
+    text: str = ""
+    timing: Timing = Timing()
+
+
+class Expectation(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A signal of the selected entities is in a range; bounds are in the unit of the signal.
+
+    ``percentile`` 0 takes the value of the window itself, else that share (of 100) of the values in it.
+    ``written`` is the range as the document has it.
+    """
+
+    told: Told
+    selector: Selector
+    quantity: str
+    range: Range
+    written: str = ""
+    percentile: float = 0.0
+
+
+class PresenceMode(str, Enum):
+    """How an entity has to be there."""
+
+    ALWAYS = "always"
+    WHILE = "while"
+    AT_MOST_ONE = "at most one"
+    NEVER = "never"
+
+
+class Presence(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Selected entities are there: always, while another is there, at most one of them, or never.
+
+    With ``always`` a name without wildcards must exist; one with wildcards must match something.
+    ``condition`` is the other entity of ``while``.
+    """
+
+    told: Told
+    selector: Selector
+    mode: PresenceMode
+    condition: Selector | None = None
+
+
+class FieldCondition(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A field of the last message on a topic is in a range."""
+
+    topic: str
+    field: str
+    range: Range
+
+
+class FieldCheck(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A field of the messages of a topic is in a range, as long as a condition holds.
+
+    ``field`` is a path such as ``pose.position.x`` or ``ranges[0]``.
+    """
+
+    told: Told
+    topic: str
+    field: str
+    range: Range
+    written: str = ""
+    condition: FieldCondition | None = None
+
+
+class AgeChain(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Data on the last of ``topics`` is at most so old, counted from its stamp on the first; seconds."""
+
+    told: Told
+    topics: tuple[str, ...]
+    range: Range
+    written: str = ""
+
+
+class Reference(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Everything that is expected of a system, merged from its documents; sorted by id within each part."""
+
+    name: str
+    title: str = ""
+    documents: tuple[str, ...] = ()
+    expectations: tuple[Expectation, ...] = ()
+    presences: tuple[Presence, ...] = ()
+    field_checks: tuple[FieldCheck, ...] = ()
+    chains: tuple[AgeChain, ...] = ()

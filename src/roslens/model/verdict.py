@@ -1,0 +1,67 @@
+"""What is held of one quantity of one entity, judged against one sentence of a reference."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+import msgspec
+
+from roslens.model.entity import EntityId
+from roslens.model.finding import Severity
+
+
+class State(str, Enum):
+    """How an entity stands, from best known to worst.
+
+    ``unknown``: there is no value to judge. ``suspended``: time stands still or jumped, or its enabling condition does
+    not hold. ``absent``: it should be there, or should have said something, and is not or has not.
+    """
+
+    OK = "ok"
+    SUSPENDED = "suspended"
+    UNKNOWN = "unknown"
+    LOW = "low"
+    HIGH = "high"
+    ABSENT = "absent"
+
+    @property
+    def bad(self) -> bool:
+        """Whether it is an alarm."""
+        return self in (State.LOW, State.HIGH, State.ABSENT)
+
+
+class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What one expectation says of one entity, from ``since`` on.
+
+    Attributes:
+        entity: judged.
+        expectation: id of the sentence, ``<reference>.<id>``.
+        quantity: key of the signal; ``presence`` where being there is what is judged.
+        state: how it stands.
+        since: seconds on the monitor's clock at which the state began, that is, when the fault began and not when
+            it had lasted long enough.
+        time: when this was judged.
+        value: that was judged, in the unit of the signal; None where there is none.
+        range: the values that are fine, as the reference writes them.
+        severity: of its being bad.
+        evidence: what shows it, in words: window, messages, observer.
+        text: what the reference tells the operator.
+        group: under which operators see it.
+        where: ``file:line`` of the sentence.
+        cause: text form of the id of the entity whose fault explains this one; empty for a first cause.
+    """
+
+    entity: EntityId
+    expectation: str
+    quantity: str
+    state: State
+    since: float
+    time: float
+    value: float | None = None
+    range: str = ""
+    severity: Severity = Severity.WARNING
+    evidence: str = ""
+    text: str = ""
+    group: str = ""
+    where: str = ""
+    cause: str = ""

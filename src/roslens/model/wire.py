@@ -1,0 +1,118 @@
+"""How observers speak to a monitor: frames of packed records with their length before them.
+
+A frame is four bytes of length (big-endian), then a MessagePack array whose first element is the version of the
+format. What cannot be read is an error with a reason; it never becomes a record.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.model.graph import Event, Graph
+from roslens.model.sample import Sample
+from roslens.model.tally import Tally
+
+VERSION = 1
+MAX_FRAME_BYTES = 16_000_000
+_PREFIX = 4
+
+
+class Frame(msgspec.Struct, frozen=True, array_like=True):
+    """What an observer saw since its last frame.
+
+    Attributes:
+        version: of the format.
+        sender: who speaks, unique per observer: ``<host>/<what it observes>``.
+        sequence: number of the frame, from 0 on.
+        time: seconds since the epoch on the sender's clock.
+        tallies: traffic.
+        samples: of hosts, processes and nodes.
+        events: changes of the graph.
+        graph: the whole graph, where it changed.
+        failures: what could not be observed.
+        shed: records that were dropped since the last frame because the line was down or the budget spent.
+    """
+
+    version: int
+    sender: str
+    sequence: int
+    time: float
+    tallies: list[Tally] = []
+    samples: list[Sample] = []
+    events: list[Event] = []
+    graph: Graph | None = None
+    failures: list[Failure] = []
+    shed: int = 0
+
+
+class WireError(ValueError):
+    """Bytes that are no frame; the text says what was found and expected."""
+
+
+_ENCODER = msgspec.msgpack.Encoder()
+_DECODER = msgspec.msgpack.Decoder(Frame)
+
+
+def encode_frame(frame: Frame) -> bytes:
+    """Return a frame as it goes over a line."""
+    body = _ENCODER.encode(frame)
+    return len(body).to_bytes(_PREFIX, "big") + body
+
+
+def decode_frame(body: bytes) -> Frame:
+    """Read a frame without its length.
+
+    Raises:
+        WireError: the bytes are no frame of this version, or a number in it is not finite.
+    """
+    try:
+        frame = _DECODER.decode(body)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        _refuse_version(_version_of(body))
+        raise WireError(f"{len(body)} bytes that are no frame: {error}") from None
+    _refuse_version(frame.version)
+    if not math.isfinite(frame.time):
+        raise WireError(f"a frame of the time {frame.time}, expected seconds since the epoch")
+    return frame
+
+
+def _refuse_version(version: int | None) -> None:
+    if version not in (None, VERSION):
+        raise WireError(f"a frame of version {version}, expected {VERSION}: update the older side")
+
+
+def _version_of(body: bytes) -> int | None:
+    """Return the version that an array begins with, None where there is none."""
+    try:
+        start = msgspec.msgpack.decode(body)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return None
+    return start[0] if isinstance(start, list) and start and isinstance(start[0], int) else None
+
+
+class FrameReader:
+    """Cuts a stream of bytes, which may come in any pieces, into frames."""
+
+    def __init__(self) -> None:
+        self._waiting = bytearray()
+
+    def feed(self, piece: bytes) -> Iterator[Frame]:
+        """Add bytes and yield the frames that are complete.
+
+        Raises:
+            WireError: a frame is too long or no frame; nothing more can be read from the stream.
+        """
+        self._waiting += piece
+        while len(self._waiting) >= _PREFIX:
+            length = int.from_bytes(self._waiting[:_PREFIX], "big")
+            if length > MAX_FRAME_BYTES:
+                raise WireError(f"a frame of {length:,} bytes, expected at most {MAX_FRAME_BYTES:,}")
+            if len(self._waiting) < _PREFIX + length:
+                return
+            body = bytes(self._waiting[_PREFIX : _PREFIX + length])
+            del self._waiting[: _PREFIX + length]
+            yield decode_frame(body)

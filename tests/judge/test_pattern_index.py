@@ -61,8 +61,10 @@ def test_a_new_entity_costs_far_less_than_a_millisecond_among_a_thousand_sentenc
     selectors += [Selector(TOPIC, f"/*/joint{n}") for n in range(250)]
     index = PatternIndex((selector, number) for number, selector in enumerate(selectors))
     names = [f"/robot{n % 500}/arm{n}/state" for n in range(1000)]
-    index.find(TOPIC, names[0])
-    started = time.perf_counter()
-    found = [index.find(TOPIC, name) for name in names]
-    assert (time.perf_counter() - started) / len(names) < 0.001
+    took = []
+    for _ in range(3):
+        started = time.perf_counter()
+        found = [index.find(TOPIC, name) for name in names]
+        took.append((time.perf_counter() - started) / len(names))
     assert found[7] == (7,)
+    assert min(took) < 0.0005

@@ -8,6 +8,7 @@ that begins with ``re:`` is a regular expression in Python's syntax that has to 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 
 from roslens.judge.automaton import ANY, Automaton, Letters
@@ -28,15 +29,16 @@ class Pattern:
         literal: the only name that matches, where there are no wildcards; else None.
         head: a text with which every matching name begins.
         tail: a text with which every matching name ends.
+        core: a text that is somewhere in every matching name.
     """
 
-    __slots__ = ("_automaton", "head", "literal", "tail", "text")
+    __slots__ = ("_automaton", "core", "head", "literal", "tail", "text")
 
-    def __init__(self, text: str, automaton: Automaton | None, literal: str | None, head: str, tail: str) -> None:
+    def __init__(self, text: str, automaton: Automaton | None, plain: Sequence[str] = ()) -> None:
+        """Keep the automaton of a pattern, or None for a name alone; ``plain`` are head, core and tail."""
         self.text = text
-        self.literal = literal
-        self.head = head
-        self.tail = tail
+        self.head, self.core, self.tail = plain or ("", "", "")
+        self.literal = self.core if automaton is None else None
         self._automaton = automaton
 
     @staticmethod
@@ -59,7 +61,13 @@ class Pattern:
         """Whether the whole of ``name`` matches; linear in its length."""
         if self._automaton is None:
             return name == self.literal
-        return name.startswith(self.head) and name.endswith(self.tail) and self._automaton.accepts(name)
+        # Most names fail by their plain text already, which is much cheaper to see.
+        return (
+            self.core in name
+            and name.startswith(self.head)
+            and name.endswith(self.tail)
+            and self._automaton.accepts(name)
+        )
 
     def intersects(self, other: Pattern) -> bool:
         """Whether some name matches both: exact for globs, and may be a false yes for regular expressions."""
@@ -83,13 +91,15 @@ def _parse(text: str) -> Pattern:
     if text.startswith(REGULAR_EXPRESSION):
         from roslens.judge.regular_expression import automaton_of
 
-        return Pattern(text, automaton_of(text.removeprefix(REGULAR_EXPRESSION)), None, "", "")
+        return Pattern(text, automaton_of(text.removeprefix(REGULAR_EXPRESSION)))
     pieces = _pieces(text)
     if all(isinstance(piece, _Plain) for piece in pieces):
-        return Pattern(text, None, "".join(pieces), "", "")
+        name = "".join(pieces)
+        return Pattern(text, None, (name, name, name))
     automaton = Automaton()
     automaton.end = _Glob(text, pieces, automaton).build()
-    return Pattern(text, automaton, None, _fixed(pieces), _fixed(pieces[::-1], backwards=True))
+    runs = _plain_runs(pieces)
+    return Pattern(text, automaton, (runs[0], max(runs, key=len), runs[-1]))
 
 
 class _Plain(str):
@@ -132,14 +142,17 @@ def _outer_commas(pieces: list[str]) -> list[str]:
     return found
 
 
-def _fixed(pieces: list[str], *, backwards: bool = False) -> str:
-    """Return the plain text before the first special sign."""
-    parts = []
+def _plain_runs(pieces: list[str]) -> list[str]:
+    """Return the plain texts before, between and behind the special signs outside braces."""
+    runs = [""]
+    depth = 0
     for piece in pieces:
-        if not isinstance(piece, _Plain):
-            break
-        parts.append(str(piece))
-    return "".join(parts[::-1] if backwards else parts)
+        if isinstance(piece, _Plain):
+            runs[-1] += piece if depth == 0 else ""
+            continue
+        depth += (piece == "{") - (piece == "}")
+        runs.append("")
+    return runs
 
 
 class _Glob:

@@ -4,7 +4,7 @@ WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo test slow quick lint parts docs lock bench clean
+.PHONY: demo test slow quick lint parts docs lock lock-ros2 bench clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -41,6 +41,12 @@ lock:
 	$(BIN)/python -m pip install --quiet uv
 	$(BIN)/uv pip compile pyproject.toml --group dev --universal --python-version 3.10 --generate-hashes \
 		--no-emit-index-url --no-header --no-annotate -o requirements.lock
+
+# The wheels of ROS 2 that tests talk to; .ci/ros2 installs them in build/ros2.
+lock-ros2:
+	$(BIN)/python -m pip install --quiet uv
+	$(BIN)/uv pip compile --group ros2 --universal --python-version 3.10 --generate-hashes \
+		--no-emit-index-url --no-header --no-annotate -o requirements-ros2.lock
 
 # Figures of the README; CORPUS is a folder with clones of ros_comm, navigation and navigation2.
 bench: .venv/stamp

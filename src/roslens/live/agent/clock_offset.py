@@ -1,0 +1,43 @@
+"""How far the clock of a host is ahead of the monitor's, and how wrong that may be.
+
+Of four times (asked, received, told, answered; the first and last on our clock, the others on theirs) the offset is
+((received - asked) + (told - answered)) / 2 and its error at most half the round trip (RFC 5905, section 8).
+The exchanges with the shortest round trips met the fewest queues: their mean is taken.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import NamedTuple
+
+WINDOW = 16
+
+
+class Offset(NamedTuple):
+    """Seconds that our clock is ahead of theirs, and the bound of the error."""
+
+    ahead: float
+    bound: float
+
+
+class ClockOffset:
+    """The last exchanges of times with the monitor."""
+
+    def __init__(self) -> None:
+        self._exchanges: deque[tuple[float, float]] = deque(maxlen=WINDOW)
+
+    def add(self, asked: float, received: float, told: float, answered: float) -> None:
+        """Take an exchange; one that cannot be, an answer before its question for one, is left out."""
+        trip = (answered - asked) - (told - received)
+        ahead = -((received - asked) + (told - answered)) / 2
+        if math.isfinite(trip) and math.isfinite(ahead) and trip >= 0 and told >= received:
+            self._exchanges.append((trip, ahead))
+
+    def now(self) -> Offset | None:
+        """Return the offset; None before the first exchange."""
+        if not self._exchanges:
+            return None
+        best = sorted(self._exchanges)[: max(len(self._exchanges) // 4, 1)]
+        mean = sum(ahead for _, ahead in best) / len(best)
+        return Offset(mean, best[0][0] / 2)

@@ -1,0 +1,228 @@
+"""The line from an agent to the monitor: one TCP connection, authenticated by a key that both sides share.
+
+Both sides prove that they know the key before a record is taken, and every message carries a code that only who knows
+the key can make (HMAC-SHA256 over its number and content), so that nothing can be put in between. Contents are
+not encrypted. While the line is down, frames wait in a bounded queue; what does not fit is counted as shed.
+
+A message is a length (4 bytes), a letter, a body and a code (16 bytes)::
+
+    H  hello: version, nonce        A  answer: proof          F  frame (roslens.model.wire)
+    T  ask for the time: t1         t  time: t1, t2, t3 (seconds, IEEE doubles)
+"""
+
+from __future__ import annotations
+
+import hmac
+import secrets
+import struct
+from collections import deque
+from collections.abc import Iterator
+
+from roslens.model.wire import MAX_FRAME_BYTES, VERSION, Frame, WireError, decode_frame, encode_frame
+
+NONCE_BYTES = 16
+CODE_BYTES = 16
+MIN_KEY_BYTES = 16
+_LENGTH = struct.Struct(">I")
+_NUMBER = struct.Struct(">Q")
+_ONE_TIME = struct.Struct(">d")
+_THREE_TIMES = struct.Struct(">ddd")
+_OVERHEAD = 1 + CODE_BYTES
+
+
+class LinkError(ValueError):
+    """The other side is no roslens, does not know the key, or broke the protocol; the connection has to end."""
+
+
+class Channel:
+    """One side of a connection, without its socket: bytes in, messages out, and the other way round.
+
+    ``accepting`` is the monitor's side. Nothing but the handshake is taken before both have proven the key.
+    """
+
+    def __init__(self, key: bytes, *, accepting: bool, nonce: bytes | None = None) -> None:
+        """Begin a connection.
+
+        Raises:
+            LinkError: the key is too short to be one.
+        """
+        if len(key) < MIN_KEY_BYTES:
+            raise LinkError(f"a key of {len(key)} bytes, expected at least {MIN_KEY_BYTES}")
+        self._key = key
+        self._accepting = accepting
+        self._nonce = nonce if nonce is not None else secrets.token_bytes(NONCE_BYTES)
+        self._session = b""
+        self._proven = False
+        self._waiting = bytearray()
+        self._sent = 0
+        self._received = 0
+
+    @property
+    def ready(self) -> bool:
+        """Whether both sides have proven that they know the key."""
+        return self._proven
+
+    @property
+    def greeted(self) -> bool:
+        """Whether the other side has said that it is an agent or a monitor."""
+        return bool(self._session)
+
+    def hello(self) -> bytes:
+        """Return the first bytes to send."""
+        body = b"H" + bytes([VERSION]) + self._nonce
+        return _LENGTH.pack(len(body)) + body
+
+    def feed(self, piece: bytes) -> Iterator[tuple[str, bytes]]:
+        """Take received bytes; yields ``("send", bytes)`` to send on, and ``(letter, body)`` of each message.
+
+        Raises:
+            LinkError: what was received is wrong; the connection has to be closed.
+        """
+        self._waiting += piece
+        while len(self._waiting) >= _LENGTH.size:
+            (length,) = _LENGTH.unpack_from(self._waiting)
+            if length > (MAX_FRAME_BYTES + _OVERHEAD if self._proven else 64):
+                raise LinkError(f"a message of {length:,} bytes, expected a roslens agent or monitor to speak")
+            if len(self._waiting) < _LENGTH.size + length:
+                return
+            message = bytes(self._waiting[_LENGTH.size : _LENGTH.size + length])
+            del self._waiting[: _LENGTH.size + length]
+            yield from self._take(message)
+
+    def message(self, letter: str, body: bytes) -> bytes:
+        """Return a message as it is sent.
+
+        Raises:
+            LinkError: the other side has not proven that it knows the key.
+        """
+        if not self._proven:
+            raise LinkError(f"a message {letter!r} before the handshake was done")
+        content = letter.encode() + body
+        code = self._code(content, self._sent, mine=True)
+        self._sent += 1
+        return _LENGTH.pack(len(content) + CODE_BYTES) + content + code
+
+    def _take(self, message: bytes) -> Iterator[tuple[str, bytes]]:
+        letter = message[:1]
+        if self._proven:
+            content, code = message[:-CODE_BYTES], message[-CODE_BYTES:]
+            if not content or not hmac.compare_digest(code, self._code(content, self._received, mine=False)):
+                raise LinkError("a message whose code is wrong: it was changed, repeated or left out on the way")
+            self._received += 1
+            yield content[:1].decode("ascii", "replace"), content[1:]
+        elif letter == b"H" and not self._session:
+            yield "send", self._greeted(message)
+        elif letter == b"A" and self._session:
+            if not hmac.compare_digest(message[1:], self._proof(mine=False)):
+                raise LinkError("the other side does not know the key: give both the same --key-file")
+            self._proven = True
+            yield "ready", b""
+        else:
+            raise LinkError(f"{message[:20]!r}, expected a roslens agent or monitor to speak")
+
+    def _greeted(self, message: bytes) -> bytes:
+        if len(message) != 2 + NONCE_BYTES:
+            raise LinkError(f"{message[:20]!r}, expected a roslens agent or monitor to speak")
+        if message[1] != VERSION:
+            raise LinkError(f"the other side speaks version {message[1]}, expected {VERSION}: update the older one")
+        theirs = message[2:]
+        if theirs == self._nonce:
+            raise LinkError("our own greeting came back")
+        nonces = theirs + self._nonce if self._accepting else self._nonce + theirs
+        self._session = hmac.digest(self._key, b"roslens link" + nonces, "sha256")
+        body = b"A" + self._proof(mine=True)
+        return _LENGTH.pack(len(body)) + body
+
+    def _side(self, *, mine: bool) -> bytes:
+        return b"monitor" if self._accepting == mine else b"agent"
+
+    def _proof(self, *, mine: bool) -> bytes:
+        return hmac.digest(self._session, b"proof of " + self._side(mine=mine), "sha256")
+
+    def _code(self, content: bytes, number: int, *, mine: bool) -> bytes:
+        signed = self._side(mine=mine) + _NUMBER.pack(number) + content
+        return hmac.digest(self._session, signed, "sha256")[:CODE_BYTES]
+
+
+def frame_body(frame: Frame) -> bytes:
+    """Return the body of an ``F`` message."""
+    return encode_frame(frame)[_LENGTH.size :]
+
+
+def read_frame(body: bytes) -> Frame:
+    """Read the body of an ``F`` message.
+
+    Raises:
+        LinkError: it is no frame.
+    """
+    try:
+        return decode_frame(body)
+    except WireError as error:
+        raise LinkError(str(error)) from None
+
+
+def asked_time(sent: float) -> bytes:
+    """Return the body of a ``T`` message."""
+    return _ONE_TIME.pack(sent)
+
+
+def told_time(body: bytes, received: float, sent: float) -> bytes:
+    """Return the body of the ``t`` message that answers a ``T``.
+
+    Raises:
+        LinkError: the ``T`` has no time.
+    """
+    if len(body) != _ONE_TIME.size:
+        raise LinkError(f"{len(body)} bytes that ask for the time, expected {_ONE_TIME.size}")
+    return _THREE_TIMES.pack(_ONE_TIME.unpack(body)[0], received, sent)
+
+
+def read_times(body: bytes) -> tuple[float, float, float]:
+    """Return when it was asked, when that was received and when the answer was sent.
+
+    Raises:
+        LinkError: the ``t`` message has no three times.
+    """
+    if len(body) != _THREE_TIMES.size:
+        raise LinkError(f"{len(body)} bytes that tell the time, expected {_THREE_TIMES.size}")
+    asked, received, sent = _THREE_TIMES.unpack(body)
+    return asked, received, sent
+
+
+class Outbox:
+    """Frames that wait for the line, the oldest given up when there are too many."""
+
+    def __init__(self, most_frames: int = 600, most_bytes: int = 32_000_000) -> None:
+        """Keep at most so many frames and bytes."""
+        self._bodies: deque[tuple[Frame, bytes]] = deque()
+        self._most_frames = most_frames
+        self._most_bytes = most_bytes
+        self._bytes = 0
+        self._shed = 0
+
+    def __len__(self) -> int:
+        """How many frames wait."""
+        return len(self._bodies)
+
+    def put(self, frame: Frame) -> None:
+        """Add a frame; says in it how many records were given up before."""
+        if self._shed:
+            import msgspec
+
+            frame = msgspec.structs.replace(frame, shed=frame.shed + self._shed)
+            self._shed = 0
+        body = frame_body(frame)
+        self._bodies.append((frame, body))
+        self._bytes += len(body)
+        while self._bodies and (len(self._bodies) > self._most_frames or self._bytes > self._most_bytes):
+            old, gone = self._bodies.popleft()
+            self._bytes -= len(gone)
+            self._shed += len(old.tallies) + len(old.samples) + len(old.events) + old.shed
+
+    def take(self) -> bytes | None:
+        """Return the body of the oldest frame, None where nothing waits."""
+        if not self._bodies:
+            return None
+        _, body = self._bodies.popleft()
+        self._bytes -= len(body)
+        return body

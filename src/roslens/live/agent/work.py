@@ -1,0 +1,209 @@
+"""The agent at work: sample, send, answer; on a thread of its own or as a program."""
+
+from __future__ import annotations
+
+import contextlib
+import select
+import socket
+from collections.abc import Callable, Iterable
+
+import msgspec
+
+from roslens.live.agent.clock_offset import ClockOffset
+from roslens.live.agent.host import HostSampler
+from roslens.live.agent.link import Channel, LinkError, Outbox, asked_time, read_times
+from roslens.live.agent.processes import ProcessSampler
+from roslens.model.failure import Failure
+from roslens.model.graph import Event, Graph
+from roslens.model.sample import Sample
+from roslens.model.wire import VERSION, Frame
+
+SHORTEST_WAIT_S, LONGEST_WAIT_S = 0.5, 10.0
+FIND_EVERY_S = 2.0
+ASK_TIME_EVERY_S = 2.0
+_PIECE = 65_536
+
+
+class Agent:
+    """Samples a host and sends what it sees; the line may come and go."""
+
+    def __init__(
+        self,
+        name: str,
+        host: HostSampler,
+        processes: ProcessSampler,
+        *,
+        address: tuple[str, int],
+        key: bytes,
+        wall: Callable[[], float],
+        steady: Callable[[], float],
+        period_s: float = 1.0,
+        say: Callable[[str], None] = lambda _: None,
+    ) -> None:
+        """Work for the monitor at ``address``; ``wall`` is the clock of the host, ``steady`` one that never jumps.
+
+        Raises:
+            LinkError: the key is too short.
+        """
+        Channel(key, accepting=False)
+        self._name = name
+        self._host = host
+        self._processes = processes
+        self._address = address
+        self._key = key
+        self._wall = wall
+        self._steady = steady
+        self._period_s = period_s
+        self._say = say
+        self._outbox = Outbox()
+        self._offset = ClockOffset()
+        self._sequence = 0
+        self._socket: socket.socket | None = None
+        self._channel: Channel | None = None
+        self._sending = bytearray()
+        self._wait_s = SHORTEST_WAIT_S
+        self._due = {"sample": 0.0, "find": 0.0, "connect": 0.0, "time": 0.0}
+        self._graph_told = False
+        self._reason = ""
+
+    def run(self, stopped: Callable[[], bool]) -> None:
+        """Work until ``stopped`` says so; looks at it at least once in a period."""
+        try:
+            while not stopped():
+                self.step()
+        finally:
+            self.close()
+
+    def step(self) -> None:
+        """Do what is due, then wait for the next thing to happen."""
+        now = self._steady()
+        if self._is_due("find", now, FIND_EVERY_S):
+            self._tell(events=self._processes.find(self._wall()))
+        if self._is_due("sample", now, self._period_s):
+            wall = self._wall()
+            self._tell(samples=[self._with_clock(self._host.sample(wall)), *self._processes.sample(wall)])
+        if self._socket is None and now >= self._due["connect"]:
+            self._connect(now)
+        if self._channel is not None and self._channel.ready:
+            if self._is_due("time", now, ASK_TIME_EVERY_S):
+                self._sending += self._channel.message("T", asked_time(self._wall()))
+            while not self._sending and (body := self._outbox.take()) is not None:
+                self._sending += self._channel.message("F", body)
+        self._wait(max(min(self._due["sample"], self._due["find"]) - self._steady(), 0.0))
+
+    def close(self) -> None:
+        """Let the line and all files go."""
+        self._hang_up("")
+        self._host.close()
+        self._processes.close()
+
+    def _is_due(self, what: str, now: float, every_s: float) -> bool:
+        if now < self._due[what]:
+            return False
+        # After a standstill the missed turns are not made up for.
+        self._due[what] = max(self._due[what] + every_s, now + every_s / 2)
+        return True
+
+    def _with_clock(self, sample: Sample) -> Sample:
+        offset = self._offset.now()
+        if offset is None:
+            return sample
+        values = {**sample.values, "clock_offset": offset.ahead, "clock_bound": offset.bound}
+        return msgspec.structs.replace(sample, values=values)
+
+    def _tell(self, samples: Iterable[Sample] = (), events: Iterable[Event] = ()) -> None:
+        samples, events = list(samples), list(events)
+        if not samples and not events:
+            return
+        graph = None
+        if events or not self._graph_told:
+            graph = Graph("", hosts=(self._name,), processes=self._processes.processes())
+            self._graph_told = True
+        failures: list[Failure] = []
+        sender = f"{self._name}/agent"
+        frame = Frame(VERSION, sender, self._sequence, self._wall(), [], samples, events, graph, failures)
+        self._outbox.put(frame)
+        self._sequence += 1
+
+    def _connect(self, now: float) -> None:
+        self._due["connect"] = now + self._wait_s
+        self._wait_s = min(self._wait_s * 2, LONGEST_WAIT_S)
+        try:
+            found = socket.getaddrinfo(*self._address, type=socket.SOCK_STREAM)[0]
+            self._socket = socket.socket(found[0], socket.SOCK_STREAM)
+            self._socket.settimeout(LONGEST_WAIT_S / 5)
+            self._socket.connect(found[4])
+            self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            self._socket.setblocking(False)
+        except OSError as error:
+            self._hang_up(f"no line to {self._address[0]}:{self._address[1]}: {error.strerror or error}; trying again")
+            return
+        self._channel = Channel(self._key, accepting=False)
+        self._sending = bytearray(self._channel.hello())
+
+    def _hang_up(self, reason: str) -> None:
+        if self._socket is not None:
+            self._socket.close()
+        self._socket, self._channel = None, None
+        self._sending.clear()
+        self._graph_told = False
+        if reason and reason != self._reason:
+            self._say(reason)
+        self._reason = reason
+
+    def _wait(self, seconds: float) -> None:
+        handles = self._processes.handles()
+        reading: list[int | socket.socket] = [*handles]
+        writing = []
+        if self._socket is not None:
+            reading.append(self._socket)
+            if self._sending:
+                writing.append(self._socket)
+        readable, writable, _ = select.select(reading, writing, [], min(seconds, self._period_s))
+        for one in readable:
+            if isinstance(one, int):
+                event = self._processes.ended(handles[one], self._wall())
+                self._tell(events=[event] if event is not None else [])
+        if self._socket is not None and self._socket in readable:
+            self._receive(self._socket)
+        if self._socket is not None and self._socket in writable:
+            self._send(self._socket)
+
+    def _receive(self, line: socket.socket) -> None:
+        try:
+            piece = line.recv(_PIECE)
+        except BlockingIOError:
+            return
+        except OSError as error:
+            self._hang_up(f"the line broke: {error.strerror or error}; trying again")
+            return
+        if not piece or self._channel is None:
+            self._hang_up("the monitor hung up; trying again")
+            return
+        try:
+            for letter, body in self._channel.feed(piece):
+                self._answer(letter, body)
+        except LinkError as error:
+            self._hang_up(str(error))
+
+    def _answer(self, letter: str, body: bytes) -> None:
+        if letter == "send":
+            self._sending += body
+        elif letter == "ready":
+            self._wait_s = SHORTEST_WAIT_S
+            self._graph_told = False
+            self._say(f"connected to {self._address[0]}:{self._address[1]}")
+            self._reason = "connected"
+        elif letter == "t":
+            self._offset.add(*read_times(body), self._wall())
+
+    def _send(self, line: socket.socket) -> None:
+        try:
+            sent = line.send(self._sending)
+        except BlockingIOError:
+            return
+        except OSError as error:
+            self._hang_up(f"the line broke: {error.strerror or error}; trying again")
+            return
+        with contextlib.suppress(IndexError):
+            del self._sending[:sent]

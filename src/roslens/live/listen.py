@@ -1,0 +1,169 @@
+"""The monitor's side of the lines from agents: accepts, authenticates, and hands over their frames."""
+
+from __future__ import annotations
+
+import selectors
+import socket
+from collections.abc import Callable
+
+import msgspec
+
+from roslens.live.agent.link import Channel, LinkError, read_frame, told_time
+from roslens.model.failure import Failure
+from roslens.model.wire import Frame
+
+MOST_LINES = 256
+SILENT_S = 10.0
+"""Who has not proven that it knows the key, or sends nothing, for so long is hung up on."""
+
+_PIECE = 65_536
+_MOST_UNSENT = 100_000
+
+
+class _Line(msgspec.Struct, eq=False):
+    """A connection and what is known of its other side."""
+
+    socket: socket.socket
+    peer: str
+    channel: Channel
+    heard: float
+    sending: bytearray
+    sender: str = ""
+
+
+class Listener:
+    """Listens for agents."""
+
+    def __init__(
+        self, address: tuple[str, int], key: bytes, *, wall: Callable[[], float], steady: Callable[[], float]
+    ) -> None:
+        """Listen on ``address`` (port 0 takes a free one).
+
+        Raises:
+            LinkError: the key is too short.
+            OSError: the address cannot be listened on.
+        """
+        Channel(key, accepting=True)
+        self._key = key
+        self._wall = wall
+        self._steady = steady
+        self._lines: dict[socket.socket, _Line] = {}
+        self._selector = selectors.DefaultSelector()
+        self._socket = socket.create_server(address)
+        self._socket.setblocking(False)
+        self._selector.register(self._socket, selectors.EVENT_READ)
+
+    @property
+    def port(self) -> int:
+        """The port that is listened on."""
+        return int(self._socket.getsockname()[1])
+
+    def agents(self) -> tuple[str, ...]:
+        """Return who is connected, by the name they gave."""
+        return tuple(sorted(line.sender for line in self._lines.values() if line.sender))
+
+    def poll(self, seconds: float = 0.0) -> list[Frame | Failure]:
+        """Wait at most so long and return what came: frames, and what went wrong with a line."""
+        found: list[Frame | Failure] = []
+        for key, events in self._selector.select(seconds):
+            if key.fileobj is self._socket:
+                self._accept()
+                continue
+            line = self._lines.get(key.fileobj)  # type: ignore[call-overload]
+            if line is None:
+                continue
+            if events & selectors.EVENT_READ:
+                found += self._receive(line)
+            if line.socket in self._lines and line.sending:
+                self._send(line)
+        found += self._too_silent()
+        return found
+
+    def close(self) -> None:
+        """Hang up on all and listen no more."""
+        for line in list(self._lines.values()):
+            self._hang_up(line)
+        self._selector.close()
+        self._socket.close()
+
+    def _accept(self) -> None:
+        try:
+            accepted, peer = self._socket.accept()
+        except OSError:
+            return
+        if len(self._lines) >= MOST_LINES:
+            accepted.close()
+            return
+        accepted.setblocking(False)
+        accepted.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        channel = Channel(self._key, accepting=True)
+        line = _Line(accepted, f"{peer[0]}:{peer[1]}", channel, self._steady(), bytearray(channel.hello()))
+        self._lines[accepted] = line
+        self._selector.register(accepted, selectors.EVENT_READ | selectors.EVENT_WRITE)
+        self._send(line)
+
+    def _receive(self, line: _Line) -> list[Frame | Failure]:
+        received = self._wall()
+        try:
+            piece = line.socket.recv(_PIECE)
+        except BlockingIOError:
+            return []
+        except OSError as error:
+            return [self._hang_up(line, f"the line broke: {error.strerror or error}")]
+        if not piece:
+            return self._left(line)
+        line.heard = self._steady()
+        found: list[Frame | Failure] = []
+        try:
+            for letter, body in line.channel.feed(piece):
+                if letter == "send":
+                    line.sending += body
+                elif letter == "T":
+                    line.sending += line.channel.message("t", told_time(body, received, self._wall()))
+                elif letter == "F":
+                    frame = read_frame(body)
+                    line.sender = frame.sender
+                    found.append(frame)
+        except LinkError as error:
+            found.append(self._hang_up(line, str(error)))
+            return found
+        self._send(line)
+        return found
+
+    def _send(self, line: _Line) -> None:
+        while line.sending:
+            try:
+                sent = line.socket.send(line.sending)
+            except BlockingIOError:
+                break
+            except OSError:
+                line.sending.clear()
+                return
+            del line.sending[:sent]
+        if len(line.sending) > _MOST_UNSENT:
+            self._hang_up(line)
+            return
+        wanted = selectors.EVENT_READ | (selectors.EVENT_WRITE if line.sending else 0)
+        self._selector.modify(line.socket, wanted)
+
+    def _too_silent(self) -> list[Failure]:
+        now = self._steady()
+        late = [line for line in self._lines.values() if now - line.heard > SILENT_S]
+        return [self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s") for line in late]
+
+    def _left(self, line: _Line) -> list[Frame | Failure]:
+        if line.sender:
+            return [self._hang_up(line, "it hung up")]
+        if line.channel.greeted and not line.channel.ready:
+            return [self._hang_up(line, "it hung up before it had proven the key: give both the same --key-file")]
+        self._hang_up(line)
+        return []
+
+    def _hang_up(self, line: _Line, reason: str = "") -> Failure:
+        self._selector.unregister(line.socket)
+        line.socket.close()
+        del self._lines[line.socket]
+        who = f"agent {line.sender!r} at {line.peer}" if line.sender else f"the connection from {line.peer}"
+        return Failure(
+            "link", f"{who}: {reason}", expected="a roslens agent with the same key", advice="Look at its output"
+        )

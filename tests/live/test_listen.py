@@ -1,0 +1,164 @@
+"""Agents and a monitor over loopback, each step taken by the test."""
+
+import socket
+import time
+
+import pytest
+
+from roslens.live.agent.host import HostSampler
+from roslens.live.agent.processes import ProcessSampler
+from roslens.live.agent.work import Agent
+from roslens.live.listen import SILENT_S, Listener
+from roslens.model.failure import Failure
+from roslens.model.wire import Frame
+
+KEY = b"a key of more than sixteen bytes"
+
+
+class Clock:
+    def __init__(self):
+        self.ahead = 0.0
+
+    def __call__(self):
+        return time.monotonic() + self.ahead
+
+
+@pytest.fixture
+def clock():
+    return Clock()
+
+
+@pytest.fixture
+def listener(clock):
+    made = Listener(("127.0.0.1", 0), KEY, wall=clock, steady=clock)
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def agent_of(tmp_path):
+    made = []
+    (tmp_path / "proc").mkdir()
+    (tmp_path / "proc" / "loadavg").write_text("0.5 0 0 1/1 1")
+
+    def make(port, *, key=KEY, ahead=0.0, name="base", said=None):
+        clock = Clock()
+        clock.ahead = ahead
+        host = HostSampler(name, proc=tmp_path / "proc", sys=tmp_path)
+        processes = ProcessSampler(name, proc=tmp_path / "proc")
+        made.append(
+            Agent(
+                name,
+                host,
+                processes,
+                address=("127.0.0.1", port),
+                key=key,
+                wall=clock,
+                steady=time.monotonic,
+                period_s=0.05,
+                say=(said if said is not None else []).append,
+            )
+        )
+        return made[-1]
+
+    yield make
+    for one in made:
+        one.close()
+
+
+def until(listener, agents, done, *, seconds=20.0):
+    """Step both sides until ``done(records)``; returns the records."""
+    records, end = [], time.monotonic() + seconds
+    while not done(records):
+        assert time.monotonic() < end, records
+        for agent in agents:
+            agent.step()
+        records += listener.poll(0.01)
+    return records
+
+
+def frames(records):
+    return [one for one in records if isinstance(one, Frame)]
+
+
+def failures(records):
+    return [one.what for one in records if isinstance(one, Failure)]
+
+
+def samples(records):
+    return [sample for frame in frames(records) for sample in frame.samples]
+
+
+def test_samples_arrive(listener, agent_of):
+    records = until(listener, [agent_of(listener.port)], lambda records: len(samples(records)) >= 3)
+    assert {str(sample.entity) for sample in samples(records)} == {"host:base"}
+    assert samples(records)[0].values["load"] == 0.5
+    assert [frame.sequence for frame in frames(records)] == list(range(len(frames(records))))
+    assert listener.agents() == ("base/agent",)
+
+
+def test_the_clock_of_an_agent_is_known(listener, agent_of):
+    agent = agent_of(listener.port, ahead=0.25)
+
+    def known(records):
+        return any("clock_offset" in sample.values for sample in samples(records))
+
+    values = samples(until(listener, [agent], known))[-1].values
+    assert values["clock_offset"] == pytest.approx(0.25, abs=0.02)
+    assert 0 <= values["clock_bound"] < 0.05
+
+
+def test_a_wrong_key_is_named_on_both_sides(listener, agent_of):
+    said = []
+    agent = agent_of(listener.port, key=b"another key of sixteen bytes", said=said)
+    records = until(listener, [agent], lambda records: failures(records) and said)
+    assert "the same --key-file" in failures(records)[0]
+    assert "the same --key-file" in said[0]
+    assert not frames(records)
+
+
+def test_garbage_does_not_disturb_the_others(listener, agent_of):
+    agent = agent_of(listener.port)
+    with socket.create_connection(("127.0.0.1", listener.port)) as stranger:
+        stranger.sendall(b"GET / HTTP/1.1\r\n\r\n" * 10)
+        records = until(listener, [agent], lambda records: failures(records) and len(samples(records)) >= 2)
+    assert "expected a roslens agent" in failures(records)[0]
+    assert listener.agents() == ("base/agent",)
+
+
+def test_frames_wait_while_the_monitor_is_away(clock, agent_of):
+    first = Listener(("127.0.0.1", 0), KEY, wall=clock, steady=clock)
+    port = first.port
+    said = []
+    agent = agent_of(port, said=said)
+    seen = frames(until(first, [agent], lambda records: len(frames(records)) >= 2))
+    first.close()
+    end = time.monotonic() + 20
+    while not any("trying again" in line for line in said):
+        assert time.monotonic() < end
+        agent.step()
+    second = Listener(("127.0.0.1", port), KEY, wall=clock, steady=clock)
+    try:
+        later = frames(until(second, [agent], lambda records: len(frames(records)) >= 3))
+    finally:
+        second.close()
+    numbers = [frame.sequence for frame in later]
+    assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
+    # What was on its way when the line broke may be gone; what was sampled afterwards may not.
+    assert numbers[0] <= seen[-1].sequence + 4
+    assert later[-1].graph is not None or any(frame.graph is not None for frame in later)
+
+
+def test_two_agents_on_a_host(listener, agent_of):
+    agents = [agent_of(listener.port, name="base"), agent_of(listener.port, name="arm")]
+    until(listener, agents, lambda _: len(listener.agents()) == 2)
+    assert listener.agents() == ("arm/agent", "base/agent")
+
+
+def test_who_says_nothing_is_hung_up_on(listener, clock):
+    with socket.create_connection(("127.0.0.1", listener.port)):
+        while not listener._lines:
+            listener.poll(0.01)
+        clock.ahead = SILENT_S + 1
+        assert "nothing was heard of it for 10 s" in failures(listener.poll())[0]
+        assert not listener._lines

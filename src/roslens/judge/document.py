@@ -14,6 +14,7 @@ from typing import NoReturn, TypeVar
 
 from roslens.judge.yaml_tree import Items, Node, Place, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
+from roslens.model.source import Location
 from roslens.plugins.nearest import did_you_mean
 
 _NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?\Z")
@@ -52,6 +53,10 @@ class Section:
         place = node.place if node is not None else self._table.place
         return DocumentError(what, where=self._tree.location(place), expected=expected, advice=advice)
 
+    def location(self) -> Location:
+        """Return where the section begins."""
+        return self._tree.location(self._table.place)
+
     def line(self) -> int:
         """Return the line in which the section begins."""
         return self._table.place.line
@@ -66,7 +71,7 @@ class Section:
         if node is None:
             return default or ""
         if not isinstance(node, Scalar):
-            self._mistyped(key, node, "a text")
+            self._mistyped(key, node, "a text", "A text that begins with a brace or bracket needs quotes")
         return node.text.strip()
 
     def texts(self, key: str) -> tuple[str, ...]:
@@ -136,6 +141,19 @@ class Section:
             found.append(Section(self._tree, item, what, keys))
         return tuple(found)
 
+    def section(self, key: str, what: str, keys: Mapping[str, str]) -> Section | None:
+        """Return the mapping under ``key``, None where the key is not there.
+
+        Raises:
+            DocumentError: it is no mapping, or has an unknown key.
+        """
+        node = self._given(key, required=False)
+        if node is None:
+            return None
+        if not isinstance(node, Table):
+            self._mistyped(key, node, f"a {what} of `key: value` lines below it")
+        return Section(self._tree, node, what, keys)
+
     def _given(self, key: str, *, required: bool) -> Node | None:
         node = self._table.nodes.get(key)
         if node is not None and not (isinstance(node, Scalar) and node.empty):
@@ -184,9 +202,24 @@ def read_document(path: Path, what: str, keys: Mapping[str, str], *, shown: str 
         raise DocumentError(
             f"cannot read it: {reason}", where=name, expected=f"a {what} in YAML", advice="Check the path"
         ) from None
-    tree = read_tree(content, name)
+    return parse_document(content, what, keys, shown=name)
+
+
+def parse_document(content: bytes, what: str, keys: Mapping[str, str], *, shown: str) -> Section:
+    """Read the outermost mapping of a document that is at hand.
+
+    Args:
+        content: the bytes of the document.
+        what: what the document is, for messages.
+        keys: the keys it may have and what they mean.
+        shown: what messages call it.
+
+    Raises:
+        DocumentError: it is no YAML, is empty, or has keys that are unknown.
+    """
+    tree = read_tree(content, shown)
     if tree.root is None:
-        raise DocumentError("the file is empty", where=name, expected=f"a {what} in YAML")
+        raise DocumentError("the file is empty", where=shown, expected=f"a {what} in YAML")
     if not isinstance(tree.root, Table):
         raise DocumentError(
             f"the file holds {described(tree.root)}",

@@ -18,6 +18,9 @@ MAX_DEPTH = 20
 
 MAX_BYTES = 1_000_000
 _BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
+_NEEDS_QUOTES = re.compile(r"(?::|^\s*-)\s+[*>{\[&!%@`|]")
+"""A value whose first sign means something to YAML: ``**/scan``, ``>= 5 Hz``."""
+
 _UNREADABLE = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -194,7 +197,10 @@ class _Builder:
         quoted = f" at {line.strip()[:60]!r}" if line.strip() else ""
         context = f" {error.context}" if error.context else ""
         self._fail(
-            place, f"cannot be read as YAML{quoted}: {error.problem}{context}", "`key: value` lines and `- ` lists"
+            place,
+            f"cannot be read as YAML{quoted}: {error.problem}{context}",
+            "`key: value` lines and `- ` lists",
+            "Put the value in quotes" if _NEEDS_QUOTES.search(line) else "",
         )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Generic, TypeVar
 
@@ -19,7 +18,8 @@ from roslens.source.syntax.facts import (
     MethodFacts,
     SyntaxFault,
 )
-from roslens.source.syntax.tokens import NO_NAMES, TokenText, halstead_of, word_counts, words_of
+from roslens.source.syntax.token_cuts import TokenCuts
+from roslens.source.syntax.tokens import NO_NAMES, TokenText
 
 _LONGEST_NAME = 300
 _NEAR = 60
@@ -95,7 +95,8 @@ class Assembly:
         faults: Sequence[SyntaxFault],
     ) -> None:
         """Take what all entities of the file share."""
-        self._text = text
+        self._end = len(text.code)
+        self._tokens = TokenCuts(text, [place for scope in walk.functions for place in (*scope.span, *scope.body)])
         self._lines = lines
         self._statements = captures.statements
         self._fault_starts = [fault.line for fault in faults]
@@ -116,8 +117,6 @@ class Assembly:
         start, end = scope.span
         begin, finish = scope.body
         first, last = self._lines.number(start), self._lines.number(end - 1)
-        in_body = words_of(self._text, begin, finish)
-        words = Counter([*words_of(self._text, start, begin), *in_body, *words_of(self._text, finish, end)])
         declarator = scope.declarator
         counts = dict(scope.counts)
         inner = sorted(scope.inner)
@@ -146,11 +145,11 @@ class Assembly:
             control=tuple(scope.control),
             lines=self._lines.lines(first, last),
             eloc=max(0, self._eloc(scope.body, body_first, body_last) - self._inner_lines(scope)),
-            halstead=halstead_of(self._text, words, start, end),
+            halstead=self._tokens.halstead(start, end),
             parameter_types=self._types_in(start, begin),
             types=self._types_in(start, end),
             calls=tuple(sorted({*called} - _NOTHING)),
-            identifiers=self._identifiers(in_body) if scope.class_name else (),
+            identifiers=self._identifiers(self._tokens.words(begin, finish)) if scope.class_name else (),
             approximate=self._is_approximate(first, last),
         )
 
@@ -191,7 +190,7 @@ class Assembly:
 
     def halstead(self) -> Halstead:
         """Return Halstead's counts of the whole file."""
-        return halstead_of(self._text, word_counts(self._text))
+        return self._tokens.halstead(0, self._end)
 
     def _method(self, member: Member) -> MethodFacts:
         declarator = member.declarator

@@ -62,7 +62,8 @@ _PYTHON_KEYWORDS = frozenset(
     b"""and as assert async await break class continue def del elif else except finally for from global if import in is
     lambda nonlocal not or pass raise return try while with yield""".split()
 )
-_KEYWORDS = {"cpp": _CPP_KEYWORDS, "python": _PYTHON_KEYWORDS}
+KEYWORDS = {"cpp": _CPP_KEYWORDS, "python": _PYTHON_KEYWORDS}
+"""Words that are operators, by syntax."""
 NO_NAMES = _CPP_KEYWORDS | _CPP_TYPE_WORDS
 """Words of C++ that name nothing a program defines."""
 
@@ -105,11 +106,11 @@ def word_counts(text: TokenText, start: int = 0, end: int | None = None) -> Coun
 
 def halstead_of(text: TokenText, words: Counter[bytes], start: int = 0, end: int | None = None) -> Halstead:
     """Count operators and operands between two offsets, whose ``words`` are known."""
-    keywords = words.keys() & _KEYWORDS[text.syntax]
+    keywords = words.keys() & KEYWORDS[text.syntax]
     keyword_total = sum(map(words.__getitem__, keywords))
     runs = Counter(text.marks[start:end].split())
-    distinct: set[bytes] = set().union(*map(_OPERATORS.__getitem__, runs))
-    total = sum(map(mul, map(len, map(_OPERATORS.__getitem__, runs)), runs.values()))
+    distinct: set[bytes] = set().union(*map(OPERATORS.__getitem__, runs))
+    total = sum(map(mul, map(len, map(OPERATORS.__getitem__, runs)), runs.values()))
     return Halstead(
         len(keywords) + len(distinct),
         len(words) - len(keywords),
@@ -128,7 +129,8 @@ class _Operators(dict[bytes, tuple[bytes, ...]]):
         return operators
 
 
-_OPERATORS = _Operators()
+OPERATORS = _Operators()
+"""Runs of marks to operators."""
 
 
 def halstead(content: bytes, syntax: str) -> Halstead:

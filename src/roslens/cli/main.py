@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from roslens import __version__
 from roslens.cli.boundary import guarded
-from roslens.cli.commands import check, clean, completion, doctor, explain, init, plugins, report, serve
+from roslens.cli.commands import agent, check, clean, completion, doctor, explain, init, plugins, report, serve
 
 COMMANDS = {
     "check": check,
@@ -17,6 +17,7 @@ COMMANDS = {
     "explain": explain,
     "plugins": plugins,
     "init": init,
+    "agent": agent,
     "doctor": doctor,
     "completion": completion,
     "clean": clean,

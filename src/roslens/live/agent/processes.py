@@ -18,8 +18,8 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event, Process
 from roslens.model.sample import Sample
 
-IN_TURN = 5
-"""The dear values of a process are read at every fifth sweep."""
+IN_TURN = 10
+"""The dear values of a process are read at every tenth sweep."""
 
 FORGET_AFTER = 15
 """Programs without ROS are looked at again after so many searches."""
@@ -40,6 +40,7 @@ class _Watched(msgspec.Struct):
     started_ticks: int
     stat: KeptOpen
     handle: int
+    entity: EntityId
     process: Process
     seen: float = NEVER
     ticks: int = 0
@@ -83,7 +84,8 @@ class ProcessSampler:
             # A number may have gone and come back for another program between two looks.
             self._passed_over.clear()
         self._passed_over &= there
-        for pid in sorted(there - self._passed_over):
+        told_when_they_end = {pid for pid, one in self._watched.items() if one.handle >= 0}
+        for pid in sorted(there - self._passed_over - told_when_they_end):
             ticks = self._started(pid)
             known = self._watched.get(pid)
             if ticks is None or (known is not None and known.started_ticks == ticks):
@@ -115,7 +117,8 @@ class ProcessSampler:
                 continue
             if number % IN_TURN == self._sweep % IN_TURN or one.slow_seen == NEVER:
                 self._dear(one, now)
-            samples.append(Sample(self.entity(one.pid), now, {**values, **one.kept}))
+            values.update(one.kept)
+            samples.append(Sample(one.entity, now, values))
         return samples
 
     def entity(self, pid: int) -> EntityId:
@@ -137,15 +140,16 @@ class ProcessSampler:
             return []
         written = command.rstrip(b"\0").replace(b"\0", b" ").decode("utf-8", "replace")[:_LONGEST_COMMAND]
         process = Process(self._host, pid, written, self._started_at(ticks))
-        self._watched[pid] = _Watched(pid, ticks, KeptOpen(folder / "stat"), self._open_handle(pid), process)
-        return [Event(now, Change.APPEARED, str(self.entity(pid)), written)]
+        entity = self.entity(pid)
+        self._watched[pid] = _Watched(pid, ticks, KeptOpen(folder / "stat"), self._open_handle(pid), entity, process)
+        return [Event(now, Change.APPEARED, str(entity), written)]
 
     def _gone(self, pid: int, now: float) -> Event:
         one = self._watched.pop(pid)
         one.stat.close()
         if one.handle >= 0:
             os.close(one.handle)
-        return Event(now, Change.VANISHED, str(self.entity(pid)), one.process.command)
+        return Event(now, Change.VANISHED, str(one.entity), one.process.command)
 
     def _quick(self, one: _Watched, now: float) -> dict[str, float] | None:
         fields = _stat_fields(one.stat.read())

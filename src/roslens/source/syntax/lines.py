@@ -25,6 +25,7 @@ _BYTE_ORDER_MARKS = (
     b"\xdd\x73\x66\x73", b"\x84\x31\x95\x33",
 )  # fmt: skip
 
+_WHITE = b" \t\r\v\f"
 _CPP_COMMENT = re.compile(rb"/(?:/[^\n]*|\*[^*]*(?:\*(?!/)[^*]*)*\*/)")
 _CPP_COMMENT_WITH_LINE_END = re.compile(rb"/(?:/[^\n]*\n|\*[^*]*(?:\*(?!/)[^*]*)*\*/)")
 _BLOCK_COMMENT = re.compile(rb"/\*.*?\*/", re.DOTALL)
@@ -47,12 +48,20 @@ def count_lines(content: bytes, syntax: str) -> Lines:
     text = _normalised(content)
     if not text:
         return Lines()
+    continued = _is_continued(text)
+    if syntax == "cpp" and not continued:
+        rest = _removed(_CPP_COMMENT, text)
+        if not _is_continued(rest):
+            return _told_apart(text.count(b"\n"), _count_filled(text), _count_filled(rest))
     lines = text.split(b"\n")
     lines.pop()
-    filled = _without_blanks(lines) if b"\\\n" in text else list(filter(bytes.strip, lines))
-    code = _cpp_code(text, filled) if syntax == "cpp" else _python_code(text, filled)
-    physical = len(lines)
-    return Lines(physical, code, len(filled) - code, physical - len(filled))
+    filled = _without_blanks(lines) if continued else list(filter(bytes.strip, lines))
+    code = _continued_cpp_code(filled) if syntax == "cpp" else _python_code(text, filled)
+    return _told_apart(len(lines), len(filled), code)
+
+
+def _told_apart(physical: int, filled: int, code: int) -> Lines:
+    return Lines(physical, code, filled - code, physical - filled)
 
 
 def _normalised(content: bytes) -> bytes:
@@ -66,6 +75,12 @@ def _normalised(content: bytes) -> bytes:
     return content.replace(b"\r\n", b"\n") if b"\r" in content else content
 
 
+def _is_continued(text: bytes) -> bool:
+    """Tell whether a line ends with a backslash; one byte is found many times faster than two."""
+    first = text.find(b"\\")
+    return first >= 0 and text.find(b"\\\n", first) >= 0
+
+
 def _without_blanks(lines: list[bytes]) -> list[bytes]:
     """Drop blank lines, but not those behind a line that ends with a backslash."""
     previous = b""
@@ -77,12 +92,8 @@ def _without_blanks(lines: list[bytes]) -> list[bytes]:
     return kept
 
 
-def _cpp_code(text: bytes, filled: list[bytes]) -> int:
-    """Count the lines that are left when comments are gone."""
-    if b"\\\n" not in text:
-        rest = _removed(_CPP_COMMENT, text)
-        if b"\\\n" not in rest:
-            return _count_filled(rest.split(b"\n"))
+def _continued_cpp_code(filled: list[bytes]) -> int:
+    """Count the lines that are left when comments are gone, where lines end with a backslash."""
     joined = b"".join([line + b"\n" if line.endswith(b"\\") else line + b"\n\n" for line in filled])
     return len(_without_blanks(_split(_removed(_CPP_COMMENT_WITH_LINE_END, joined))))
 
@@ -101,8 +112,7 @@ def _python_code(text: bytes, filled: list[bytes]) -> int:
     rest = b"".join([line + b"\n" for line in lines])
     if b'"""' in rest or b"'''" in rest:
         rest = _removed(_BLOCK_COMMENT, _quotes_as_comments(rest))
-    lines = _split(rest)
-    code = len(_without_blanks(lines)) if continued else _count_filled(lines)
+    code = len(_without_blanks(_split(rest))) if continued else _count_filled(rest)
     return code + (bool(filled) and filled[0].startswith(b"#!"))
 
 
@@ -119,7 +129,7 @@ def _plain_python_code(filled: list[bytes]) -> int:
         outside[-1] = pieces[-1]
     else:
         outside += [b"/*", pieces[-1]]
-    return _count_filled(b"".join(outside).split(b"\n")) + shebang
+    return _count_filled(b"".join(outside)) + shebang
 
 
 def _quotes_as_comments(text: bytes) -> bytes:
@@ -161,6 +171,6 @@ def _split(text: bytes) -> list[bytes]:
     return text.rstrip(b"\n").split(b"\n") if text else []
 
 
-def _count_filled(lines: list[bytes]) -> int:
-    """Count the lines that hold more than white space."""
-    return sum(map(bool, map(bytes.strip, lines)))
+def _count_filled(text: bytes) -> int:
+    """Count the lines that hold more than white space: with that gone, line ends part nothing else."""
+    return len(text.translate(None, _WHITE).split())

@@ -125,12 +125,18 @@ def _analyses(
             yield file, decoder.decode(blob)
             continue
         try:
-            analysis = analyse_file(Path(task.root, file.path).read_bytes(), file.language, task.macros)
+            analysis = analyse_file(_read(task.root, file.path), file.language, task.macros)
         except Exception as error:  # noqa: BLE001 - a file that breaks the parser must not lose its package
             failures.append(_broken(file, task.package, error))
             continue
         new[key] = encoder.encode(analysis)
         yield file, analysis
+
+
+def _read(root: str, path: str) -> bytes:
+    """Return a file's bytes at less than half of what ``pathlib`` takes: there are thousands of small ones."""
+    with open(f"{root}/{path}", "rb", buffering=0) as file:  # noqa: PTH123 - what Path adds is the cost
+        return file.read()
 
 
 def _placed(failure: Failure, file: SourceFile, package: Package) -> Failure:

@@ -19,7 +19,12 @@ from roslens.model.wire import VERSION, Frame
 
 PROCESSES = 100
 SWEEPS = 50
-CHILD = "import threading,sys\nfor _ in range(12): threading.Thread(target=sys.stdin.read,daemon=True).start()\nprint(flush=True)\nsys.stdin.read()"
+CHILD = """import threading, sys
+for _ in range(12):
+    threading.Thread(target=sys.stdin.read, daemon=True).start()
+print(flush=True)
+sys.stdin.read()
+"""
 
 
 def main() -> int:

@@ -61,8 +61,7 @@ class MacroPreset:
         self._kind_of: dict[bytes, str] = {b"__cplusplus": "linkage"}
         self._own = _words({"anywhere": settings.blank, "statement": settings.statement})
         repair = {kind: table["repair"][kind] for kind in _REPAIR_KINDS}
-        self._repaired_words = [word.encode() for words in repair.values() for word in words]
-        self._repaired = _words({kind: map(re.escape, words) for kind, words in repair.items()})
+        self._repaired = [(kind, _word(word)) for kind, words in repair.items() for word in words]
         self._rewrites = [
             (list(map(str.encode, row.get("words", ()))), re.compile(row["pattern"].encode()), row["with"].encode())
             for row in table["rewrite"]
@@ -78,15 +77,16 @@ class MacroPreset:
 
     def repair(self, content: bytes) -> bytes:
         """Return ``content``, blanked before, with what only files with errors need rewritten."""
-        if self._repaired and any(word in content for word in self._repaired_words):
-            content = _edited(content, [(*m.span(), m.lastgroup or "") for m in self._repaired.finditer(content)])
+        found = [(*match.span(), kind) for kind, word in self._repaired for match in word.finditer(content)]
+        if found:
+            content = _edited(content, found)
         for words, pattern, with_ in self._rewrites:
             if words and not any(word in content for word in words):
                 continue
-            found = [match.span(1) for match in pattern.finditer(content)]
-            if found:
+            spans = [match.span(1) for match in pattern.finditer(content)]
+            if spans:
                 text = bytearray(content)
-                for start, end in found:
+                for start, end in spans:
                     fill(text, start, end, with_)
                 content = bytes(text)
         return content
@@ -141,6 +141,12 @@ def _words(patterns: dict[str, Iterable[str]]) -> re.Pattern[bytes] | None:
         if alternatives:
             groups.append(f"(?P<{kind}>{'|'.join(f'(?:{name})' for name in alternatives)})")
     return re.compile(rf"(?<![A-Za-z0-9_])(?:{'|'.join(groups)})(?![A-Za-z0-9_])".encode()) if groups else None
+
+
+def _word(name: str) -> re.Pattern[bytes]:
+    """Return a pattern of one whole word; that it starts with fixed bytes makes it cheaper than all words in one."""
+    word = re.escape(name)
+    return re.compile(f"{word}(?<![A-Za-z0-9_]{word})(?![A-Za-z0-9_])".encode())
 
 
 def _check(name: str) -> None:

@@ -1,0 +1,147 @@
+"""Drafts from scripted traffic, read back and held against it."""
+
+import random
+from itertools import zip_longest
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roslens.judge.pattern import Pattern
+from roslens.judge.read_reference import GivenText, load_reference
+from roslens.live.draft import Observed, percentile, rounded
+from roslens.live.draft_groups import grouped, pattern_of
+from roslens.live.draft_text import draft_text
+from roslens.live.signals import BY_KEY
+from roslens.model.tally import Moments, Tally
+
+
+def tallies(topic, times, publisher="/p"):
+    """Return one tally a second of messages at these times."""
+    found, previous = [], None
+    for second in range(int(max(times)) + 1):
+        inside = [time for time in times if second <= time < second + 1]
+        gaps = []
+        for time in inside:
+            if previous is not None:
+                gaps.append(time - previous)
+            previous = time
+        period = (
+            Moments(len(gaps), sum(gaps), sum(gap * gap for gap in gaps), min(gaps), max(gaps)) if gaps else Moments()
+        )
+        found.append(Tally(topic, publisher, "", second, second + 1, len(inside), period=period))
+    return found
+
+
+def steady(hertz, seconds, jitter=0.0, seed=1):
+    rng = random.Random(seed)
+    return [0.01 + number / hertz + rng.uniform(-jitter, jitter) for number in range(1, int(hertz * seconds))]
+
+
+def observed(*series):
+    found = Observed()
+    for step in zip_longest(*series):
+        found.add(tally for tally in step if tally is not None)
+    return found
+
+
+def lines_of(found, topic="/scan"):
+    (one,) = (one for one in found.drafted() if one.names == (topic,))
+    return {line.quantity: line for line in one.lines}
+
+
+def test_steady_traffic():
+    lines = lines_of(observed(tallies("/scan", steady(20, 100, 0.001))))
+    assert lines["rate"].range.minimum <= 18
+    assert 22 <= lines["rate"].range.maximum <= 25
+    assert lines["largest_gap"].range.maximum == pytest.approx(0.125, abs=0.003)
+    assert [line.outside for line in lines.values()] == [0, 0]
+
+
+def test_one_message_that_is_missing_is_no_alarm_two_are():
+    times = [time for time in steady(10, 100) if not 50.0 < time < 50.1]
+    assert lines_of(observed(tallies("/scan", times)))["largest_gap"].outside == 0
+    times = [time for time in steady(10, 100) if not 50.0 < time < 50.2]
+    assert lines_of(observed(tallies("/scan", times)))["largest_gap"].outside == 1
+
+
+def test_what_happened_a_few_times_lies_outside():
+    times = [time for time in steady(100, 200) if not any(at < time < at + 0.2 for at in (50.3, 90.3, 120.3))]
+    line = lines_of(observed(tallies("/scan", times)))["largest_gap"]
+    assert line.outside == 3
+    assert line.alarms_per_hour == pytest.approx(3 / (198 / 3600), rel=0.02)
+
+
+def test_slow_topics_have_long_windows():
+    lines = lines_of(observed(tallies("/scan", steady(0.3, 600))))
+    assert lines["rate"].range.minimum > 0.1
+    assert lines["rate"].outside == 0
+    assert lines["largest_gap"].range.maximum >= 2.5 / 0.3 - 0.01
+
+
+def test_too_little_is_left_out():
+    found = observed(tallies("/scan", steady(10, 3)), tallies("/once", [1.0, 2.5]))
+    assert found.drafted() == ()
+    assert found.left_out() == ("/once", "/scan")
+
+
+def test_of_two_publishers_the_busier_one_speaks():
+    one, other = tallies("/scan", steady(10, 60), "/a"), tallies("/scan", steady(20, 60), "/b")
+    assert lines_of(observed(one, other))["rate"].typical == pytest.approx(20, rel=0.06)
+
+
+def test_likes_are_joined_and_unlikes_are_not():
+    names = ("/camera_left/image", "/camera_right/image", "/camera_rear/image", "/lidar/image")
+    rates = (20, 20, 5, 20)
+    found = observed(*(tallies(name, steady(rate, 60)) for name, rate in zip(names, rates, strict=True)))
+    found.add_types((name, "sensor_msgs/Image" if "camera" in name else "other/Type") for name in names)
+    groups = grouped(found.drafted())
+    assert [one.names for one in groups] == [
+        ("/camera_left/image", "/camera_right/image"),
+        ("/camera_rear/image",),
+        ("/lidar/image",),
+    ]
+    assert pattern_of(groups[0].names) == "/{camera_left,camera_right}/image"
+
+
+@given(st.lists(st.text("ab*?{},\\é-", min_size=1, max_size=6), min_size=1, max_size=4, unique=True))
+def test_a_pattern_matches_its_names_and_no_other(names):
+    pattern = Pattern.parse(pattern_of(tuple(sorted(f"/x/{name}/y" for name in names))))
+    assert all(pattern.matches(f"/x/{name}/y") for name in names)
+    assert not pattern.matches("/x/another/y")
+
+
+def test_the_document_reads_back():
+    found = observed(
+        tallies("/a", steady(20, 60)),
+        tallies("/b{1}", steady(5, 60)),
+        tallies("/few", [1.0]),
+        tallies("/é", steady(9, 60)),
+    )
+    found.add_types([("/a", "std_msgs/msg/String")])
+    text = draft_text("mine", grouped(found.drafted()), found.left_out(), 'my "bag"')
+    reference = load_reference([GivenText("draft.yaml", text)], BY_KEY)
+    assert reference.name == "mine"
+    quantities = [(one.selector.name, one.quantity) for one in reference.expectations]
+    assert len(quantities) == 6
+    assert ("/a", "rate") in quantities
+    assert "#   /few" in text
+    assert "0 of 58 windows outside: at most" in text
+
+
+def test_nothing_to_draft_is_said():
+    text = draft_text("mine", (), ["/few"], "a bag")
+    assert "constraints: []" in text
+
+
+@given(st.lists(st.floats(0, 1e6), min_size=1), st.floats(0, 100))
+def test_percentiles_lie_between_the_extremes(values, share):
+    assert min(values) <= percentile(values, share) <= max(values) + 1e-6
+
+
+@pytest.mark.parametrize(
+    ("value", "up", "expected"),
+    [(0.03, True, 0.03), (0.12345, True, 0.124), (0.12345, False, 0.123), (1234.0, True, 1240.0), (0.0, True, 0.0)],
+)
+def test_rounding_goes_outward(value, up, expected):
+    assert rounded(value, up=up) == pytest.approx(expected)

@@ -120,7 +120,7 @@ def test_the_document_reads_back():
     )
     found.add_types([("/a", "std_msgs/msg/String")])
     text = draft_text("mine", grouped(found.drafted()), found.left_out(), 'my "bag"')
-    reference = load_reference([GivenText("draft.yaml", text)], BY_KEY)
+    reference = load_reference([GivenText("draft.yaml", text.encode())], BY_KEY)
     assert reference.name == "mine"
     quantities = [(one.selector.name, one.quantity) for one in reference.expectations]
     assert len(quantities) == 6

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from roslens.judge.amount import Limits, amount_text, limits_text
+from roslens.judge.range import plain
 from roslens.live.draft import Drafted, Line
 from roslens.live.draft_groups import pattern_of
 from roslens.live.signals import BY_KEY
@@ -49,10 +50,8 @@ def _constraint(one: Drafted) -> list[str]:
 
 def _evidence(line: Line, unit: str) -> str:
     typical = amount_text(float(f"{line.typical:.3g}"), unit)
-    if line.outside:
-        rate = f"about {line.alarms_per_hour:.2g} alarms an hour"
-    else:
-        rate = f"at most {line.alarms_per_hour:.2g} alarms an hour"
+    word = "about" if line.outside else "at most"
+    rate = f"{word} {plain(float(f'{line.alarms_per_hour:.2g}'))} alarms an hour"
     return f"typically {typical}; {line.outside} of {line.windows} windows outside: {rate}"
 
 

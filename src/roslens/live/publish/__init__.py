@@ -1,0 +1,1 @@
+"""What is seen and judged, told to others: diagnostics, Prometheus, lines of JSON."""

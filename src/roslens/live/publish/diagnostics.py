@@ -1,0 +1,85 @@
+"""Verdicts as a diagnostic_msgs/DiagnosticArray, which every ROS tool for diagnostics reads.
+
+One status per entity, named ``roslens/<kind>/<name>``. Levels are those of REP-107: OK 0, WARN 1, ERROR 2, STALE 3. A
+sentence of severity error is ERROR when it is broken, others are WARN; what is unknown is STALE only where nothing at
+all is known of the entity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import msgspec
+
+from roslens.judge.amount import amount_text
+from roslens.live.signals import BY_KEY
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.finding import Severity
+from roslens.model.verdict import State, Verdict
+
+OK, WARN, ERROR, STALE = range(4)
+
+
+class Status(msgspec.Struct, frozen=True):
+    """A diagnostic_msgs/DiagnosticStatus."""
+
+    level: int
+    name: str
+    message: str
+    hardware_id: str
+    values: tuple[tuple[str, str], ...]
+
+
+def diagnostics(verdicts: Iterable[Verdict]) -> tuple[Status, ...]:
+    """Return one status for each entity, sorted by name."""
+    of_entity: dict[EntityId, list[Verdict]] = {}
+    for verdict in verdicts:
+        of_entity.setdefault(verdict.entity, []).append(verdict)
+    return tuple(_status(entity, found) for entity, found in sorted(of_entity.items(), key=lambda pair: str(pair[0])))
+
+
+def _status(entity: EntityId, verdicts: Sequence[Verdict]) -> Status:
+    level, message = OK, "ok"
+    if verdicts and all(verdict.state in (State.UNKNOWN, State.SUSPENDED) for verdict in verdicts):
+        level, message = STALE, "nothing is known" if verdicts[0].state is State.UNKNOWN else "suspended"
+    broken = sorted((one for one in verdicts if one.state.bad), key=lambda one: (-_level(one), one.since))
+    if broken:
+        level = _level(broken[0])
+        message = sentence(broken[0])
+        if len(broken) > 1:
+            message += f" (and {len(broken) - 1} more)"
+    values = tuple(
+        pair
+        for verdict in sorted(verdicts, key=lambda one: one.expectation)
+        for pair in ((verdict.quantity, _shown(verdict)), (f"{verdict.quantity} state", verdict.state.value))
+    )
+    host = entity.name if entity.kind is EntityKind.HOST else ""
+    return Status(level, f"roslens/{entity.kind.value}/{entity.name}", message, host, values)
+
+
+def sentence(verdict: Verdict) -> str:
+    """Return what is wrong in one line: ``rate is low: 12.5 Hz, expected 25..35 Hz; check the cable``."""
+    signal = BY_KEY.get(verdict.quantity)
+    subject = signal.title.lower() if signal else verdict.quantity
+    if verdict.state is State.ABSENT:
+        said = f"{subject} is absent" if signal else "is absent"
+    else:
+        said = f"{subject} is {verdict.state.value}: {_shown(verdict)}"
+    if verdict.range:
+        said += f", expected {verdict.range}"
+    if verdict.cause:
+        said += f" (because of {verdict.cause})"
+    return f"{said}; {verdict.text}" if verdict.text else said
+
+
+def _level(verdict: Verdict) -> int:
+    if not verdict.state.bad:
+        return OK
+    return ERROR if verdict.severity is Severity.ERROR else WARN
+
+
+def _shown(verdict: Verdict) -> str:
+    if verdict.value is None:
+        return "unknown"
+    signal = BY_KEY.get(verdict.quantity)
+    return amount_text(float(f"{verdict.value:.4g}"), signal.unit if signal else "")

@@ -1,0 +1,100 @@
+"""The text that Prometheus reads (exposition format 0.0.4): a gauge per signal, and how each sentence stands.
+
+``roslens_rate_hertz{topic="/scan",publisher="/lidar",subscriber="/slam"} 25.1``
+``roslens_state{kind="topic",name="/scan",expectation="rover.scan.rate",severity="warning",state="ok"} 1``
+
+A signal that is not known has no line; a verdict has one line with its state as a label, so that an alert asks for
+``roslens_state{state=~"low|high|absent"}``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from roslens.live.connection_name import connection_ends
+from roslens.live.signals import BY_KEY
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.verdict import Verdict
+
+CONTENT_TYPE = "text/plain; version=0.0.4; charset=utf-8"
+
+_UNITS = {
+    "Hz": "_hertz",
+    "s": "_seconds",
+    "B": "_bytes",
+    "B/s": "_bytes_per_second",
+    "%": "_percent",
+    "degC": "_celsius",
+    "": "",
+}
+_ESCAPES = str.maketrans({"\\": r"\\", '"': r"\"", "\n": r"\n"})
+
+
+def prometheus_text(
+    readings: Iterable[tuple[EntityId, Mapping[str, float]]],
+    verdicts: Iterable[Verdict],
+    counters: Mapping[str, float] | None = None,
+) -> str:
+    """Return the page.
+
+    Args:
+        readings: latest values of entities, by key of the signal.
+        verdicts: that stand.
+        counters: what roslens tells of itself, by name without ``roslens_``.
+    """
+    lines: list[str] = []
+    rows: dict[str, list[str]] = {}
+    for entity, values in readings:
+        labels = _labels(entity)
+        for key, value in values.items():
+            if key in BY_KEY:
+                rows.setdefault(key, []).append(f"{{{labels}}} {_number(value)}")
+    for key, signal in BY_KEY.items():
+        if key in rows:
+            name = f"roslens_{key}{_UNITS[signal.unit]}"
+            lines += [f"# HELP {name} {_help(signal.text)}", f"# TYPE {name} gauge"]
+            lines += [name + row for row in rows[key]]
+    states = [_state(verdict) for verdict in verdicts]
+    if states:
+        lines += ["# HELP roslens_state How a sentence of the reference stands.", "# TYPE roslens_state gauge", *states]
+    for name, value in (counters or {}).items():
+        lines += [f"# TYPE roslens_{name} gauge", f"roslens_{name} {_number(value)}"]
+    return "\n".join(lines) + "\n"
+
+
+def _labels(entity: EntityId) -> str:
+    if entity.kind is EntityKind.CONNECTION:
+        topic, publisher, subscriber = connection_ends(entity)
+        pairs = {"topic": topic, "publisher": publisher, "subscriber": subscriber}
+    elif entity.kind is EntityKind.PROCESS:
+        host, _, pid = entity.name.rpartition("/")
+        pairs = {"host": host, "pid": pid}
+    else:
+        pairs = {entity.kind.value: entity.name}
+    return ",".join(f'{name}="{_escaped(value)}"' for name, value in pairs.items())
+
+
+def _state(verdict: Verdict) -> str:
+    pairs = {
+        "kind": verdict.entity.kind.value,
+        "name": verdict.entity.name,
+        "expectation": verdict.expectation,
+        "quantity": verdict.quantity,
+        "severity": verdict.severity.value,
+        "state": verdict.state.value,
+        "cause": verdict.cause,
+    }
+    labels = ",".join(f'{name}="{_escaped(value)}"' for name, value in pairs.items() if value)
+    return f"roslens_state{{{labels}}} 1"
+
+
+def _escaped(text: str) -> str:
+    return text.translate(_ESCAPES)
+
+
+def _help(text: str) -> str:
+    return text.replace("\\", r"\\").replace("\n", r"\n")
+
+
+def _number(value: float) -> str:
+    return repr(float(value)).replace("inf", "Inf").replace("nan", "NaN")

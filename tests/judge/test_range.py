@@ -76,7 +76,9 @@ def test_disjoint_ranges_do_not_intersect():
     assert Range(1, 2).intersect(Range(2, 3)) == Range(2, 2)
 
 
-@pytest.mark.parametrize(("number", "text"), [(15.0, "15"), (0.25, "0.25"), (-0.0, "0"), (1e20, "1e+20"), (3, "3")])
+@pytest.mark.parametrize(
+    ("number", "text"), [(15.0, "15"), (0.25, "0.25"), (-0.0, "0"), (1e20, "1e+20"), (3, "3"), (-math.inf, "-inf")]
+)
 def test_plain_numbers(number: float, text: str):
     assert plain(number) == text
 

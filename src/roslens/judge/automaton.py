@@ -106,6 +106,10 @@ class Automaton:
                     waiting.append(target)
         return frozenset(found)
 
+    def after(self, states: frozenset[int], char: str) -> frozenset[int]:
+        """Return the states in which ``char`` leaves it; none where it is not accepted."""
+        return self.closure(target for state in states for letters, target in self.edges[state] if char in letters)
+
     def meets(self, other: Automaton) -> bool:
         """Whether some text is accepted by both: a search over pairs of states."""
         seen = {(0, 0)}
@@ -128,8 +132,8 @@ class Automaton:
         return False
 
     def _step(self, at: int, char: str) -> int:
-        targets = {target for state in self._sets[at] for letters, target in self.edges[state] if char in letters}
-        following = self._number(self.closure(targets)) if targets else -1
+        states = self.after(self._sets[at], char)
+        following = self._number(states) if states else -1
         self._steps[at][char] = following
         self._remembered += 1
         return following

@@ -53,9 +53,9 @@ class Section:
         place = node.place if node is not None else self._table.place
         return DocumentError(what, where=self._tree.location(place), expected=expected, advice=advice)
 
-    def location(self) -> Location:
-        """Return where the section begins."""
-        return self._tree.location(self._table.place)
+    def location(self, key: str = "") -> Location:
+        """Return where the section begins, or where ``key`` stands in it."""
+        return self._tree.location(self._table.keys.get(key, self._table.place))
 
     def line(self) -> int:
         """Return the line in which the section begins."""

@@ -30,16 +30,17 @@ class Pattern:
         head: a text with which every matching name begins.
         tail: a text with which every matching name ends.
         core: a text that is somewhere in every matching name.
+        automaton: what accepts matching names; None for a literal.
     """
 
-    __slots__ = ("_automaton", "core", "head", "literal", "tail", "text")
+    __slots__ = ("automaton", "core", "head", "literal", "tail", "text")
 
     def __init__(self, text: str, automaton: Automaton | None, plain: Sequence[str] = ()) -> None:
         """Keep the automaton of a pattern, or None for a name alone; ``plain`` are head, core and tail."""
         self.text = text
         self.head, self.core, self.tail = plain or ("", "", "")
         self.literal = self.core if automaton is None else None
-        self._automaton = automaton
+        self.automaton = automaton
 
     @staticmethod
     def parse(text: str) -> Pattern:
@@ -59,14 +60,14 @@ class Pattern:
 
     def matches(self, name: str) -> bool:
         """Whether the whole of ``name`` matches; linear in its length."""
-        if self._automaton is None:
+        if self.automaton is None:
             return name == self.literal
         # Most names fail by their plain text already, which is much cheaper to see.
         return (
             self.core in name
             and name.startswith(self.head)
             and name.endswith(self.tail)
-            and self._automaton.accepts(name)
+            and self.automaton.accepts(name)
         )
 
     def intersects(self, other: Pattern) -> bool:
@@ -79,9 +80,9 @@ class Pattern:
         tails = self.tail.endswith(other.tail) or other.tail.endswith(self.tail)
         if not heads or not tails:
             return False
-        if self._automaton is None or other._automaton is None:
+        if self.automaton is None or other.automaton is None:
             return True
-        return self._automaton.meets(other._automaton)
+        return self.automaton.meets(other.automaton)
 
 
 @lru_cache(maxsize=4096)

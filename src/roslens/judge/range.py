@@ -84,4 +84,4 @@ class Range(msgspec.Struct, frozen=True):
 
 def plain(number: float) -> str:
     """Return a number as people write it: ``15``, ``0.25``, never ``15.0``."""
-    return str(int(number)) if number == int(number) and abs(number) < 1e15 else repr(float(number))
+    return str(int(number)) if abs(number) < 1e15 and number == int(number) else repr(float(number))

@@ -1,0 +1,142 @@
+"""Contradictions: sentences of which no system can keep both."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import msgspec
+
+from roslens.judge.common_name import common_name
+from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, PresenceMode, Selector
+from roslens.judge.pattern import Pattern
+from roslens.judge.reference_document import Declared, Sentence
+from roslens.judge.sentence_words import expected_words, subject_words
+from roslens.model.errors import DocumentError
+
+_ADVICE = "Replace one (`override: true` with its `id`), or leave names out of it with `without`"
+
+
+class Contradiction(msgspec.Struct, frozen=True):
+    """Two sentences that exclude each other.
+
+    Attributes:
+        first: that stands earlier.
+        second: that stands later.
+        entity: one that both are about; empty where none could be named.
+        where: ``file:line:column`` of the second.
+        other: ``file:line:column`` of the first.
+    """
+
+    first: Sentence
+    second: Sentence
+    entity: str
+    where: str
+    other: str
+
+    def error(self) -> DocumentError:
+        """Return it as an error that names both places."""
+        both = f"; both are about {self.entity!r}" if self.entity else ""
+        return DocumentError(
+            f"{self.second.told.id!r} ({subject_words(self.second)}: {expected_words(self.second)}) contradicts "
+            f"{self.first.told.id!r} ({subject_words(self.first)}: {expected_words(self.first)}) at {self.other}{both}",
+            where=self.where,
+            expected="sentences that can hold together",
+            advice=_ADVICE,
+        )
+
+
+def contradictions(declared: Sequence[Declared]) -> Iterator[Contradiction]:
+    """Yield the pairs among ``declared`` that exclude each other, in their order."""
+    groups: dict[tuple[object, ...], list[Declared]] = defaultdict(list)
+    for one in declared:
+        groups[_theme(one.sentence)].append(one)
+    for group in groups.values():
+        for first, second in combinations(group, 2):
+            entity = _clash(first.sentence, second.sentence)
+            if entity is not None:
+                yield Contradiction(first.sentence, second.sentence, entity, second.place, first.place)
+
+
+def meeting_name(one: Selector, other: Selector) -> str | None:
+    """Return the name of an entity that both select, None where no entity can be.
+
+    The name is empty where one may exist but could not be found.
+    """
+    if one.kind is not other.kind:
+        return None
+    for mine, theirs in (
+        (one.host, other.host),
+        (one.type, other.type),
+        (one.publisher, other.publisher),
+        (one.subscriber, other.subscriber),
+    ):
+        if mine and theirs and not Pattern.parse(mine).intersects(Pattern.parse(theirs)):
+            return None
+    names = [Pattern.parse(one.name), Pattern.parse(other.name)]
+    return common_name(names, [Pattern.parse(text) for text in (*one.without, *other.without)])
+
+
+def _theme(sentence: Sentence) -> tuple[object, ...]:
+    """Return what two sentences share that could exclude each other."""
+    if isinstance(sentence, Expectation):
+        return ("signal", sentence.selector.kind, sentence.quantity)
+    if isinstance(sentence, Presence):
+        return ("presence", sentence.selector.kind)
+    if isinstance(sentence, AgeChain):
+        return ("chain", sentence.topics)
+    return ("field", sentence.topic, sentence.field, sentence.condition)
+
+
+def _clash(one: Sentence, other: Sentence) -> str | None:
+    """Return an entity on which two sentences exclude each other; empty for unknown, None where they do not."""
+    if isinstance(one, Expectation) and isinstance(other, Expectation):
+        return meeting_name(one.selector, other.selector) if _apart(one, other) else None
+    if isinstance(one, Presence) and isinstance(other, Presence):
+        if {one.mode, other.mode} != {PresenceMode.ALWAYS, PresenceMode.NEVER}:
+            return None
+        always, never = (one, other) if one.mode is PresenceMode.ALWAYS else (other, one)
+        return _forbidden(always.selector, never.selector)
+    if isinstance(one, FieldCheck | AgeChain) and isinstance(other, FieldCheck | AgeChain):
+        topic = one.topic if isinstance(one, FieldCheck) else one.topics[-1]
+        return None if one.range.overlaps(other.range) else topic
+    return None
+
+
+def _apart(one: Expectation, other: Expectation) -> bool:
+    """Whether no window can satisfy both; a lower percentile is never above a higher one."""
+    if one.percentile == other.percentile:
+        return not one.range.overlaps(other.range)
+    if not one.percentile or not other.percentile:
+        return False
+    lower, higher = (one, other) if one.percentile < other.percentile else (other, one)
+    least, most = lower.range.minimum, higher.range.maximum
+    return least is not None and most is not None and least > most
+
+
+def _forbidden(always: Selector, never: Selector) -> str | None:
+    """Return a name where all that ``always`` could mean is what must never be, else None."""
+    wider = (
+        (always.host, never.host),
+        (always.type, never.type),
+        (always.publisher, never.publisher),
+        (always.subscriber, never.subscriber),
+    )
+    if not all(_covers(theirs, mine) for mine, theirs in wider):
+        return None
+    wanted, banned = Pattern.parse(always.name), Pattern.parse(never.name)
+    spared = [Pattern.parse(text) for text in always.without]
+    # One name that is wanted and not banned is enough to keep both.
+    if common_name([wanted], [banned, *spared]) is not None:
+        return None
+    if any(common_name([wanted, Pattern.parse(text)], spared) is not None for text in never.without):
+        return None
+    return common_name([wanted, banned], spared)
+
+
+def _covers(outer: str, inner: str) -> bool:
+    """Whether a pattern surely matches all that another does; an empty one matches everything."""
+    if not outer or outer == inner:
+        return True
+    return bool(inner) and common_name([Pattern.parse(inner)], [Pattern.parse(outer)]) is None

@@ -1,0 +1,106 @@
+"""The words of a reference document: every key, and what it means."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from roslens.model.entity import EntityKind
+from roslens.model.quantity import Quantity
+
+DOCUMENT_KIND = "reference"
+
+REFERENCE_KEYS = {
+    "kind": f"what the document is: `{DOCUMENT_KIND}`",
+    "name": "of the reference: small letters, digits, `-` and `_`; sentences are called after it",
+    "title": "one line on what it is for",
+    "text": "more about it",
+    "include": "other reference documents whose sentences hold too, as paths relative to this file",
+    "namespace": "put before names that do not begin with `/`, here and in what is included; may have wildcards",
+    "defaults": "what holds for every sentence of this document that does not say otherwise",
+    "constraints": "what is expected of hosts, nodes, processes, topics, connections and services",
+    "fields": "what is expected of fields of messages",
+    "chains": "how old data may be at the end of a path over topics",
+}
+
+TIMING_KEYS = {
+    "for": "how long it must be wrong before it is told (`2 s`); by default at once",
+    "recover": "how long it must be fine before that is told; by default as long as `for`",
+    "margin": "how far inside its range a wrong value must come to count as fine, as a share of the bound (`5 %`)",
+    "grace": "after something appears, or its clock jumps, nothing is wrong for this long; by default 5 s",
+    "window": "over which values are taken; by default sized by the expected period",
+}
+
+DEFAULT_KEYS = {
+    "severity": "of being broken: note, warning or error; by default warning",
+    "group": "under which operators see it",
+    **TIMING_KEYS,
+}
+
+TOLD_KEYS = {
+    "id": "name of the sentence, by default made from what it is about",
+    "override": "`true` replaces the sentence of the same `id` in an included or earlier document",
+    "text": "what to tell the operator",
+    **DEFAULT_KEYS,
+}
+
+KINDS = (
+    EntityKind.HOST,
+    EntityKind.NODE,
+    EntityKind.PROCESS,
+    EntityKind.TOPIC,
+    EntityKind.CONNECTION,
+    EntityKind.SERVICE,
+)
+
+SELECTOR_KEYS = {
+    "host": "hosts with such a name",
+    "node": "nodes with such a name",
+    "process": "processes with such a name (`host/pid`)",
+    "topic": "topics with such a name",
+    "connection": "connections over topics with such a name",
+    "service": "services with such a name",
+    "type": "only topics and connections with such a message type",
+    "publisher": "only topics and connections on which such a node publishes",
+    "subscriber": "only connections to such a node",
+    "on": "only nodes, processes and connections on such a host",
+    "without": "names to leave out",
+}
+
+NARROWING: Mapping[str, tuple[EntityKind, ...]] = {
+    "type": (EntityKind.TOPIC, EntityKind.CONNECTION),
+    "publisher": (EntityKind.TOPIC, EntityKind.CONNECTION),
+    "subscriber": (EntityKind.CONNECTION,),
+    "on": (EntityKind.NODE, EntityKind.PROCESS, EntityKind.CONNECTION),
+}
+"""Of which kinds a key can narrow the choice."""
+
+EXPECTED_KEY = {"expected": "being there: `always`, `never`, `at most one`, or `while KIND NAME` is there"}
+
+FIELD_KEYS = {
+    "topic": "name of the topic",
+    "field": "path of the field: `pose.position.x`, `ranges[0]`",
+    "range": "values that are fine, such as `-2..2` or `<= 15`",
+    "when": "only while this other field is in this range",
+    **TOLD_KEYS,
+}
+
+WHEN_KEYS = {
+    "topic": "name of the topic; by default the same",
+    "field": "path of the field",
+    "range": "values that enable the check",
+}
+
+CHAIN_KEYS = {
+    "topics": "names of the topics, the first on which data is stamped, the last on which its age counts",
+    "age": "how old it may be there, such as `<= 200 ms`",
+    **TOLD_KEYS,
+}
+
+
+def constraint_keys(known: Mapping[str, Quantity]) -> dict[str, str]:
+    """Return every key of a constraint; ``known`` are the signals, by key."""
+    signals = {
+        key: f"{quantity.title}{f' ({quantity.unit})' if quantity.unit else ''}: {quantity.text}"
+        for key, quantity in known.items()
+    }
+    return {**SELECTOR_KEYS, **EXPECTED_KEY, **signals, **TOLD_KEYS}

@@ -1,0 +1,49 @@
+"""What a sentence of a reference says, in words."""
+
+from __future__ import annotations
+
+from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, PresenceMode, Selector
+from roslens.judge.reference_document import Sentence
+
+
+def selector_words(selector: Selector) -> str:
+    """Return ``connection /scan from /lidar to /amcl on robot1, without /tmp``."""
+    words = f"{selector.kind.value} {selector.name}"
+    for before, pattern in (
+        ("of type", selector.type),
+        ("from", selector.publisher),
+        ("to", selector.subscriber),
+        ("on", selector.host),
+    ):
+        words += f" {before} {pattern}" if pattern else ""
+    return words + (f", without {' and '.join(selector.without)}" if selector.without else "")
+
+
+def subject_words(sentence: Sentence) -> str:
+    """Return what a sentence is about: entities, a field of messages, a path over topics."""
+    if isinstance(sentence, FieldCheck):
+        return f"field {sentence.field} of {sentence.topic}"
+    if isinstance(sentence, AgeChain):
+        return f"data over {' > '.join(sentence.topics)}"
+    return selector_words(sentence.selector)
+
+
+def expected_words(sentence: Sentence) -> str:
+    """Return what a sentence expects of it: ``rate 25..35 Hz``, ``is there while node /joy is``."""
+    if isinstance(sentence, Expectation):
+        return f"{sentence.quantity} {sentence.written}"
+    if isinstance(sentence, Presence):
+        if sentence.mode is PresenceMode.WHILE and sentence.condition is not None:
+            return f"is there while {selector_words(sentence.condition)} is"
+        return {
+            PresenceMode.ALWAYS: "is always there",
+            PresenceMode.NEVER: "is never there",
+            PresenceMode.AT_MOST_ONE: "is there at most once",
+        }.get(sentence.mode, sentence.mode.value)
+    if isinstance(sentence, AgeChain):
+        return f"age {sentence.written}"
+    words = f"value {sentence.written}"
+    if (condition := sentence.condition) is not None:
+        topic = "" if condition.topic == sentence.topic else f"{condition.topic} "
+        words += f" while {topic}{condition.field} is {condition.range}"
+    return words

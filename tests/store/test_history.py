@@ -1,0 +1,88 @@
+import sqlite3
+
+import pytest
+
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.errors import StoreError
+from roslens.model.graph import Change, Event
+from roslens.model.verdict import State, Verdict
+from roslens.store.history import KEPT_VERDICTS_S, History
+
+SCAN = EntityId(EntityKind.TOPIC, "/scan")
+NOW = 1_700_000_000.0
+
+
+def verdict(time, state=State.LOW, entity=SCAN):
+    return Verdict(entity, "rover.scan.rate", "rate", state, time - 1, time, 12.5, "25..35 Hz")
+
+
+def test_what_was_written_is_read_after_a_restart(tmp_path):
+    path = tmp_path / "live.sqlite"
+    with History.open(path) as history:
+        for second in range(30):
+            history.add_values("topic:/scan", NOW + second, {"rate": 25.0 + second, "jitter": 0.001})
+        history.add_verdicts([verdict(NOW + 3)])
+        history.add_events([Event(NOW + 4, Change.VANISHED, "node:/lidar", "killed")])
+    with History.open(path) as history:
+        points = history.points("topic:/scan", "rate", NOW, NOW + 100)
+        assert [(point.time, point.mean) for point in points] == [(NOW + n, 25.0 + n) for n in range(30)]
+        assert history.points("topic:/other", "rate", NOW, NOW + 100) == ()
+        assert history.verdicts(NOW, NOW + 10) == (verdict(NOW + 3),)
+        assert history.verdicts(NOW, NOW + 10, entity="node:/x") == ()
+        assert history.events(NOW, NOW + 10) == (Event(NOW + 4, Change.VANISHED, "node:/lidar", "killed"),)
+
+
+def test_a_reader_sees_what_was_flushed_while_the_writer_goes_on(tmp_path):
+    path = tmp_path / "live.sqlite"
+    with History.open(path) as writer, History.open(path) as reader:
+        writer.add_values("host:a", NOW, {"cpu": 1.0})
+        writer.add_values("host:a", NOW + 1, {"cpu": 2.0})
+        assert reader.points("host:a", "cpu", NOW, NOW + 10) == ()
+        writer.flush()
+        assert [point.mean for point in reader.points("host:a", "cpu", NOW, NOW + 10)] == [1.0]
+
+
+def test_old_things_go_and_coarse_ones_stay():
+    with History.open(None) as history:
+        for second in range(0, 7200, 5):
+            history.add_values("host:a", NOW + second, {"cpu": 1.0})
+        history.add_verdicts([verdict(NOW), verdict(NOW + KEPT_VERDICTS_S)])
+        history.prune(NOW + 7200)
+        assert history.points("host:a", "cpu", NOW, NOW + 600) == ()
+        assert len(history.points("host:a", "cpu", NOW, NOW + 7200, most=800)) == 719
+        history.prune(NOW + KEPT_VERDICTS_S + 1)
+        assert history.verdicts(NOW - 1, NOW + 2 * KEPT_VERDICTS_S) == (verdict(NOW + KEPT_VERDICTS_S),)
+        assert history.points("host:a", "cpu", NOW, NOW + 7200, most=800) == ()
+
+
+def test_hostile_names_are_stored():
+    with History.open(None) as history:
+        for name in ("topic:/a'b\"c", "topic:/\udcff", "topic:/" + "x" * 10_000, "topic:/\x00"):
+            history.add_values(name, NOW, {"rate": 1.0})
+            history.add_events([Event(NOW, Change.APPEARED, name, "\udcff")])
+        history.add_verdicts([verdict(NOW, entity=EntityId(EntityKind.TOPIC, "/é"))])
+        history.flush(final=True)
+        assert len(history.points("topic:/a'b\"c", "rate", NOW - 1, NOW + 1)) == 1
+        assert len(history.events(NOW, NOW)) == 4
+
+
+def test_a_file_that_is_none_of_ours_is_left_alone(tmp_path):
+    path = tmp_path / "live.sqlite"
+    path.write_bytes(b"something else entirely, of some length" * 100)
+    with pytest.raises(StoreError, match="no SQLite database"):
+        History.open(path)
+    assert path.read_bytes().startswith(b"something else")
+
+
+def test_a_failed_write_loses_nothing(tmp_path, monkeypatch):
+    with History.open(tmp_path / "live.sqlite") as history:
+        history.add_events([Event(NOW, Change.APPEARED, "node:/a")])
+        with sqlite3.connect(tmp_path / "live.sqlite") as other:
+            other.execute("BEGIN IMMEDIATE")
+            history._connection.execute("PRAGMA busy_timeout = 1")
+            with pytest.raises(StoreError, match="in use by another process"):
+                history.flush()
+            other.execute("ROLLBACK")
+        other.close()
+        history.flush()
+        assert len(history.events(NOW, NOW)) == 1

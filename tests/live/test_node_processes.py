@@ -1,0 +1,45 @@
+from roslens.live.node_processes import NodeProcesses
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Graph, Node
+from roslens.model.sample import Sample
+
+
+def graph(*nodes):
+    return Graph("ros2", tuple(Node(name, host, pid) for name, host, pid in nodes))
+
+
+def sample(name, kind=EntityKind.PROCESS, **values):
+    return Sample(EntityId(kind, name), 5.0, values)
+
+
+def told(samples):
+    return [(str(one.entity), one.values) for one in samples]
+
+
+def test_each_node_of_a_process_gets_its_values():
+    join = NodeProcesses()
+    join.add_graph("ros2", graph(("/b", "base", 10), ("/a", "base", 10), ("/c", "arm", 10), ("/d", "", 0)))
+    assert told(join.of(sample("base/10", cpu=5.0))) == [
+        ("node:/a", {"cpu": 5.0, "restarts": 0.0}),
+        ("node:/b", {"cpu": 5.0, "restarts": 0.0}),
+    ]
+    assert join.of(sample("base/11", cpu=5.0)) == []
+    assert join.of(sample("base", EntityKind.HOST, cpu=5.0)) == []
+    assert join.process_of("/c") == "arm/10"
+    assert join.process_of("/d") == ""
+
+
+def test_coming_back_elsewhere_is_a_restart():
+    join = NodeProcesses()
+    for pid in (10, 10, 12, 12, 15):
+        join.add_graph("ros2", graph(("/a", "base", pid)))
+    assert told(join.of(sample("base/15"))) == [("node:/a", {"restarts": 2.0})]
+    assert join.of(sample("base/10")) == []
+
+
+def test_two_observers_see_two_parts():
+    join = NodeProcesses()
+    join.add_graph("ros1", graph(("/a", "base", 10)))
+    join.add_graph("ros2", graph(("/b", "base", 11)))
+    assert [name for name, _ in told(join.of(sample("base/10")))] == ["node:/a"]
+    assert [name for name, _ in told(join.of(sample("base/11")))] == ["node:/b"]

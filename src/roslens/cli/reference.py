@@ -12,6 +12,8 @@ def pages() -> Mapping[str, str]:
     """Return every generated page by its path below ``docs/reference``."""
     from roslens.judge.models_page import model_schema, models_page
     from roslens.judge.quality_model import builtin_models, load_model
+    from roslens.judge.references_page import reference_schema, references_page
+    from roslens.live.signals import BY_KEY
     from roslens.source.metrics.describe import metrics_page
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
@@ -21,8 +23,14 @@ def pages() -> Mapping[str, str]:
     return {
         "metrics/quantities.md": metrics_page(QUANTITIES.values()),
         "models.md": models_page(models),
-        "model.schema.json": json.dumps(model_schema(), indent=2, ensure_ascii=False) + "\n",
+        "model.schema.json": _json(model_schema()),
+        "references.md": references_page(BY_KEY),
+        "reference.schema.json": _json(reference_schema(BY_KEY)),
     }
+
+
+def _json(schema: Mapping[str, object]) -> str:
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
 def main() -> int:

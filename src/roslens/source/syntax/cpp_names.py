@@ -15,7 +15,8 @@ _NAME_IN_DECLARATOR = re.compile(r"\b(?!const\b|volatile\b|restrict\b)[A-Za-z_]\
 _LONGEST = 4000
 _OPERATOR = re.compile(r"\boperator\b")
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
-_PARAMETERS = ("parameter_declaration", "optional_parameter_declaration", "variadic_parameter_declaration")
+_WITH_DEFAULT = "optional_parameter_declaration"
+_PARAMETERS = ("parameter_declaration", _WITH_DEFAULT, "variadic_parameter_declaration")
 
 
 class Declarator(msgspec.Struct, frozen=True):
@@ -74,32 +75,34 @@ def squeezed(text: str) -> str:
 def function_declarator(node: Node) -> Node | None:
     """Return the declarator that holds the parameters of a function, the innermost where functions return functions."""
     found = None
-    waiting = [node]
+    current: Node | None = node
     for _ in range(50):
-        if not waiting:
+        if current is None:
             break
-        current = waiting.pop()
-        if current.type in ("function_declarator", "abstract_function_declarator"):
+        kind = current.type
+        if kind in _PLAIN_NAMES:
+            break
+        if kind in ("function_declarator", "abstract_function_declarator"):
             found = current
         inner = current.child_by_field_name("declarator")
-        if inner is None and current.type == "qualified_identifier":
+        if inner is None and kind == "qualified_identifier":
             inner = current.child_by_field_name("name")
-        if inner is None and current.type in _WRAPPERS:
+        if inner is None and kind in _WRAPPERS:
             inner = next(
                 (child for child in current.named_children if child.type.endswith(("declarator", "cast"))), None
             )
-        if inner is not None:
-            waiting.append(inner)
+        current = inner
     return found
 
 
+_PLAIN_NAMES = frozenset({"identifier", "field_identifier", "destructor_name", "operator_name"})
 _WRAPPERS = ("reference_declarator", "parenthesized_declarator", "pointer_declarator", "attributed_declarator")
 
 
 def read_declarator(definition: Node, source: bytes) -> Declarator:
     """Read the declarator of a function definition or declaration."""
     outer = definition.child_by_field_name("declarator")
-    declarator = function_declarator(definition)
+    declarator = function_declarator(outer) if outer is not None else None
     parameters = declarator.child_by_field_name("parameters") if declarator is not None else None
     if outer is None or declarator is None or parameters is None:
         start, end = definition.byte_range
@@ -110,27 +113,30 @@ def read_declarator(definition: Node, source: bytes) -> Declarator:
         while cast.type in _WRAPPERS:
             cast = cast.named_children[-1]
         start = cast.start_byte
-    written = text_of(source[start : min(parameters.start_byte, start + _LONGEST)])
+    opening, end = parameters.byte_range
+    written = text_of(source[start : min(opening, start + _LONGEST)])
     scope, name = split_name(written)
-    types = [type_ for type_ in (_type_of(node, source) for node in parameters.named_children) if type_]
-    variadic = b"..." in source[max(parameters.start_byte, parameters.end_byte - 8) : parameters.end_byte]
+    types = [type_ for node in parameters.named_children if (type_ := _type_of(node, source))]
+    variadic = b"..." in source[max(opening, end - 8) : end]
     if variadic and not (types and "..." in types[-1]):
         types.append("...")
     if types == ["void"]:
         types = []
-    if definition.child_by_field_name("type") is None and not scope and _MACRO.fullmatch(name) and types:
-        return Declarator(f"{name}({','.join(types)})", "", 0, "", start, parameters.end_byte, macro=True)
+    if types and not scope and _MACRO.fullmatch(name) and definition.child_by_field_name("type") is None:
+        return Declarator(f"{name}({','.join(types)})", "", 0, "", start, end, macro=True)
     pointer = "*" in name and not name.startswith("operator")
-    return Declarator(name, scope, len(types), ", ".join(types), start, parameters.end_byte, pointer=pointer)
+    return Declarator(name, scope, len(types), ", ".join(types), start, end, pointer=pointer)
 
 
 def _type_of(parameter: Node, source: bytes) -> str:
-    if parameter.type not in _PARAMETERS:
+    kind = parameter.type
+    if kind not in _PARAMETERS:
         return ""
     start, end = parameter.byte_range
-    default = parameter.child_by_field_name("default_value")
-    if default is not None:
-        end = default.start_byte
+    if kind == _WITH_DEFAULT:
+        default = parameter.child_by_field_name("default_value")
+        if default is not None:
+            end = default.start_byte
     declarator = parameter.child_by_field_name("declarator")
     if declarator is None:
         return _parameter_type(source[start : min(end, start + _LONGEST)], b"")

@@ -103,15 +103,21 @@ class Frame:
         self.role = role
         self.start = 0
         self.end = end
-        self.depth: int = above.depth if above else 0
-        self.own_depth: int = self.depth
-        self.part: str = above.part if above else "body"
-        self.own_part: str = self.part
-        self.scope: FunctionScope | None = above.scope if above else None
-        self.owner: ClassScope | None = above.owner if above else None
-        self.prefix: str = above.prefix if above else ""
-        self.in_lambda: bool = above.in_lambda if above else False
-        self.alternative: bool = above.alternative if above else False
+        if above is None:
+            self.depth = self.own_depth = 0
+            self.part = self.own_part = "body"
+            self.scope: FunctionScope | None = None
+            self.owner: ClassScope | None = None
+            self.prefix = ""
+            self.in_lambda = self.alternative = False
+            return
+        self.depth = self.own_depth = above.depth
+        self.part = self.own_part = above.part
+        self.scope = above.scope
+        self.owner = above.owner
+        self.prefix = above.prefix
+        self.in_lambda = above.in_lambda
+        self.alternative = above.alternative
 
 
 class Walk:
@@ -138,7 +144,6 @@ class Walk:
         self._run()
 
     def _run(self) -> None:
-        handlers = [(getattr(self, _HANDLERS.get(name, f"_on_{name}")), name) for name in KINDS]
         stack = [self._top]
         for start, negative_end, kind in self._captures.events:
             top = stack[-1]
@@ -146,8 +151,8 @@ class Walk:
                 stack.pop()
                 top = stack[-1]
             self._top = top
-            handle, role = handlers[kind]
-            frame = handle(role, start, -negative_end)
+            handle, role = _BY_KIND[kind]
+            frame = handle(self, role, start, -negative_end)
             if frame is not None:
                 stack.append(frame)
 
@@ -343,6 +348,8 @@ class Walk:
     def _overrides(self, declarator: Declarator, end: int) -> bool:
         """Tell whether ``override`` or ``final`` stands behind the parameters."""
         tail = self._source[declarator.end : min(end, declarator.end + _LONGEST_NAME)]
+        if b"override" not in tail and b"final" not in tail:
+            return False
         words = _END_OF_HEADER.split(tail, maxsplit=1)[0].split()
         return b"override" in words or b"final" in words
 
@@ -397,6 +404,10 @@ class Walk:
 
     def _text(self, start: int, end: int) -> str:
         return text_of(self._source[start : min(end, start + _LONGEST_NAME)])
+
+
+_BY_KIND = [(getattr(Walk, _HANDLERS.get(name, f"_on_{name}")), name) for name in KINDS]
+"""Number of a kind to what handles it and its name."""
 
 
 def _typedef_name(definition: Node) -> Node | None:

@@ -101,7 +101,8 @@ class Agent:
         if now < self._due[what]:
             return False
         # After a standstill the missed turns are not made up for.
-        self._due[what] = max(self._due[what] + every_s, now + every_s / 2)
+        late = now - self._due[what]
+        self._due[what] = now + every_s - (late if late < every_s else 0.0)
         return True
 
     def _with_clock(self, sample: Sample) -> Sample:

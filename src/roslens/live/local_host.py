@@ -1,0 +1,64 @@
+"""The host on which the monitor itself runs, sampled without an agent."""
+
+from __future__ import annotations
+
+import select
+from collections.abc import Callable
+
+from roslens.live.agent.host import HostSampler
+from roslens.live.agent.processes import ProcessSampler
+from roslens.model.graph import Graph
+from roslens.model.wire import VERSION, Frame
+
+
+class LocalHost:
+    """A source of frames like an agent's, from this host."""
+
+    def __init__(
+        self,
+        name: str,
+        host: HostSampler,
+        processes: ProcessSampler,
+        *,
+        wall: Callable[[], float],
+        steady: Callable[[], float],
+        period_s: float = 1.0,
+    ) -> None:
+        """Sample the host ``name`` every ``period_s`` seconds, and look for its processes every second sample."""
+        self._name = name
+        self._host = host
+        self._processes = processes
+        self._wall = wall
+        self._steady = steady
+        self._period_s = period_s
+        self._due = 0.0
+        self._sequence = 0
+
+    def poll(self, seconds: float = 0.0) -> list[Frame]:
+        """Return a frame where one is due, or where a process ended; waits for nothing but that."""
+        events = []
+        handles = self._processes.handles()
+        if handles:
+            for handle in select.select([*handles], [], [], seconds)[0]:
+                ended = self._processes.ended(handles[handle], self._wall())
+                events += [ended] if ended is not None else []
+        now = self._steady()
+        samples = []
+        if now >= self._due:
+            late = now - self._due
+            self._due = now + self._period_s - (late if late < self._period_s else 0.0)
+            wall = self._wall()
+            if self._sequence % 2 == 0:
+                events += self._processes.find(wall)
+            samples = [self._host.sample(wall), *self._processes.sample(wall)]
+        if not events and not samples:
+            return []
+        graph = Graph("", hosts=(self._name,), processes=self._processes.processes())
+        self._sequence += 1
+        frame = Frame(VERSION, f"{self._name}/monitor", self._sequence, self._wall(), [], samples, events, graph)
+        return [frame]
+
+    def close(self) -> None:
+        """Let all files go."""
+        self._host.close()
+        self._processes.close()

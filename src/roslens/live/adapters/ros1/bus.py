@@ -1,0 +1,141 @@
+"""Traffic of connections, from counters that both of their ends keep; pure.
+
+What the counters do not tell stays empty: there are no instants of messages, thus no periods, and no latencies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import msgspec
+
+from roslens.live.adapters.ros1.slave import BusStats, Counter, Link
+from roslens.model.tally import Observer, Tally
+
+_WRAP = 2**32
+_HALF = 2**31
+
+
+class Reading(msgspec.Struct, frozen=True):
+    """What a node told of its connections at an instant.
+
+    Attributes:
+        node: its name.
+        uri: of its API; another one means another process, whose counters began anew.
+        time: seconds on the observer's clock.
+        stats: its counters.
+        links: its connections.
+    """
+
+    node: str
+    uri: str
+    time: float
+    stats: BusStats
+    links: tuple[Link, ...]
+
+
+class Stretch(msgspec.Struct, frozen=True):
+    """The growth of one counter."""
+
+    start: float
+    end: float
+    count: int
+    bytes: int
+    lost: int
+
+
+_Key = tuple[str, str, str]
+"""Topic, publisher, subscriber."""
+_Counted = tuple[str, str, str, bool]
+"""URI of the node, id of the connection, topic, whether it sends."""
+
+
+def grown(before: int, after: int, wraps: bool) -> int | None:
+    """Return by how much a counter grew; None where it began anew.
+
+    >>> grown(2**31 - 10, -(2**31) + 10, wraps=True)
+    20
+    """
+    if wraps:
+        growth = (after - before) % _WRAP
+        return growth if growth < _HALF else None
+    return after - before if after >= before else None
+
+
+class Bus:
+    """Turns readings into tallies.
+
+    Both ends of a connection count it. What arrived is what the receiving end says; the sending end is heard where the
+    other does not speak (roscpp tells of only one publisher of a topic, other libraries count no messages, a node may
+    be silent). The first sight of a connection counts nothing: what it carried before has no known beginning.
+
+    Args:
+        hidden: names of subscribers that are not part of the system, which is the observer itself.
+        host: on which the observer stands.
+    """
+
+    def __init__(self, hidden: frozenset[str] = frozenset(), host: str = "") -> None:
+        self._hidden = hidden
+        self._host = host
+        self._before: dict[str, dict[_Counted, tuple[float, Counter]]] = {}
+
+    def tallies(self, readings: Iterable[Reading], homes: Mapping[str, str]) -> list[Tally]:
+        """Return the traffic since the readings before, one tally a connection, sorted.
+
+        Args:
+            readings: at most one of each node.
+            homes: names of nodes by the URI of their API, without a slash at the end.
+        """
+        received: dict[_Key, list[Stretch]] = {}
+        sent: dict[_Key, list[Stretch]] = {}
+        for reading in readings:
+            before = self._before.get(reading.node, {})
+            self._before[reading.node] = {}
+            peers = {(link.id, link.topic, link.sends): link.peer for link in reading.links}
+            for counter in reading.stats.counters:
+                peer = peers.get((counter.id, counter.topic, counter.sends))
+                if peer is None:
+                    continue
+                stretch = self._stretch(reading, counter, before)
+                if counter.sends:
+                    key = (counter.topic, reading.node, peer)
+                else:
+                    key = (counter.topic, homes.get(peer.rstrip("/"), ""), reading.node)
+                if stretch and key[2] not in self._hidden and key[1] not in self._hidden:
+                    (sent if counter.sends else received).setdefault(key, []).append(stretch)
+        return [self._tally(key, received.get(key) or sent[key]) for key in sorted(received.keys() | sent.keys())]
+
+    def forget(self, node: str) -> None:
+        """Drop what was known of a node that is gone."""
+        self._before.pop(node, None)
+
+    def _stretch(
+        self, reading: Reading, counter: Counter, before: Mapping[_Counted, tuple[float, Counter]]
+    ) -> Stretch | None:
+        key = (reading.uri, counter.id, counter.topic, counter.sends)
+        earlier = before.get(key)
+        self._before[reading.node][key] = (reading.time, counter)
+        if earlier is None or reading.time <= earlier[0]:
+            return None
+        count = grown(earlier[1].count, counter.count, reading.stats.wraps)
+        size = grown(earlier[1].bytes, counter.bytes, reading.stats.wraps)
+        if count is None or size is None:
+            return None
+        lost = -1
+        if counter.drops >= 0 and earlier[1].drops >= 0:
+            more = grown(earlier[1].drops, counter.drops, reading.stats.wraps)
+            lost = -1 if more is None else more
+        return Stretch(earlier[0], reading.time, count, max(size - counter.prefix * count, 0), lost)
+
+    def _tally(self, key: _Key, stretches: list[Stretch]) -> Tally:
+        known = [stretch.lost for stretch in stretches if stretch.lost >= 0]
+        return Tally(
+            *key,
+            start=min(stretch.start for stretch in stretches),
+            end=max(stretch.end for stretch in stretches),
+            count=sum(stretch.count for stretch in stretches),
+            bytes=sum(stretch.bytes for stretch in stretches),
+            lost=sum(known) if known else -1,
+            observer=Observer.PROTOCOL,
+            host=self._host,
+        )

@@ -1,0 +1,119 @@
+"""Following a master that may be gone, come back, or be another one than before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import msgspec
+
+from roslens.live.adapters.ros1.master import Master, SystemState
+from roslens.live.adapters.ros1.names import TOOL
+from roslens.live.adapters.ros1.xml_rpc import CallError
+from roslens.model.failure import Failure
+
+TOPIC_OF_ALL = "/rosout"
+"""On which every node publishes, so that its publishers are the nodes."""
+
+
+class Step(msgspec.Struct, frozen=True):
+    """What a look at the master brought.
+
+    Attributes:
+        changed: registrations differ from those before.
+        news: what is to be said of the master itself, empty where nothing.
+        failures: what the master did not tell.
+        restarted: it is another master than before.
+    """
+
+    changed: bool = False
+    news: str = ""
+    failures: tuple[Failure, ...] = ()
+    restarted: bool = False
+
+
+class Follower:
+    """Keeps registrations and types as the master last told them, and ourselves registered to be told of changes.
+
+    Attributes:
+        state: registrations, ours left out.
+        types: of topics by name.
+        there: whether the master answered last.
+    """
+
+    def __init__(self, master: Master, caller: str, api: str) -> None:
+        self.state = SystemState()
+        self.types: dict[str, str] = {}
+        self.there = False
+        self.ever = False
+        self._master = master
+        self._caller = caller
+        self._api = api
+        self._pid = 0
+        self._type_failures: tuple[Failure, ...] = ()
+
+    def step(self) -> Step:
+        """Ask the master."""
+        try:
+            return self._ask()
+        except CallError as error:
+            news = f"the ROS master at {self._master.uri} is gone: {error}" if self.there else ""
+            self.there = False
+            what = f"no ROS master: {error}"
+            if self.ever:
+                what = f"the ROS master is gone: {error}; what is known of nodes is from before"
+            advice = "Start roscore, or name the master by ROS_MASTER_URI or --master"
+            return Step(news=news, failures=(Failure(TOOL, what, "a master that answers", advice),))
+
+    def _ask(self) -> Step:
+        restarted = False
+        state, changed = self._master.state()
+        if changed or not self.there:
+            pid = self._master.pid()
+            restarted = bool(self._pid) and pid != self._pid
+            if restarted:
+                self._master.forget()
+            if restarted or not self._pid:
+                self._register()
+                state, _ = self._master.state()
+                changed = True
+            self._pid = pid
+            self.types, self._type_failures = self._master.types()
+        news = ""
+        if not self.there and self.ever:
+            news = f"the ROS master at {self._master.uri} answers again"
+        if restarted:
+            news = f"the ROS master at {self._master.uri} was restarted; nodes started before are unknown to it"
+        self.there = self.ever = True
+        self.state = without(state, self._caller)
+        return Step(changed, news, (*state.oddities, *self._type_failures), restarted)
+
+    def _register(self) -> None:
+        if self._api:
+            self._master.subscribe(TOPIC_OF_ALL, "*", self._api)
+
+    def home(self, node: str, fresh: bool = False) -> str:
+        """Return the URI of the API of a node.
+
+        Raises:
+            CallError: the master does not tell.
+        """
+        return self._master.home(node, fresh)
+
+    def leave(self, ignore: Callable[[str], None]) -> None:
+        """Take our registration back; what goes wrong is passed to ``ignore``."""
+        if self._pid and self._api:
+            try:
+                self._master.unsubscribe(TOPIC_OF_ALL, self._api)
+            except CallError as error:
+                ignore(str(error))
+        self._master.close()
+
+
+def without(state: SystemState, node: str) -> SystemState:
+    """Return registrations without those of one node."""
+    return SystemState(
+        tuple(pair for pair in state.publishers if pair[1] != node),
+        tuple(pair for pair in state.subscribers if pair[1] != node),
+        tuple(pair for pair in state.services if pair[1] != node),
+        state.oddities,
+    )

@@ -1,0 +1,182 @@
+"""Rounds of observation: master, nodes and their counters become frames."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+
+from roslens.live.adapters.ros1.bus import Bus, Reading
+from roslens.live.adapters.ros1.contact import Contact, Look
+from roslens.live.adapters.ros1.ends import Ends
+from roslens.live.adapters.ros1.follow import TOPIC_OF_ALL, Follower
+from roslens.live.adapters.ros1.graph import build_graph, changes
+from roslens.live.adapters.ros1.resolve import Resolver
+from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
+from roslens.model.failure import Failure
+from roslens.model.graph import Change, Event, Graph
+from roslens.model.tally import Tally
+from roslens.model.wire import VERSION, Frame
+
+_AT_ONCE = 8
+"""So many nodes are asked at a time."""
+_SEEK_DEAD = 5
+"""Rounds after which a dead node is looked up anew, since it may live elsewhere by the same name."""
+
+
+class Observation:
+    """Observes one ROS 1 system.
+
+    Args:
+        follower: of its master.
+        caller: our own name, which is left out of everything.
+        resolver: of hosts.
+        hostname: of this host.
+        clock: seconds since the epoch.
+        ends: tells of nodes that end; None where nobody wants to be told at once.
+        wait_s: the longest a node may take to answer.
+    """
+
+    def __init__(
+        self,
+        follower: Follower,
+        caller: str,
+        resolver: Resolver,
+        hostname: str,
+        clock: Callable[[], float],
+        ends: Ends | None = None,
+        wait_s: float = 1.0,
+    ) -> None:
+        self._follower = follower
+        self._caller = caller
+        self._resolver = resolver
+        self._hostname = hostname
+        self._clock = clock
+        self._ends = ends
+        self._wait_s = wait_s
+        self._bus = Bus(frozenset({caller}), hostname)
+        self._contacts: dict[str, Contact] = {}
+        self._left: list[tuple[str, Contact]] = []
+        self._graph: Graph | None = None
+        self._said: set[Failure] = set()
+        self._rounds = 0
+        self._pool = ThreadPoolExecutor(_AT_ONCE, "node")
+
+    @property
+    def publishers(self) -> dict[str, list[tuple[str, str]]]:
+        """Name and URI of the living publishers of each topic."""
+        found: dict[str, list[tuple[str, str]]] = {}
+        for topic, node in self._follower.state.publishers:
+            contact = self._contacts.get(node)
+            if contact and not contact.dead:
+                found.setdefault(topic, []).append((node, contact.uri))
+        return found
+
+    def round(self, moved: frozenset[str] = frozenset()) -> Frame:
+        """Ask everybody; ``moved`` are nodes whose API may be elsewhere now."""
+        self._rounds += 1
+        step = self._follower.step()
+        reasons: dict[str, str] = {}
+        failures = list(step.failures)
+        if self._follower.there:
+            failures += self._meet(step.restarted, moved, reasons)
+        looks = self._look(list(self._contacts.values()), force=False)
+        readings = [look.reading for look in looks if look.reading]
+        for look in looks:
+            failures += look.failures
+        tallies = self._tallies(readings)
+        fresh = [failure for failure in dict.fromkeys(failures) if failure not in self._said]
+        self._said = set(failures)
+        now = self._clock()
+        events, graph = self._renew(now, reasons)
+        if step.news:
+            events.insert(0, Event(now, Change.CHANGED, f"host:{self._hostname}", step.news))
+        return self._frame(now, tallies, events, graph, fresh)
+
+    def ended(self, names: Iterable[str]) -> Frame | None:
+        """Ask only nodes that seem to have ended; None where that was not so."""
+        contacts = [self._contacts[name] for name in sorted(set(names)) if name in self._contacts]
+        looks = self._look(contacts, force=True)
+        now = self._clock()
+        events, graph = self._renew(now, {})
+        if graph is None:
+            return None
+        fresh = [failure for look in looks for failure in look.failures if failure not in self._said]
+        self._said.update(fresh)
+        return self._frame(now, self._tallies([look.reading for look in looks if look.reading]), events, graph, fresh)
+
+    def moved(self, topic: str, uris: tuple[str, ...]) -> frozenset[str]:
+        """Return the nodes whose API may be elsewhere by what the master told of the publishers of a topic."""
+        if topic != TOPIC_OF_ALL:
+            return frozenset()
+        told = {uri.rstrip("/") for uri in uris}
+        return frozenset(
+            name for name, contact in self._contacts.items() if contact.dead or contact.uri.rstrip("/") not in told
+        )
+
+    def _meet(self, restarted: bool, moved: frozenset[str], reasons: dict[str, str]) -> list[Failure]:
+        """Make the contacts those of the nodes that are registered."""
+        failures = []
+        names = self._follower.state.nodes
+        for name in sorted(self._contacts.keys() - set(names)):
+            if restarted and not self._contacts[name].dead:
+                reasons[name] = "the master was restarted and does not know it; the node may still run: start it again"
+            self._part(name)
+        for name in names:
+            contact = self._contacts.get(name)
+            seek = contact is None or name in moved or (contact.dead and self._rounds % _SEEK_DEAD == 0)
+            if not seek:
+                continue
+            try:
+                uri = self._follower.home(name, fresh=contact is not None)
+            except CallError as error:
+                if error.trouble is not Trouble.DENIED:  # denied: it unregistered just now
+                    failures.append(Failure("ros1", str(error), "the URI of its API", entity=f"node:{name}"))
+                continue
+            if contact is None or contact.uri != uri:
+                self._part(name)
+                self._contacts[name] = Contact(name, uri, self._caller, self._resolver, self._hostname, self._wait_s)
+        return failures
+
+    def _part(self, name: str) -> None:
+        contact = self._contacts.pop(name, None)
+        if contact:
+            contact.close()
+            self._bus.forget(name)
+            if self._ends:
+                self._ends.forget(name)
+
+    def _look(self, contacts: list[Contact], force: bool) -> list[Look]:
+        looks = list(self._pool.map(lambda contact: contact.look(self._clock, force), contacts))
+        for contact, look in zip(contacts, looks, strict=True):
+            if look.trouble is Trouble.REFUSED and self._ends:
+                self._ends.forget(contact.name)
+            elif look.reading and self._ends:
+                if contact.local and contact.node.pid:
+                    self._ends.process(contact.name, contact.node.pid)
+                self._ends.connection(contact.name, contact.descriptor)
+        return looks
+
+    def _tallies(self, readings: list[Reading]) -> list[Tally]:
+        homes = {contact.uri.rstrip("/"): name for name, contact in self._contacts.items()}
+        return self._bus.tallies(readings, homes)
+
+    def _renew(self, now: float, reasons: dict[str, str]) -> tuple[list[Event], Graph | None]:
+        """Return what changed, and the graph if anything did; the first graph has no events."""
+        living = {name: contact.node for name, contact in self._contacts.items() if not contact.dead}
+        graph = build_graph(self._follower.state, self._follower.types, living)
+        before, self._graph = self._graph, graph
+        if before == graph:
+            return [], None
+        why = {name: contact.reason for name, contact in self._contacts.items() if contact.dead} | reasons
+        return (changes(before, graph, now, why) if before else []), graph
+
+    def _frame(
+        self, now: float, tallies: list[Tally], events: list[Event], graph: Graph | None, failures: list[Failure]
+    ) -> Frame:
+        return Frame(VERSION, f"{self._hostname}/ros1", 0, now, tallies, [], events, graph, failures)
+
+    def close(self) -> None:
+        """Hang up everywhere."""
+        for name in list(self._contacts):
+            self._part(name)
+        self._pool.shutdown(wait=False, cancel_futures=True)

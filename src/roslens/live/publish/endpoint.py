@@ -26,7 +26,7 @@ class Endpoint:
         class Answer(BaseHTTPRequestHandler):
             timeout = _LONGEST_REQUEST_S
 
-            def do_GET(self) -> None:  # noqa: N802 - the name that the standard library calls
+            def do_GET(self) -> None:
                 if urlsplit(self.path).path != "/metrics":
                     self.send_error(HTTPStatus.NOT_FOUND, "only /metrics is here")
                     return
@@ -49,7 +49,7 @@ class Endpoint:
     def url(self) -> str:
         """Where the page is."""
         host, port = self._server.server_address[:2]
-        return f"http://{str(host)}:{port}/metrics"
+        return f"http://{host!s}:{port}/metrics"
 
     def close(self) -> None:
         """Serve no more."""

@@ -1,0 +1,31 @@
+"""What a file of a recording says of one of its streams of messages."""
+
+from __future__ import annotations
+
+import msgspec
+
+
+class Channel(msgspec.Struct, frozen=True):
+    """A stream of messages in one file: a connection in ROS 1, a channel in MCAP, a topic in SQLite.
+
+    Attributes:
+        topic: its name.
+        type: as the recording spells it.
+        hash: of the type; empty where it is not stored.
+        publisher: name of the publishing node; empty where it is not stored.
+        qos: offered profiles as stored.
+        definition: text that defines the type, with those it is made of.
+        language: of the definition: ``msg``, ``idl``, or empty where there is none.
+        encoding: of messages: ``ros1``, ``cdr``, or what else the recording says.
+        compression: of each message on its own; empty or ``zstd``.
+    """
+
+    topic: str
+    type: str = ""
+    hash: str = ""
+    publisher: str = ""
+    qos: str = ""
+    definition: str = ""
+    language: str = ""
+    encoding: str = ""
+    compression: str = ""

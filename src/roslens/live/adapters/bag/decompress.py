@@ -1,0 +1,78 @@
+"""Compressed pieces of recordings, unpacked no further than they say they reach."""
+
+from __future__ import annotations
+
+import bz2
+from importlib import import_module
+from typing import Any
+
+from roslens.live.adapters.bag.damage import DamageError
+
+LARGEST = 1 << 30
+_LZ4_RATIO = 256
+_SLACK = 1 << 16
+
+
+def decompress(content: bytes, compression: str, size: int) -> bytes:
+    """Return the content, which was ``size`` bytes before its compression.
+
+    Args:
+        content: the compressed bytes.
+        compression: ``none`` or empty, ``bz2``, ``lz4`` or ``zstd``.
+        size: bytes expected.
+
+    Raises:
+        DamageError: the content cannot be unpacked, is not that long, or claims an impossible size.
+    """
+    found, reason = unpack_start(content, compression, size)
+    if reason:
+        raise DamageError(reason)
+    if len(found) != size:
+        raise DamageError(f"a chunk of {len(found):,} bytes that says it has {size:,}")
+    return found
+
+
+def unpack_start(content: bytes, compression: str, size: int) -> tuple[bytes, str]:
+    """Return what can be unpacked from the start of the content, and why it ends early where it does."""
+    if compression in {"", "none"}:
+        return content, ""
+    if size > LARGEST:
+        return b"", f"a chunk that says it has {size:,} bytes, more than {LARGEST:,}"
+    if compression == "lz4" and size > _LZ4_RATIO * len(content) + _SLACK:
+        return b"", f"{len(content):,} bytes of lz4 that claim to be {size:,}"
+    unpack = _unpackers().get(compression)
+    if unpack is None:
+        return b"", f'chunks compressed with "{compression}", which is not known'
+    found = bytearray()
+    rest = content
+    try:
+        while rest and len(found) < size:
+            one = unpack()
+            piece = one.decompress(rest, size - len(found))
+            while piece:
+                found += piece
+                piece = one.decompress(b"", size - len(found)) if not one.eof and len(found) < size else b""
+            if not one.eof:
+                break
+            rest = one.unused_data or b""
+    except ImportError as error:
+        return b"", f"a chunk compressed with {compression}, and no {error.name} to unpack it"
+    except Exception as error:  # noqa: BLE001 - each library has errors of its own
+        return bytes(found), f"a chunk that cannot be unpacked: {error}"
+    return bytes(found), ""
+
+
+def _unpackers() -> dict[str, Any]:
+    return {"bz2": bz2.BZ2Decompressor, "lz4": _lz4, "zstd": _zstd}
+
+
+def _lz4() -> Any:
+    return import_module("lz4.frame").LZ4FrameDecompressor()
+
+
+def _zstd() -> Any:
+    # The same interface: part of Python from 3.14 on, before that from the package that rosbags brings.
+    try:
+        return import_module("compression.zstd").ZstdDecompressor()
+    except ImportError:
+        return import_module("backports.zstd").ZstdDecompressor()

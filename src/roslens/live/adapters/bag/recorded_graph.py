@@ -1,0 +1,28 @@
+"""The graph as far as a recording knows it: topics with types, and in ROS 1 the nodes that published."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslens.live.adapters.bag.channel import Channel
+from roslens.live.adapters.bag.recorded_qos import profiles_of
+from roslens.model.graph import Endpoint, Graph, Node, Role
+from roslens.model.qos import Qos
+
+
+def graph_of(generation: str, channels: Iterable[Channel]) -> Graph:
+    """Return nodes and publishers; in ROS 2, where nothing says who published, their node is empty."""
+    endpoints = {}
+    nodes = set()
+    for channel in channels:
+        if channel.publisher:
+            nodes.add(channel.publisher)
+        profiles: list[Qos | None] = [*profiles_of(channel.qos)]
+        for qos in profiles or [None]:
+            endpoint = Endpoint(channel.publisher, Role.PUBLISHER, channel.topic, channel.type, channel.hash, qos)
+            endpoints[(endpoint.node, endpoint.name, endpoint.type, endpoint.hash, repr(qos))] = endpoint
+    return Graph(
+        generation,
+        tuple(Node(name) for name in sorted(nodes)),
+        tuple(endpoints[key] for key in sorted(endpoints)),
+    )

@@ -1,5 +1,6 @@
 """Fakes: a server of scripted answers, and a whole system of a master and nodes made of such servers."""
 
+import contextlib
 import socket
 import threading
 import xmlrpc.client
@@ -58,10 +59,8 @@ class FakeServer:
     def hang_up(self):
         """Close the open connections, as the end of a process does, and go on listening."""
         for line in self.server.lines:
-            try:
+            with contextlib.suppress(OSError):
                 line.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
 
     def close(self):
         if self.up:
@@ -101,10 +100,8 @@ def script():
                 except OSError:
                     return
                 opened.append(line)
-                try:
+                with contextlib.suppress(OSError):
                     play(line, done)
-                except OSError:
-                    pass
 
         thread = threading.Thread(target=run, daemon=True)
         thread.start()

@@ -1,0 +1,57 @@
+import http.client
+import queue
+import xmlrpc.client
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roslens.live.adapters.ros1.resolve import Resolver
+from roslens.live.adapters.ros1.told import ToldServer, answer_to
+from roslens.live.adapters.ros1.xml_rpc import Caller
+
+
+@pytest.fixture
+def told():
+    heard = queue.SimpleQueue()
+    server = ToldServer("127.0.0.1", "127.0.0.1", "http://m:1", lambda *update: heard.put(update))
+    server.heard = heard
+    yield server
+    server.close()
+
+
+def test_updates_are_passed_on(told):
+    caller = Caller(told.uri, Resolver())
+    assert caller.call("publisherUpdate", "/master", "/rosout", ["http://a:1/", 7]) == [1, "", 0]
+    assert told.heard.get(timeout=5) == ("/rosout", ("http://a:1/",))
+    assert caller.call("publisherUpdate", "/master", "/rosout")[0] == -1
+    caller.close()
+
+
+def test_who_asks_is_answered_as_by_a_node(told):
+    caller = Caller(told.uri, Resolver())
+    assert caller.call("getPid", "/x")[0] == 1
+    assert caller.call("getMasterUri", "/x") == [1, "", "http://m:1"]
+    assert caller.call("getBusStats", "/x") == [1, "", [[], [], []]]
+    assert caller.call("shutdown", "/x", "bye")[0] == 0
+    assert caller.call("requestTopic", "/x", "/t", [["TCPROS"]])[0] == 0
+    assert caller.call("system.listMethods")[0] == -1
+    caller.close()
+
+
+@pytest.mark.parametrize("length", ["900000000000", "-1", "x", ""])
+def test_a_length_that_is_none_is_refused(told, length):
+    line = http.client.HTTPConnection(told.uri[7:-1], timeout=5)
+    line.putrequest("POST", "/RPC2")
+    line.putheader("Content-Length", length)
+    line.endheaders()
+    answer = line.getresponse()
+    assert answer.status == 400
+    answer.read()
+    line.close()
+
+
+@given(st.binary(max_size=200))
+def test_no_bytes_make_it_fall_over(body):
+    values, _ = xmlrpc.client.loads(answer_to(body, {}))
+    assert values[0][0] == -1

@@ -8,7 +8,20 @@ from collections.abc import Sequence
 
 from roslens import __version__
 from roslens.cli.boundary import guarded
-from roslens.cli.commands import agent, check, clean, completion, doctor, explain, init, plugins, report, serve
+from roslens.cli.commands import (
+    agent,
+    check,
+    clean,
+    completion,
+    doctor,
+    env,
+    explain,
+    init,
+    plugins,
+    report,
+    run,
+    serve,
+)
 
 COMMANDS = {
     "check": check,
@@ -17,10 +30,13 @@ COMMANDS = {
     "explain": explain,
     "plugins": plugins,
     "init": init,
+    "reference": reference,
     "agent": agent,
     "doctor": doctor,
     "completion": completion,
     "clean": clean,
+    "run": run,
+    "env": env,
 }
 """Verb to module, in the order of ``--help``."""
 

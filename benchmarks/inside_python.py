@@ -1,0 +1,160 @@
+"""What counting inside a Python node costs a message.
+
+    python benchmarks/inside_python.py [PYTHON WITH RCLPY]
+
+First the hook alone: a taken and a published message through functions shaped like those of rclpy, with
+and without the hook, the least of several rounds. Then, where a Python with rclpy is given or found in
+build/ros2, the CPU time a message of a 500 Hz relay node, with and without, in turn.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import timeit
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from roslens.live.inside import rclpy_hook, slots
+from roslens.live.inside.environment import environment
+
+ROUNDS = 7
+CALLS = 50_000
+GID = bytes(range(16))
+
+RELAY = """
+import rclpy, time
+from std_msgs.msg import Header
+rclpy.init()
+node = rclpy.create_node('relay')
+out = node.create_publisher(Header, 'out', 100)
+first = node.create_publisher(Header, 'in', 100)
+taken = 0
+def relay(message):
+    global taken
+    taken += 1
+    out.publish(message)
+node.create_subscription(Header, 'in', relay, 100)
+message = Header()
+node.create_timer(0.002, lambda: first.publish(message))
+end = time.monotonic() + 5
+begun = time.process_time()
+while time.monotonic() < end:
+    rclpy.spin_once(node, timeout_sec=1)
+print((time.process_time() - begun) / taken * 1e6)
+"""
+
+
+class Handle:
+    """Gives one message after the other, as fast as it is asked."""
+
+    number = 0
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, *_: object) -> None:
+        return None
+
+    def get_topic_name(self) -> str:
+        return "/topic"
+
+    def get_logger_name(self) -> str:
+        return "node"
+
+    def publish(self, _: object) -> None:
+        return None
+
+    def take_message(self, _type: object, _raw: bool) -> tuple[Any, dict[str, Any]]:
+        self.number += 1
+        when = 1_700_000_000_000_000_000 + self.number * 1_000_000
+        return None, {
+            "source_timestamp": when,
+            "received_timestamp": when + 50_000,
+            "publication_sequence_number": self.number,
+            "publisher_gid": {"data": GID},
+        }
+
+
+class Subscription:
+    msg_type = object
+    raw = False
+
+    def __init__(self) -> None:
+        self.handle = Handle()
+
+
+class Executor:
+    def _take_subscription(self, subscription: Any) -> Any:
+        with subscription.handle:
+            return subscription.handle.take_message(subscription.msg_type, subscription.raw)
+
+
+class Publisher:
+    def __init__(self) -> None:
+        self.handle = Handle()
+
+    def publish(self, msg: object) -> None:
+        with self.handle:
+            self.handle.publish(msg)
+
+
+def least(function: Any) -> float:
+    """Return the microseconds of one call."""
+    return min(timeit.repeat(function, number=CALLS, repeat=ROUNDS)) / CALLS * 1e6
+
+
+def alone() -> None:
+    """Print what the hook adds to a message."""
+    executor, subscription, publisher = Executor(), Subscription(), Publisher()
+
+    def take() -> None:
+        executor._take_subscription(subscription)  # noqa: SLF001 - what is replaced is private
+
+    def publish() -> None:
+        publisher.publish(None)
+
+    bare = least(take), least(publish)
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ[slots.VARIABLE] = folder
+        module = ModuleType("rclpy")
+        module.__dict__.update(Executor=Executor, Publisher=Publisher)
+        rclpy_hook.hook_executor(module)
+        rclpy_hook.hook_publisher(module)
+        taken = least(take)
+        answering = least(publish)
+        rclpy_hook._CURRENT.given = None  # noqa: SLF001 - what a timer does
+        publishing = least(publish)
+        rclpy_hook.HOOK.close()
+    print(f"taken      +{taken - bare[0]:.2f} us a message")
+    print(f"published  +{publishing - bare[1]:.2f} us a message")
+    print(f"published in answer +{answering - bare[1]:.2f} us a message")
+
+
+def relay(python: str) -> None:
+    """Print the CPU time of a relay node with and without the hook."""
+    found: dict[str, list[float]] = {"without": [], "with": []}
+    with tempfile.TemporaryDirectory() as folder:
+        plain = {name: text for name, text in os.environ.items() if name not in (slots.VARIABLE, "PYTHONPATH")}
+        plain.update(ROS_AUTOMATIC_DISCOVERY_RANGE="LOCALHOST", ROS_DOMAIN_ID="87")
+        counting = plain | environment(plain | {slots.VARIABLE: folder})
+        for _ in range(5):
+            for name, variables in (("without", plain), ("with", counting)):
+                ended = subprocess.run([python, "-c", RELAY], env=variables, capture_output=True, text=True, check=True)
+                found[name].append(float(ended.stdout))
+    for name, values in found.items():
+        spread = " ".join(f"{value:.0f}" for value in sorted(values))
+        print(f"relay at 500 Hz, {name} the hook: {statistics.median(values):.0f} us CPU a message ({spread})")
+
+
+if __name__ == "__main__":
+    alone()
+    given = sys.argv[1] if len(sys.argv) > 1 else "build/ros2/bin/python"
+    if Path(given).exists():
+        relay(given)
+    else:
+        print(f"no {given}: the relay was not run")

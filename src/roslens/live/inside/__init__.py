@@ -1,0 +1,5 @@
+"""What runs in the user's node, and how it is read from outside.
+
+``slots``, ``sequence``, ``when_imported`` and ``rclpy_hook`` are loaded in the node's own Python, where neither roslens
+nor msgspec may be installed: they import the standard library and each other only, and run from Python 3.8 on.
+"""

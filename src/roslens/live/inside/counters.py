@@ -1,0 +1,388 @@
+"""Reads the counter files of the nodes on this host; what two reads differ in becomes tallies."""
+
+from __future__ import annotations
+
+import fcntl
+import mmap
+import os
+import struct
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import msgspec
+
+from roslens.live.inside import slots
+from roslens.live.inside.sequence import SETTLE_NS
+from roslens.model.failure import Failure
+from roslens.model.tally import NOTHING, Moments, Observer, Tally
+
+_COUNTERS = struct.Struct("=14q" + "qdd" * 4)
+_BANK = struct.Struct("=8d")
+_TRIES = 100
+_PAIRS = (0, 2, 4, 6)
+
+
+class Snapshot(NamedTuple):
+    """A slot as it was at one instant."""
+
+    kind: int
+    generation: int
+    gid: bytes
+    topic: str
+    node: str
+    other: str
+    messages: int
+    size: int
+    first: int
+    last: int
+    lost: int
+    pending: int
+    pending_since: int
+    bank: int
+    moments: tuple[tuple[int, float, float], ...]
+    banks: bytes
+
+
+def snapshot(words: memoryview) -> Snapshot | None:
+    """Copy a slot; None if it is being written whenever it is looked at.
+
+    Two copies must agree, which also holds on processors that reorder what another one writes.
+    """
+    before = bytes(words)
+    for _ in range(_TRIES):
+        now = bytes(words)
+        if now == before and not now[0] & 1 and now[:8] == now[-8:]:
+            return _parsed(now)
+        before = now
+    return None
+
+
+def _parsed(raw: bytes) -> Snapshot:
+    values = _COUNTERS.unpack_from(raw)
+    moments = values[14:]
+    return Snapshot(
+        kind=values[slots.KIND],
+        generation=values[slots.GENERATION],
+        gid=raw[slots.GID * 8 : slots.GID * 8 + 24],
+        topic=_text(raw, slots.TOPIC * 8),
+        node=_text(raw, slots.NODE * 8),
+        other=_text(raw, slots.OTHER * 8),
+        messages=values[slots.COUNT],
+        size=values[slots.BYTES],
+        first=values[slots.FIRST],
+        last=values[slots.LAST],
+        lost=values[slots.LOST],
+        pending=values[slots.PENDING],
+        pending_since=values[slots.PENDING_SINCE],
+        bank=values[slots.BANK],
+        moments=tuple(moments[at : at + 3] for at in (0, 3, 6, 9)),
+        banks=raw[slots.BANKS_AT * 8 : (slots.BANKS_AT + slots.BANKS * slots.BANK_WORDS) * 8],
+    )
+
+
+def _text(raw: bytes, at: int, most: int = slots.NAME_BYTES) -> str:
+    return raw[at : at + most].split(b"\0", 1)[0].decode("utf-8", "replace")
+
+
+def _extremes(before: Snapshot | None, after: Snapshot) -> list[tuple[float, float]]:
+    """Return least and greatest of each of the four series since ``before``, infinite where nothing shows them."""
+    first = max(after.bank - slots.BANKS + 1, before.bank if before else 0)
+    found = [float("inf"), float("-inf")] * 4
+    for number in range(first, after.bank + 1):
+        at = number % slots.BANKS * _BANK.size
+        values = _BANK.unpack_from(after.banks, at)
+        known = _BANK.unpack_from(before.banks, at) if before and number == before.bank else None
+        for index, value in enumerate(values):
+            if known is None or value != known[index]:
+                found[index] = max(found[index], value) if index % 2 else min(found[index], value)
+    return [(found[at], found[at + 1]) for at in _PAIRS]
+
+
+def _moments(before: Snapshot | None, after: Snapshot) -> list[Moments]:
+    moments = []
+    for index, (least, greatest) in enumerate(_extremes(before, after)):
+        known = before.moments[index] if before else (0, 0.0, 0.0)
+        count, total, squares = (now - then for now, then in zip(after.moments[index], known, strict=True))
+        if count <= 0:
+            moments.append(NOTHING)
+            continue
+        mean = total / count
+        # A series whose extremes lie within what had been told before still has some, on either side of its mean.
+        low, high = (mean, mean) if count == 1 else (min(least, mean), max(greatest, mean))
+        moments.append(Moments(int(count), total, max(squares, 0.0), low, high))
+    return moments
+
+
+def _lost(moment: Snapshot | None, now_ns: int) -> int:
+    if moment is None or moment.lost < 0:
+        return 0
+    return moment.lost + (moment.pending if now_ns - moment.pending_since > SETTLE_NS else 0)
+
+
+def difference(before: Snapshot | None, after: Snapshot, start: float, end: float, lost: int = 0) -> Tally:
+    """Return what was counted between two reads of a slot, the names of nodes as they stand in it.
+
+    Args:
+        before: the earlier read; None where the slot is new.
+        after: the later one.
+        start: when the earlier was read, in seconds.
+        end: when the later was.
+        lost: messages already told as lost.
+    """
+    count = after.messages - (before.messages if before else 0)
+    period, latency, age, processing = _moments(before, after)
+    last = after.last * 1e-9
+    if not count or after.kind == slots.ANSWERED:
+        first = last = 0.0
+    elif before is None or not before.messages:
+        first = after.first * 1e-9
+    elif count == 1:
+        first = last
+    else:
+        # The first of several is not kept: it came about one period after the last before it.
+        first = min(last, before.last * 1e-9 + (period.mean or 0.0))
+    taken = after.kind == slots.TAKEN
+    known = before.size if before and before.size > 0 else 0
+    return Tally(
+        after.topic,
+        "" if taken else after.node,
+        after.node if taken else "",
+        start,
+        end,
+        count=count,
+        bytes=-1 if after.size < 0 else after.size - known,
+        first=first,
+        last=last,
+        period=period,
+        latency=latency,
+        age=age,
+        lost=max(0, _lost(after, int(end * 1e9)) - lost) if after.lost >= 0 else -1,
+        observer=Observer.INSIDE,
+        processing=processing,
+    )
+
+
+class Counted(NamedTuple):
+    """What was read of one slot: its process, the hexadecimal identifier of the publisher, and the tally.
+
+    ``answers`` is the topic whose messages the tally's processing times begin with; empty for other slots.
+    """
+
+    pid: int
+    gid: str
+    tally: Tally
+    answers: str
+
+
+def _header(raw: mmap.mmap) -> tuple[Any, ...]:
+    if len(raw) < slots.HEADER_BYTES:
+        raise ValueError(f"{len(raw)} bytes, expected at least {slots.HEADER_BYTES}")
+    header = slots.HEADER.unpack_from(raw)
+    if header[:3] != (slots.MAGIC, slots.VERSION, slots.SLOT_BYTES):
+        raise ValueError(f"magic {header[0]!r}, version {header[1]}, slots of {header[2]} bytes")
+    return header
+
+
+class _File:
+    """One counter file, open for reading."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._handle = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+        try:
+            size = os.fstat(self._handle).st_size
+            self._map = mmap.mmap(self._handle, size, prot=mmap.PROT_READ)
+            header = _header(self._map)
+        except BaseException:
+            os.close(self._handle)
+            raise
+        self._view = memoryview(self._map)
+        self._most = min(header[3], (size - slots.HEADER_BYTES) // slots.SLOT_BYTES)
+        self.pid: int = header[5]
+        self.started: float = header[6] * 1e-9
+        self.host = _text(header[9], 0)
+        self.known: dict[int, Snapshot] = {}
+        self.lost: dict[int, int] = {}
+        self.told = ""
+
+    @property
+    def ended(self) -> bool:
+        """Whether the process that wrote the file is gone."""
+        try:
+            fcntl.flock(self._handle, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except OSError:
+            return False
+        fcntl.flock(self._handle, fcntl.LOCK_UN)
+        return True
+
+    def slots(self) -> Iterator[tuple[int, Snapshot]]:
+        """Yield the slots in use that can be read."""
+        used: int = struct.unpack_from("=I", self._map, slots.USED_AT)[0]
+        for number in range(min(used, self._most)):
+            at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
+            now = snapshot(self._view[at : at + slots.SLOT_BYTES])
+            if now is not None:
+                yield number, now
+
+    def trouble(self) -> str:
+        """Return in words what keeps the hook from counting; empty if nothing does."""
+        header = slots.HEADER.unpack_from(self._map)
+        state = _text(header[10], 0)
+        if "not counting" in state or "stopped" in state:
+            return state
+        return f"{header[8]} endpoints found no slot of {header[3]}" if header[8] else ""
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._view.release()
+        self._map.close()
+        os.close(self._handle)
+
+
+class CounterReader:
+    """Reads all counter files of a folder, again and again.
+
+    What had been counted before the first read is not told: nobody knows when it happened.
+    """
+
+    def __init__(self, folder: str) -> None:
+        self._folder = Path(folder)
+        self._files: dict[str, _File] = {}
+        self._refused: set[str] = set()
+        self._last: float | None = None
+        self._failures: list[Failure] = []
+
+    def read(self, now: float) -> list[Counted]:
+        """Return what was counted since the last read; ``now`` is seconds since the epoch."""
+        fresh = self._open_new()
+        found: list[Counted] = []
+        for name, file in list(self._files.items()):
+            ended = file.ended
+            found.extend(self._of(file, now, new=name in fresh))
+            self._watch(file)
+            if ended:
+                self._forget(name, file)
+        self._last = now
+        return found
+
+    def failures(self) -> list[Failure]:
+        """Return what went wrong since this was last asked."""
+        failures, self._failures = self._failures, []
+        return failures
+
+    def close(self) -> None:
+        """Let go of all files."""
+        for file in self._files.values():
+            file.close()
+        self._files = {}
+
+    def _open_new(self) -> set[str]:
+        try:
+            names = {entry.name for entry in self._folder.iterdir() if entry.name.endswith(slots.SUFFIX)}
+        except OSError:
+            return set()
+        fresh = set()
+        for name in sorted(names - self._files.keys() - self._refused):
+            try:
+                self._files[name] = _File(self._folder / name)
+                fresh.add(name)
+            except FileNotFoundError:
+                continue
+            except (OSError, ValueError, struct.error) as error:
+                self._refused.add(name)
+                self._failures.append(
+                    Failure(
+                        "inside",
+                        f"{self._folder / name} cannot be read: {error}",
+                        expected=f"a counter file of version {slots.VERSION}",
+                        advice="Run nodes and monitor with the same version of roslens, or remove the file",
+                    )
+                )
+        return fresh
+
+    def _of(self, file: _File, now: float, *, new: bool) -> Iterator[Counted]:
+        baseline = new and self._last is None
+        start = max(file.started, self._last or 0.0)
+        for number, after in file.slots():
+            before = file.known.get(number)
+            if before is not None and before.generation != after.generation:
+                before = None
+                file.lost.pop(number, None)
+            file.known[number] = after
+            told = file.lost.get(number, 0)
+            file.lost[number] = max(told, _lost(after, int(now * 1e9)))
+            if baseline:
+                continue
+            tally = difference(before, after, min(start, now), now, told)
+            yield Counted(
+                file.pid, after.gid.rstrip(b"\0").hex() if after.kind == slots.TAKEN else "", tally, after.other
+            )
+
+    def _watch(self, file: _File) -> None:
+        trouble = file.trouble()
+        if trouble and trouble != file.told:
+            file.told = trouble
+            self._failures.append(
+                Failure(
+                    "inside",
+                    f"process {file.pid} on {file.host}: {trouble}",
+                    expected="a hook that counts all traffic of the process",
+                    advice="Watch its topics with --tap instead",
+                )
+            )
+
+    def _forget(self, name: str, file: _File) -> None:
+        del self._files[name]
+        file.close()
+        try:
+            file.path.unlink()
+        except OSError:
+            # Somebody else's, or gone already: in neither case to be looked at again.
+            self._refused.add(name)
+
+
+def joined(counted: list[Counted], node_of: Callable[[str], str | None], host: str) -> list[Tally]:
+    """Return one tally per connection, publishers by name and processing times with what was published.
+
+    Args:
+        counted: what one read yielded.
+        node_of: the node of a publisher by its hexadecimal identifier; None for one that is not there any more.
+        host: on which all this was counted.
+    """
+    whole: dict[tuple[str, str, str], Tally] = {}
+    for one in counted:
+        tally = one.tally
+        publisher = tally.publisher
+        if one.gid:
+            name = node_of(one.gid)
+            if name is None and not tally.count and tally.lost <= 0:
+                continue
+            publisher = name or ""
+        if one.answers:
+            tally = msgspec.structs.replace(tally, count=0, lost=-1, bytes=-1)
+        tally = msgspec.structs.replace(tally, publisher=publisher, host=host)
+        key = (tally.topic, tally.publisher, tally.subscriber)
+        whole[key] = _merged(whole[key], tally) if key in whole else tally
+    return [whole[key] for key in sorted(whole)]
+
+
+def _merged(one: Tally, other: Tally) -> Tally:
+    firsts = [tally.first for tally in (one, other) if tally.first]
+    return msgspec.structs.replace(
+        one,
+        start=min(one.start, other.start),
+        count=one.count + other.count,
+        bytes=_added(one.bytes, other.bytes),
+        first=min(firsts, default=0.0),
+        last=max(one.last, other.last),
+        period=one.period.merged(other.period),
+        latency=one.latency.merged(other.latency),
+        age=one.age.merged(other.age),
+        lost=_added(one.lost, other.lost),
+        processing=one.processing.merged(other.processing),
+    )
+
+
+def _added(one: int, other: int) -> int:
+    return max(one, other) if one < 0 or other < 0 else one + other

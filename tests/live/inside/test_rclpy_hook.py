@@ -1,0 +1,137 @@
+"""The hook on classes shaped like those of rclpy, in a process of its own: it replaces what it finds for good."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from roslens.live.inside.counters import CounterReader
+from roslens.live.inside.environment import environment
+
+FAKE = {
+    "__init__.py": "",
+    "executors.py": """
+class Executor:
+    def _take_subscription(self, sub):
+        with sub.handle:
+            taken = sub.handle.take_message(sub.msg_type, sub.raw)
+            if taken is None:
+                return None
+            return lambda: sub.callback(taken[0])
+    def _take_timer(self, timer):
+        return timer
+""",
+    "publisher.py": """
+class Publisher:
+    def __init__(self, handle):
+        self.handle = handle
+    def publish(self, msg):
+        with self.handle:
+            self.handle.publish(msg)
+""",
+}
+NODE = """
+from rclpy.executors import Executor
+from rclpy.publisher import Publisher
+class Handle:
+    sent = []
+    def __init__(self, topic, queue=()): self.topic, self.queue = topic, list(queue)
+    def __enter__(self): pass
+    def __exit__(self, *_): pass
+    def get_topic_name(self): return self.topic
+    def get_logger_name(self): return 'ns.relay'
+    def publish(self, msg): self.sent.append(msg)
+    def take_message(self, kind, raw): return self.queue.pop(0) if self.queue else None
+class Sub:
+    msg_type, raw = object, True
+    def __init__(self, handle, callback): self.handle, self.callback = handle, callback
+def info(n):
+    return {'source_timestamp': n, 'received_timestamp': n + 1000, 'publication_sequence_number': n,
+            'publisher_gid': {'data': b'0123456789abcdef'}}
+out = Publisher(Handle('/out'))
+sub = Sub(Handle('/in', [(b'abc', info(n)) for n in (1, 2, 4)]), out.publish)
+executor = Executor()
+for _ in range(4):
+    call = executor._take_subscription(sub)
+    if call: call()
+executor._take_timer(None)
+out.publish('of a timer')
+"""
+
+
+def run(tmp_path: Path, code: str, fake=FAKE, **variables: str) -> tuple[subprocess.CompletedProcess, dict, list]:
+    package = tmp_path / "rclpy"
+    package.mkdir()
+    for name, text in fake.items():
+        (package / name).write_text(text)
+    counters = tmp_path / "counters"
+    base = {**os.environ, "ROSLENS_COUNTERS": str(counters), "PYTHONPATH": str(tmp_path), **variables}
+    reader = CounterReader(str(counters))
+    reader.read(0.0)
+    # The folder is read before the process, which waits for it, may take its file away.
+    waiting = code + "\nprint('done', flush=True); import sys; sys.stdin.read()"
+    with subprocess.Popen(
+        [sys.executable, "-c", waiting], env=base | environment(base), text=True,
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    ) as process:  # fmt: skip
+        said = process.stdout.readline()
+        counted = reader.read(5.0)
+        _, errors = process.communicate()
+    failures = reader.failures()
+    reader.close()
+    assert said == "done\n", errors
+    return {(one.tally.topic, one.answers): one.tally for one in counted}, failures
+
+
+def test_takes_publishes_and_answers_are_counted(tmp_path):
+    tallies, failures = run(tmp_path, NODE)
+    assert failures == []
+    assert tallies["/in", ""].count == 3
+    assert tallies["/in", ""].subscriber == "/ns/relay"
+    assert tallies["/in", ""].bytes == 9
+    assert tallies["/in", ""].latency.mean == pytest.approx(1e-6)
+    assert tallies["/out", ""].count == 4
+    assert tallies["/out", ""].publisher == "/ns/relay"
+    assert tallies["/out", "/in"].processing.count == 3
+
+
+def test_another_rclpy_is_left_alone_and_said(tmp_path):
+    other = FAKE | {"executors.py": "class Executor:\n    def _take_it(self, sub): pass\n"}
+    _, failures = run(tmp_path, "import rclpy.executors", other)
+    assert [failure.what.partition(": ")[2] for failure in failures] == [
+        "rclpy: not counting: Executor._take_subscription is not there"
+    ]
+
+
+def test_an_error_of_the_hook_ends_the_hook_and_not_the_node(tmp_path):
+    broken = NODE.replace("'received_timestamp': n + 1000,", "")
+    tallies, failures = run(tmp_path, broken + "\nassert Handle.sent == [b'abc'] * 3 + ['of a timer']")
+    assert "rclpy: stopped after KeyError: 'received_timestamp'" in failures[0].what
+    assert ("/out", "") not in tallies
+
+
+def test_the_sitecustomize_that_is_hidden_runs(tmp_path):
+    (tmp_path / "sitecustomize.py").write_text("import builtins\nbuiltins.was_here = __file__\n")
+    run(tmp_path, f"assert was_here == {str(tmp_path / 'sitecustomize.py')!r}")
+
+
+def test_a_process_without_rclpy_makes_no_file(tmp_path):
+    tallies, _ = run(tmp_path, "import sys; assert 'roslens_inside.rclpy_hook' not in sys.modules")
+    assert tallies == {}
+    assert not (tmp_path / "counters").exists()
+
+
+def test_a_child_that_forks_off_counts_in_no_file_of_its_parent(tmp_path):
+    fork = "\nimport os\nchild = os.fork()\nif not child:\n    out.publish('child'); os._exit(0)\nos.waitpid(child, 0)"
+    tallies, _ = run(tmp_path, NODE + fork)
+    assert tallies["/out", ""].count == 4
+
+
+def test_inspection_sees_the_module_as_without_the_hook(tmp_path):
+    run(
+        tmp_path,
+        "import inspect, rclpy.executors as e; assert 'def _take_timer' in inspect.getsource(e); "
+        "assert type(e.__spec__.loader).__name__ == type(e.__loader__).__name__ == 'SourceFileLoader'",
+    )

@@ -16,6 +16,7 @@ class FakeServer:
         self.answers = answers if answers is not None else {}
         self.calls = []
         fake = self
+        opened = []
 
         class Handler(BaseHTTPRequestHandler):
             protocol_version = "HTTP/1.1"
@@ -39,16 +40,14 @@ class FakeServer:
 
         class Server(ThreadingHTTPServer):
             daemon_threads = True
-            lines: list = []
-
             def process_request(self, request, address):
-                self.lines.append(request)
+                opened.append(request)
                 super().process_request(request, address)
 
             def handle_error(self, request, address):
                 pass
 
-        Server.lines = []
+        self.lines = opened
         self.server = Server(("127.0.0.1", port), Handler)
         self.port = self.server.server_address[1]
         self.uri = f"http://127.0.0.1:{self.port}/"
@@ -58,7 +57,7 @@ class FakeServer:
 
     def hang_up(self):
         """Close the open connections, as the end of a process does, and go on listening."""
-        for line in self.server.lines:
+        for line in self.lines:
             with contextlib.suppress(OSError):
                 line.shutdown(socket.SHUT_RDWR)
 

@@ -1,0 +1,270 @@
+"""The observer against Debian's ROS 1: a real master, rospy and roscpp nodes."""
+
+import os
+import selectors
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from roslens.live.adapters.ros1.resolve import Resolver
+from roslens.live.adapters.ros1.xml_rpc import Caller, CallError
+from roslens.model.graph import Change, Role
+from roslens.model.tally import Observer
+from roslens.model.wire import FrameReader
+
+PYTHON = "/usr/bin/python3"
+RELAY = Path("/usr/lib/topic_tools/relay")
+
+pytestmark = [
+    pytest.mark.real,
+    pytest.mark.skipif(not shutil.which("roscore"), reason="roscore is not installed"),
+]
+
+TALKER = """
+import sys, rospy
+from std_msgs.msg import Header
+rospy.init_node(sys.argv[1])
+publisher = rospy.Publisher(sys.argv[2], Header, queue_size=100)
+rate = rospy.Rate(float(sys.argv[3]))
+while not rospy.is_shutdown():
+    publisher.publish(Header(stamp=rospy.Time.now(), frame_id="x" * 10))
+    rate.sleep()
+"""
+SIZE = 4 + 8 + 4 + 10
+LISTENER = """
+import sys, rospy
+from std_msgs.msg import Header
+rospy.init_node(sys.argv[1])
+rospy.Subscriber(sys.argv[2], Header, lambda message: None)
+rospy.spin()
+"""
+
+
+def free_port():
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        return server.getsockname()[1]
+
+
+class Ros:
+    """A master and nodes that end with the test."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.port = free_port()
+        self.master = f"http://127.0.0.1:{self.port}"
+        self.environment = {
+            **os.environ,
+            "ROS_MASTER_URI": self.master,
+            "ROS_IP": "127.0.0.1",
+            "ROS_HOME": str(folder / "home"),
+            "ROS_LOG_DIR": str(folder / "log"),
+        }
+        self.environment.pop("PYTHONPATH", None)
+        self.started = []
+        self.core = self.start_core()
+
+    def start_core(self):
+        self.core = self.start("roscore", "-p", str(self.port))
+        caller = Caller(self.master, Resolver(), 1.0)
+        end = time.monotonic() + 30
+        while time.monotonic() < end:
+            try:
+                if any(name == "/rosout_agg" for name, _ in caller.call("getSystemState", "/test")[2][0]):
+                    break
+            except CallError:
+                pass
+            assert self.core.poll() is None, "roscore ended"
+            selectors.DefaultSelector().select(0.05)
+        else:
+            pytest.fail("roscore does not answer")
+        caller.close()
+        return self.core
+
+    def start(self, *command, **environment):
+        process = subprocess.Popen(
+            command,
+            env={**self.environment, **environment},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        self.started.append(process)
+        return process
+
+    def python(self, text, *arguments, **environment):
+        script = self.folder / f"node_{len(self.started)}.py"
+        script.write_text(text)
+        return self.start(PYTHON, str(script), *arguments, **environment)
+
+    def end(self, process, number=signal.SIGINT):
+        process.send_signal(number)
+        try:
+            process.wait(10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+    def close(self):
+        for process in reversed(self.started):
+            if process.poll() is None:
+                self.end(process)
+
+
+@pytest.fixture
+def ros(tmp_path):
+    system = Ros(tmp_path)
+    yield system
+    system.close()
+
+
+class Observer1:
+    """The observer's process and the frames it speaks."""
+
+    def __init__(self, master, *options):
+        command = [sys.executable, "-m", "roslens.live.adapters.ros1", "--master", master, "--period", "0.5", *options]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE)
+        self._reader = FrameReader()
+        self.frames = []
+        self.graph = None
+
+    def until(self, wanted, seconds=20.0):
+        """Read frames until one is wanted; return it."""
+        end = time.monotonic() + seconds
+        with selectors.DefaultSelector() as ready:
+            ready.register(self.process.stdout, selectors.EVENT_READ)
+            while time.monotonic() < end:
+                if not ready.select(end - time.monotonic()):
+                    break
+                piece = os.read(self.process.stdout.fileno(), 65536)
+                assert piece, "the observer ended"
+                for frame in self._reader.feed(piece):
+                    self.frames.append(frame)
+                    self.graph = frame.graph or self.graph
+                    if wanted(frame):
+                        return frame
+        pytest.fail(f"not seen in {seconds} s; last frames: {self.frames[-2:]}")
+        return None
+
+    def until_graph(self, *names):
+        self.until(lambda frame: self.graph and {node.name for node in self.graph.nodes} >= set(names))
+        return self.graph
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait(10)
+        self.process.stdout.close()
+
+
+@pytest.fixture
+def observe(ros):
+    made = []
+
+    def make(*options):
+        made.append(Observer1(ros.master, *options))
+        return made[-1]
+
+    yield make
+    for observer in made:
+        observer.close()
+        assert observer.process.returncode == 0
+
+
+def traffic(frames, topic, publisher, subscriber, observer=Observer.PROTOCOL):
+    key = (topic, publisher, subscriber, observer)
+    return [t for frame in frames for t in frame.tallies if (t.topic, t.publisher, t.subscriber, t.observer) == key]
+
+
+def measured(observer, count, *key):
+    observer.until(lambda frame: len(traffic(observer.frames, *key)) >= count)
+    tallies = traffic(observer.frames, *key)[1:]
+    return tallies, sum(t.count for t in tallies) / sum(t.end - t.start for t in tallies)
+
+
+def test_rospy_and_roscpp_nodes_are_seen_as_they_are(ros, observe):
+    talker = ros.python(TALKER, "talker", "/chat", "50")
+    listener = ros.python(LISTENER, "listener", "/chat")
+    pids = {"/talker": talker.pid, "/listener": listener.pid}
+    if RELAY.exists():
+        pids["/relay"] = ros.start(str(RELAY), "/chat", "/again", "__name:=relay").pid
+        ros.python(LISTENER, "second", "/again")
+    observer = observe()
+    graph = observer.until_graph(*pids, "/rosout")
+    found = {node.name: node.pid for node in graph.nodes}
+    assert {name: found[name] for name in pids} == pids
+    assert not [node.name for node in graph.nodes if "roslens" in node.name]
+    observer.until(lambda frame: len([end for end in observer.graph.endpoints if end.name == "/chat"]) >= len(pids))
+    ends = {(end.node, end.role, end.type) for end in observer.graph.endpoints if end.name == "/chat"}
+    assert ends >= {
+        ("/talker", Role.PUBLISHER, "std_msgs/Header"),
+        ("/listener", Role.SUBSCRIPTION, "std_msgs/Header"),
+    }
+    tallies, rate = measured(observer, 6, "/chat", "/talker", "/listener")
+    assert rate == pytest.approx(50, rel=0.05)
+    assert sum(t.bytes for t in tallies) / sum(t.count for t in tallies) == pytest.approx(SIZE, rel=0.05)
+    if RELAY.exists():
+        for key in (("/chat", "/talker", "/relay"), ("/again", "/relay", "/second")):
+            tallies, rate = measured(observer, 6, *key)
+            assert rate == pytest.approx(50, rel=0.05)
+            assert sum(t.bytes for t in tallies) / sum(t.count for t in tallies) == pytest.approx(SIZE, rel=0.05)
+    for frame in observer.frames:
+        keys = [(t.topic, t.publisher, t.subscriber) for t in frame.tallies]
+        assert len(keys) == len(set(keys)), "no connection is counted twice"
+
+
+def test_a_killed_node_is_noticed_at_once_and_a_new_one_of_its_name_found(ros, observe):
+    talker = ros.python(TALKER, "talker", "/chat", "20")
+    observer = observe("--period", "5")
+    observer.until_graph("/talker")
+    observer.until(lambda frame: frame.sequence > 1)
+    killed = time.time()
+    talker.kill()
+    talker.wait()
+    frame = observer.until(lambda frame: any(event.entity == "node:/talker" for event in frame.events))
+    event = next(event for event in frame.events if event.entity == "node:/talker")
+    assert (event.change, event.detail) == (Change.VANISHED, "registered, but its API refuses connections")
+    assert event.time - killed < 0.5
+    again = ros.python(TALKER, "talker", "/chat", "20")
+    graph = observer.until_graph("/talker")
+    assert {node.name: node.pid for node in graph.nodes}["/talker"] == again.pid
+
+
+def test_a_clean_exit_and_a_start_are_told_by_the_master(ros, observe):
+    observer = observe("--period", "5")
+    observer.until_graph("/rosout")
+    talker = ros.python(TALKER, "talker", "/chat", "20")
+    observer.until_graph("/talker")
+    ros.end(talker)
+    frame = observer.until(
+        lambda frame: any(e.entity == "node:/talker" and e.change is Change.VANISHED for e in frame.events)
+    )
+    assert frame.graph
+
+
+def test_a_master_that_is_restarted_is_picked_up(ros, observe):
+    ros.python(TALKER, "talker", "/chat", "20")
+    observer = observe()
+    observer.until_graph("/talker", "/rosout")
+    ros.end(ros.core)
+    observer.until(lambda frame: any("is gone" in failure.what for failure in frame.failures))
+    assert "/talker" in {node.name for node in observer.graph.nodes}, "it lives on without a master"
+    ros.start_core()
+    observer.until(lambda frame: any("was restarted" in event.detail for event in frame.events))
+    ros.python(TALKER, "fresh", "/chat", "20")
+    observer.until_graph("/fresh", "/rosout")
+
+
+def test_no_trace_is_left_at_the_master(ros, observe):
+    observer = observe()
+    observer.until_graph("/rosout")
+    caller = Caller(ros.master, Resolver())
+    assert "/roslens_" in str(caller.call("getSystemState", "/test"))
+    observer.close()
+    assert "/roslens_" not in str(caller.call("getSystemState", "/test"))
+    caller.close()

@@ -1,0 +1,286 @@
+#include "counting.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "counter_file.h"
+
+// An endpoint that has been silent for so long gives its slot to one that finds none.
+#define STALE_NS INT64_C(60000000000)
+
+// How long an endpoint that found no slot waits before it looks again.
+#define RETRY_NS INT64_C(1000000000)
+
+// Ten years: two clocks may be apart, but more is a time that was never set.
+#define LONGEST_NS INT64_C(315360000000000000)
+
+// The hook in Python writes the number of its process here while it counts the topics of rclpy, whose ages and
+// processing times it alone can see.
+#define PYTHON_HOOK_VARIABLE "ROSLENS_RCLPY_HOOK"
+
+static const uint8_t nobody[GID_BYTES];
+
+int64_t now_ns(void)
+{
+  struct timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+static bool python_counts(void)
+{
+  const char * const process = getenv(PYTHON_HOOK_VARIABLE);
+  return process != NULL && strtol(process, NULL, 10) == (long)getpid();
+}
+
+void begin_counting(const void * handle, const rmw_node_t * node, const char * name, bool topic)
+{
+  open_counter_file();
+  if (!atomic_load(&counter_file_open)) {
+    return;
+  }
+  if (!real_rmw.supported) {
+    say("preload: not counting: the middleware is older than that of ROS 2 Humble");
+    return;
+  }
+  endpoint * const of = add_endpoint(handle);
+  if (of == NULL) {
+    count_overflow();
+    return;
+  }
+  const char * const space = node->namespace_ != NULL ? node->namespace_ : "";
+  const char * const slash = *space != '\0' && space[strlen(space) - 1] == '/' ? "" : "/";
+  snprintf(of->node, sizeof(of->node), "%s%s%s", space, slash, node->name != NULL ? node->name : "");
+  snprintf(of->name, sizeof(of->name), "%s", name);
+  of->topic = topic;
+  memset(of->gid, 0, sizeof(of->gid));
+  char state[STATE_BYTES];
+  snprintf(
+    state, sizeof(state), "preload: counting %s%s", real_rmw.implementation_identifier,
+    python_counts() ? ", its topics in Python" : "");
+  say(state);
+}
+
+static unsigned chain_of(const uint8_t gid[GID_BYTES])
+{
+  uint64_t words[3];
+  memcpy(words, gid, sizeof(words));
+  return (unsigned)(((words[0] ^ words[1] ^ words[2]) * UINT64_C(0x9E3779B97F4A7C15)) >> 58);
+}
+
+_Static_assert(CHAINS == 64, "six bits choose the chain");
+
+static int64_t last_of(const counter * one)
+{
+  return one->slot.words[WORD_LAST].number;
+}
+
+static void unchain(counter * one)
+{
+  endpoint * const owner = one->owner;
+  counter ** link = owner->chain + chain_of(one->gid);
+  while (*link != one) {
+    link = &(*link)->next;
+  }
+  *link = one->next;
+  for (int at = 0; at < 2; at++) {
+    if (owner->recent[at] == one) {
+      owner->recent[at] = NULL;
+    }
+  }
+}
+
+// Take the counter away from who has not used it for longest. `taker` is locked by the caller.
+static counter * stale_counter(endpoint * taker, int64_t now)
+{
+  counter * const all = all_counters();
+  counter * oldest = all;
+  for (counter * one = all + 1; one < all + CAPACITY; one++) {
+    if (last_of(one) < last_of(oldest)) {
+      oldest = one;
+    }
+  }
+  endpoint * const owner = oldest->owner;
+  if (owner != NULL && owner != taker && pthread_mutex_trylock(&owner->lock) != 0) {
+    return NULL;
+  }
+  const bool stale = last_of(oldest) + STALE_NS < now;
+  if (stale && owner != NULL) {
+    unchain(oldest);
+  }
+  if (owner != NULL && owner != taker) {
+    pthread_mutex_unlock(&owner->lock);
+  }
+  return stale ? oldest : NULL;
+}
+
+static counter * claim(endpoint * of, int kind, const uint8_t gid[GID_BYTES], int64_t now)
+{
+  static int fresh;
+  pthread_mutex_lock(&endpoints_lock);
+  slot_word * const words = fresh < CAPACITY ? fresh_slot() : NULL;
+  counter * one = NULL;
+  if (words != NULL) {
+    one = all_counters() + fresh++;
+    one->slot.words = words;
+  } else if (fresh == CAPACITY) {
+    one = stale_counter(of, now);
+  }
+  if (one != NULL) {
+    one->owner = of;
+    one->kind = kind;
+    memcpy(one->gid, gid, GID_BYTES);
+    memset(&one->numbers, 0, offsetof(sequence, gap));
+    const bool own = kind == KIND_PUBLISHED;
+    slot_begin(&one->slot, kind, own ? of->gid : gid, of->name, of->node, "");
+    counter ** const chain = of->chain + chain_of(gid);
+    one->next = *chain;
+    *chain = one;
+    if (words != NULL) {
+      show_slot();
+    }
+  } else {
+    count_overflow();
+    of->tried = now;
+  }
+  pthread_mutex_unlock(&endpoints_lock);
+  return one;
+}
+
+// Return the counter of a kind and a publisher; NULL where there is no slot for it.
+static counter * counter_of(endpoint * of, int kind, const uint8_t gid[GID_BYTES], int64_t now)
+{
+  counter ** const recent = of->recent + (kind == KIND_HEARD || kind == KIND_REPLIED);
+  counter * one = *recent;
+  if (one != NULL && memcmp(one->gid, gid, GID_BYTES) == 0) {
+    return one;
+  }
+  one = of->chain[chain_of(gid)];
+  while (one != NULL && (one->kind != kind || memcmp(one->gid, gid, GID_BYTES) != 0)) {
+    one = one->next;
+  }
+  if (one == NULL && (of->tried == 0 || now - of->tried > RETRY_NS || now < of->tried)) {
+    if (of->topic && python_counts()) {
+      of->tried = now;
+    } else {
+      one = claim(of, kind, gid, now);
+    }
+  }
+  *recent = one;
+  return one;
+}
+
+static int64_t latency_of(int64_t sent, int64_t received)
+{
+  if (sent <= 0 || received <= 0) {
+    return UNKNOWN_NS;
+  }
+  const int64_t latency = received - sent;
+  return latency > -LONGEST_NS && latency < LONGEST_NS ? latency : UNKNOWN_NS;
+}
+
+void count_published(endpoint * of, int64_t now, int64_t size)
+{
+  pthread_mutex_lock(&of->lock);
+  counter * const one = counter_of(of, KIND_PUBLISHED, nobody, now);
+  if (one != NULL) {
+    const message what = {now, now, UNKNOWN_NS, UNKNOWN_NS, size, NULL};
+    slot_count(&one->slot, &what);
+  }
+  pthread_mutex_unlock(&of->lock);
+}
+
+void count_taken(endpoint * of, const rmw_message_info_t * info, int64_t now, int64_t size)
+{
+  uint8_t gid[GID_BYTES] = {0};
+  message what = {now, now, UNKNOWN_NS, UNKNOWN_NS, size, NULL};
+  const bool believed = info != NULL && info->implementation_identifier == real_rmw.implementation_identifier;
+  if (believed) {
+    memcpy(gid, (const uint8_t *)info + offsetof(rmw_message_info_t, gid), real_rmw.gid_bytes);
+    const int64_t received = info->received_timestamp > 0 ? info->received_timestamp : now;
+    what.when = received;
+    what.latency = latency_of(info->source_timestamp, received);
+  }
+  pthread_mutex_lock(&of->lock);
+  counter * const one = counter_of(of, KIND_TAKEN, gid, now);
+  if (one != NULL) {
+    const bool numbered =
+      believed && real_rmw.numbers && info->publication_sequence_number != SEQUENCE_NUMBER_UNSUPPORTED;
+    // Without an identifier the numbers of several publishers cannot be told apart.
+    if (numbered && memcmp(gid, nobody, GID_BYTES) != 0) {
+      sequence_feed(&one->numbers, info->publication_sequence_number, now);
+      what.numbers = &one->numbers;
+    }
+    slot_count(&one->slot, &what);
+  }
+  pthread_mutex_unlock(&of->lock);
+}
+
+static call * call_of(endpoint * of, int64_t number)
+{
+  return of->calls + (uint64_t)number % CALLS;
+}
+
+static void count_begun(
+  endpoint * of, int kind, const uint8_t client[16], int64_t number, int64_t now, int64_t received, int64_t latency)
+{
+  pthread_mutex_lock(&of->lock);
+  call * const begun = call_of(of, number);
+  memcpy(begun->client, client, sizeof(begun->client));
+  begun->number = number;
+  begun->since = now;
+  counter * const one = counter_of(of, kind, nobody, now);
+  if (one != NULL) {
+    const message what = {now, received, latency, UNKNOWN_NS, -1, NULL};
+    slot_count(&one->slot, &what);
+  }
+  pthread_mutex_unlock(&of->lock);
+}
+
+static void count_ended(
+  endpoint * of, int kind, const uint8_t client[16], int64_t number, int64_t now, int64_t received, int64_t latency)
+{
+  pthread_mutex_lock(&of->lock);
+  call * const begun = call_of(of, number);
+  int64_t processing = UNKNOWN_NS;
+  if (
+    begun->since != 0 && begun->number == number && now >= begun->since &&
+    memcmp(begun->client, client, sizeof(begun->client)) == 0) {
+    processing = now - begun->since;
+    begun->since = 0;
+  }
+  counter * const one = counter_of(of, kind, nobody, now);
+  if (one != NULL) {
+    const message what = {now, received, latency, processing, -1, NULL};
+    slot_count(&one->slot, &what);
+  }
+  pthread_mutex_unlock(&of->lock);
+}
+
+void count_requested(endpoint * of, int64_t number, int64_t now)
+{
+  count_begun(of, KIND_REQUESTED, nobody, number, now, now, UNKNOWN_NS);
+}
+
+void count_heard(endpoint * of, const rmw_service_info_t * info, int64_t now)
+{
+  const int64_t received = info->received_timestamp > 0 ? info->received_timestamp : now;
+  const int64_t latency = latency_of(info->source_timestamp, received);
+  count_ended(of, KIND_HEARD, nobody, info->request_id.sequence_number, now, received, latency);
+}
+
+void count_asked(endpoint * of, const rmw_service_info_t * info, int64_t now)
+{
+  const int64_t received = info->received_timestamp > 0 ? info->received_timestamp : now;
+  const int64_t latency = latency_of(info->source_timestamp, received);
+  const rmw_request_id_t * const request = &info->request_id;
+  count_begun(of, KIND_ASKED, request->writer_guid, request->sequence_number, now, received, latency);
+}
+
+void count_replied(endpoint * of, const rmw_request_id_t * request, int64_t now)
+{
+  count_ended(of, KIND_REPLIED, request->writer_guid, request->sequence_number, now, now, UNKNOWN_NS);
+}

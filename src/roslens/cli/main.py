@@ -18,6 +18,7 @@ from roslens.cli.commands import (
     explain,
     init,
     plugins,
+    reference,
     report,
     run,
     serve,

@@ -46,6 +46,13 @@ UNITS: Mapping[str, Mapping[str, Decimal]] = {
 }
 """Unit of a signal to the units it may be written in, each with its size in that unit."""
 
+_SHOWN = {
+    "s": ("us", "ms", "s"),
+    "B": ("KiB", "MiB", "GiB", "TiB", "kB", "MB", "GB", "TB"),
+    "B/s": ("KiB/s", "MiB/s", "kB/s", "MB/s", "GB/s"),
+}
+"""Units that amounts are shown in, the preferred ones last."""
+
 FORMS = "`25..35 Hz`, `<= 20 ms`, `>= 5 Hz`, `30 Hz ± 10 %` or `p95 <= 30 ms`"
 
 _NUMBER = r"[-+]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][-+]?\d{1,3})?"
@@ -112,13 +119,13 @@ def parse_limits(text: str, unit: str) -> Limits:
 
 def amount_text(value: float, unit: str) -> str:
     """Return an amount as people write it, ``20 ms`` rather than ``0.02 s``; it reads back as the same value."""
-    shown = {"s": ("s", "ms", "us"), "B": ("TB", "GB", "MB", "kB"), "B/s": ("GB/s", "MB/s", "kB/s")}.get(unit, ())
     exact = Decimal(repr(float(value)))
-    for name in shown if value and math.isfinite(value) else ():
+    texts = [f"{plain(value)} {unit}".rstrip()]
+    for name in _SHOWN.get(unit, ()) if value and math.isfinite(value) else ():
         scaled = exact / UNITS[unit][name]
-        if abs(scaled) >= 1 and abs(scaled.normalize().as_tuple().exponent) <= 6 and abs(scaled) < 10**9:  # type: ignore[arg-type]
-            return f"{plain(float(scaled))} {name}"
-    return f"{plain(value)} {unit}".rstrip()
+        if 1 <= abs(scaled) < 10**9 and scaled == round(scaled, 6):
+            texts.insert(0, f"{plain(float(scaled))} {name}")
+    return min(texts[: len(texts) - 1] or texts, key=lambda text: len(text.partition(" ")[0]))
 
 
 def limits_text(limits: Limits, unit: str) -> str:

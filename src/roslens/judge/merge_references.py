@@ -17,10 +17,19 @@ Kind = TypeVar("Kind", Expectation, Presence, FieldCheck, AgeChain)
 
 
 class Merged(msgspec.Struct, frozen=True):
-    """What documents expect together, and what of it cannot hold together."""
+    """What documents expect together, and how that came about.
+
+    Attributes:
+        reference: what holds.
+        contradictions: what of it cannot hold together.
+        standing: the sentences that hold, in the order of the documents; one that overrides stands where the other was.
+        replaced: sentences that do not hold any more, each with what took its place.
+    """
 
     reference: Reference
     contradictions: tuple[Contradiction, ...]
+    standing: tuple[Declared, ...]
+    replaced: tuple[tuple[Declared, Declared], ...]
 
 
 def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
@@ -30,10 +39,13 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
         DocumentError: a sentence has the id of another without overriding it, or overrides none.
     """
     kept: dict[str, Declared] = {}
+    replaced: list[tuple[Declared, Declared]] = []
     for document in documents:
         for one in document.declared:
             if one.override:
-                _replace(kept, one, document)
+                identity = _overridden(kept, one, document)
+                replaced.append((kept[identity], one))
+                kept[identity] = _renamed(one, identity)
             elif (identity := one.sentence.told.id) not in kept:
                 kept[identity] = one
             elif one.sentence != kept[identity].sentence:
@@ -44,7 +56,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
                     expected=f"one (the first is at {kept[identity].place})",
                     advice="Add `override: true` to replace the first, or give it another `id`",
                 )
-    standing = [one for one in kept.values() if not one.void]
+    standing = tuple(one for one in kept.values() if not one.void)
     reference = Reference(
         name="+".join(dict.fromkeys(document.name for document in documents)),
         title=documents[-1].title if documents else "",
@@ -54,7 +66,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
         field_checks=_sorted(standing, FieldCheck),
         chains=_sorted(standing, AgeChain),
     )
-    return Merged(reference, tuple(contradictions(standing)))
+    return Merged(reference, tuple(contradictions(standing)), standing, tuple(replaced))
 
 
 def sentences_of(reference: Reference) -> tuple[Sentence, ...]:
@@ -73,8 +85,18 @@ def _sorted(declared: Sequence[Declared], kind: type[Kind]) -> tuple[Kind, ...]:
     return tuple(sorted(found, key=lambda sentence: sentence.told.id))
 
 
-def _replace(kept: dict[str, Declared], one: Declared, document: ReferenceDocument) -> None:
-    """Put a sentence in the place of the one whose id it names; that id stays, as others may refer to it."""
+def _renamed(one: Declared, identity: str) -> Declared:
+    """Return a sentence with the id of the one it replaces, as others may refer to that."""
+    told = msgspec.structs.replace(one.sentence.told, id=identity)
+    return msgspec.structs.replace(one, sentence=msgspec.structs.replace(one.sentence, told=told))
+
+
+def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDocument) -> str:
+    """Return the id of the sentence that another replaces.
+
+    Raises:
+        DocumentError: there is none, or there are several.
+    """
     own = {declared.sentence.told.id for declared in document.declared if not declared.override}
     words = f"{one.name}.{one.aspect}"
     targets = [
@@ -83,10 +105,7 @@ def _replace(kept: dict[str, Declared], one: Declared, document: ReferenceDocume
         if identity not in own and (identity == words or identity.partition(".")[2] == words)
     ]
     if len(targets) == 1:
-        told = msgspec.structs.replace(one.sentence.told, id=targets[0])
-        sentence = msgspec.structs.replace(one.sentence, told=told)
-        kept[targets[0]] = msgspec.structs.replace(one, sentence=sentence)
-        return
+        return targets[0]
     if targets:
         ids = " or ".join(f"`{identity.removesuffix(f'.{one.aspect}')}`" for identity in targets)
         raise DocumentError(f"id {one.name!r} of several sentences to override", where=one.place, expected=f"id {ids}")

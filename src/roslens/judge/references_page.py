@@ -101,7 +101,7 @@ with one of ``* { [ > & ! % @ ` |``, such as `"**/scan"` and `">= 5 Hz"`; `at le
 | `?` | one character, but not `/` |
 | `{a,b}` | one of these; they may hold patterns and each other |
 | `\\` | the next character as it is |
-| `re:…` | a regular expression in Python's syntax that matches the whole name; without look-around and back references |
+| `re:…` | a regular expression in Python's syntax that matches the whole name, without look-around |
 
 Everything else stands for itself: `[::1]` is a host. A name that does not begin with `/` is below the `namespace` of
 the document; without one, below `/`. There `**` means everything below the namespace. Hosts, processes and types are in

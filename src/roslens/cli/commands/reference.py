@@ -1,0 +1,170 @@
+"""``roslens reference``: check, explain and import the documents that say how a running robot should behave."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.cli.boundary import BAD_INPUT, CLEAN, NOT_ANALYSED
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from roslens.judge.explain_entity import Applied
+    from roslens.judge.merge_references import Merged
+    from roslens.judge.unmatched import Subject
+
+TEXT = "Check, explain or import references: documents that say how a running robot should behave."
+EXAMPLES = """\
+  roslens reference check base.yaml site.yaml
+  roslens reference explain base.yaml topic:/scan
+  roslens reference import arni.yaml -o robot.yaml"""
+
+_CHECK = "Say what is wrong with references, and what they expect together."
+_EXPLAIN = "Say what references expect of one entity, in which order, and where that stands."
+_IMPORT = "Make a reference of a specification of ARNI, and say what became of each of its lines."
+_NARROWING = ("host", "type", "publisher", "subscriber")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the actions."""
+    actions = parser.add_subparsers(title="actions", dest="action", metavar="ACTION", required=True)
+    check = actions.add_parser("check", help=_CHECK, description=_CHECK)
+    check.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
+    check.add_argument("-q", "--quiet", action="store_true", help="no table of what is expected")
+    check.set_defaults(act=_check)
+    explain = actions.add_parser("explain", help=_EXPLAIN, description=_EXPLAIN)
+    explain.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
+    explain.add_argument("entity", metavar="ENTITY", help="such as topic:/scan, node:/amcl or host:robot-1")
+    for word in _NARROWING:
+        explain.add_argument(f"--{word}", default="", metavar="NAME", help=f"its {word}, where that is known")
+    explain.set_defaults(act=_explain)
+    importing = actions.add_parser("import", help=_IMPORT, description=_IMPORT)
+    importing.add_argument("file", metavar="FILE", help="the specification, in YAML")
+    importing.add_argument(
+        "-o", "--output", metavar="FILE", help="where to write the reference (default: standard output)"
+    )
+    importing.set_defaults(act=_import)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Do what the action says and return the exit code.
+
+    Raises:
+        DocumentError: a document is wrong.
+        UsageError: the entity is none.
+    """
+    return int(options.act(options))
+
+
+def _check(options: argparse.Namespace) -> int:
+    merged = _merged(options.files)
+    for contradiction in merged.contradictions:
+        print(f"roslens: {contradiction.error()}", file=sys.stderr)
+    if not options.quiet:
+        print(_table(merged))
+    return BAD_INPUT if merged.contradictions else CLEAN
+
+
+def _explain(options: argparse.Namespace) -> int:
+    from roslens.judge.explain_entity import combined, explain_entity
+    from roslens.live.signals import BY_KEY
+
+    subject = _subject(options)
+    applied = explain_entity(_merged(options.files), subject)
+    print(f"{subject.kind.value}:{subject.name}")
+    if not applied:
+        print("  nothing is expected of it")
+    for number, one in enumerate(applied, 1):
+        print("\n".join(_explanation(number, one)))
+    for key, words in combined(applied, BY_KEY).items():
+        print(f"  together: {key} {words}")
+    return CLEAN
+
+
+def _import(options: argparse.Namespace) -> int:
+    from roslens.judge.import_arni import Outcome, import_arni
+    from roslens.live.signals import BY_KEY
+    from roslens.model.errors import UsageError
+
+    target = Path(options.output) if options.output else None
+    if target is not None and target.exists():
+        raise UsageError(f"{options.output!r} exists", expected="a new file", advice="Remove it, or choose another")
+    text, entries = import_arni(Path(options.file), BY_KEY)
+    if target is None:
+        print(text, end="")
+    else:
+        target.write_text(text, "utf-8")
+    for entry in entries:
+        print(entry, file=sys.stderr)
+    counts = ", ".join(f"{sum(one.outcome is outcome for one in entries)} {outcome.value}" for outcome in Outcome)
+    print(f"roslens: {counts}", file=sys.stderr)
+    return NOT_ANALYSED if any(one.outcome is Outcome.LEFT_OUT for one in entries) else CLEAN
+
+
+def _merged(files: Sequence[str]) -> Merged:
+    from roslens.judge.merge_references import merge_references
+    from roslens.judge.read_reference import read_references
+    from roslens.live.signals import BY_KEY
+
+    return merge_references(read_references([Path(file) for file in files], BY_KEY))
+
+
+def _table(merged: Merged) -> str:
+    from roslens.judge.merge_references import sentences_of
+    from roslens.judge.sentence_words import expected_words, subject_words
+
+    heads = ("of", "is expected", "else", "id", "stands in")
+    rows = [
+        (
+            subject_words(sentence),
+            expected_words(sentence),
+            sentence.told.severity.value,
+            sentence.told.id,
+            sentence.told.where,
+        )
+        for sentence in sentences_of(merged.reference)
+    ]
+    widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
+    lines = [
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in (heads, *rows)
+    ]
+    documents = len(merged.reference.documents)
+    total = (
+        f"{len(rows)} sentence{'s' if len(rows) != 1 else ''} of {documents} document{'s' if documents != 1 else ''}"
+    )
+    return "\n".join([*(lines if rows else ()), total])
+
+
+def _subject(options: argparse.Namespace) -> Subject:
+    from roslens.judge.reference_keys import KINDS
+    from roslens.judge.unmatched import Subject
+    from roslens.model.entity import EntityKind
+    from roslens.model.errors import UsageError
+    from roslens.plugins.nearest import did_you_mean
+
+    kind, _, name = options.entity.partition(":")
+    words = [one.value for one in KINDS]
+    if kind not in words or not name:
+        expected = f"KIND:NAME with one of {', '.join(words)}"
+        raise UsageError(f"{options.entity!r} is no entity", expected=expected, advice=did_you_mean(kind, words))
+    return Subject(EntityKind(kind), name, **{word: getattr(options, word) for word in _NARROWING})
+
+
+def _explanation(number: int, applied: Applied) -> list[str]:
+    from roslens.judge.amount import amount_text
+    from roslens.judge.sentence_words import expected_words, subject_words
+
+    sentence = applied.declared.sentence
+    told = sentence.told
+    lasting = f", once it has lasted {amount_text(told.timing.lasting, 's')}" if told.timing.lasting else ""
+    lines = [
+        f"  {number}. {subject_words(sentence)}: {expected_words(sentence)}",
+        f"     {told.id} in {told.where}; else {told.severity.value}{lasting}",
+    ]
+    lines += [f"     provided that {applied.provided}"] if applied.provided else []
+    lines += [f"     {applied.role}"] if applied.role else []
+    lines += [f"     does not hold any more: replaced in {applied.replaced_by}"] if applied.replaced_by else []
+    return [*lines, f"     {told.text}"] if told.text else lines

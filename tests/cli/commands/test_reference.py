@@ -1,0 +1,103 @@
+"""``roslens reference`` as a user meets it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.main import main
+
+FIXTURES = Path(__file__).parents[2] / "fixtures" / "arni"
+HEAD = "kind: reference\nname: {}\nconstraints:\n"
+
+
+@pytest.fixture
+def base(tmp_path: Path) -> Path:
+    path = tmp_path / "base.yaml"
+    path.write_text(
+        HEAD.format("base") + "- {topic: /scan, id: scan, rate: 25..35 Hz, for: 2 s, text: Look at the cable.}\n"
+    )
+    return path
+
+
+def test_check_shows_what_is_expected(base: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(["reference", "check", str(base)]) == 0
+    out = capsys.readouterr().out.splitlines()
+    assert out[0].split() == ["of", "is", "expected", "else", "id", "stands", "in"]
+    assert out[1] == f"topic /scan  rate 25..35 Hz  warning  base.scan.rate  {base}:4"
+    assert out[2] == "1 sentence of 1 document"
+    assert main(["reference", "check", "-q", str(base)]) == 0
+    assert capsys.readouterr().out == ""
+
+
+def test_check_names_what_is_wrong(base: Path, capsys: pytest.CaptureFixture[str]):
+    base.write_text(HEAD.format("base") + "- {topic: /scan, raet: 5 Hz}\n")
+    assert main(["reference", "check", str(base)]) == 2
+    err = capsys.readouterr().err
+    assert f"roslens: {base}:4:18: unknown key 'raet' of a constraint" in err
+    assert "Did you mean 'rate'?" in err
+
+
+def test_check_tells_every_contradiction(base: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    site = tmp_path / "site.yaml"
+    site.write_text(HEAD.format("site") + "- {topic: '/s*', rate: <= 20 Hz}\n- {topic: '**', rate: <= 10 Hz}\n")
+    assert main(["reference", "check", str(base), str(site)]) == 2
+    found = capsys.readouterr()
+    lines = found.err.splitlines()
+    assert len(lines) == 2
+    assert lines[0].startswith(f"roslens: {site}:4:18: 'site.topic.s*.rate' (topic /s*: rate <= 20 Hz) contradicts")
+    assert f"'base.scan.rate' (topic /scan: rate 25..35 Hz) at {base}:4:28; both are about '/scan'" in lines[0]
+    assert "3 sentences of 2 documents" in found.out
+
+
+def test_explain_shows_the_sentences_and_their_places(base: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    site = tmp_path / "site.yaml"
+    site.write_text(
+        HEAD.format("site")
+        + "- {id: scan, override: true, topic: /scan, rate: 20..30 Hz}\n- {topic: /*, rate: '>= 25 Hz'}\n"
+    )
+    assert main(["reference", "explain", str(base), str(site), "topic:/scan"]) == 0
+    assert (
+        capsys.readouterr().out
+        == f"""\
+topic:/scan
+  1. topic /scan: rate 20..30 Hz
+     base.scan.rate in {site}:4; else warning
+  2. topic /*: rate >= 25 Hz
+     site.topic.*.rate in {site}:5; else warning
+  3. topic /scan: rate 25..35 Hz
+     base.scan.rate in {base}:4; else warning, once it has lasted 2 s
+     does not hold any more: replaced in {site}:4:44
+     Look at the cable.
+  together: rate 25..30 Hz
+"""
+    )
+    assert main(["reference", "explain", str(base), "node:/scan"]) == 0
+    assert "nothing is expected of it" in capsys.readouterr().out
+
+
+def test_explain_wants_an_entity(base: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(["reference", "explain", str(base), "topik:/scan"]) == 2
+    assert "'topik:/scan' is no entity; expected KIND:NAME with one of host, node" in (err := capsys.readouterr().err)
+    assert "Did you mean 'topic'?" in err
+
+
+def test_import_writes_a_reference_that_can_be_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    target = tmp_path / "robot.yaml"
+    assert main(["reference", "import", str(FIXTURES / "arni.yaml"), "-o", str(target)]) == 3
+    err = capsys.readouterr().err.splitlines()
+    assert err[-1] == "roslens: 8 imported, 13 changed, 14 left out"
+    assert main(["reference", "check", str(target)]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == "14 sentences of 1 document"
+    assert main(["reference", "import", str(FIXTURES / "arni.yaml"), "-o", str(target)]) == 2
+    assert "exists; expected a new file" in capsys.readouterr().err
+
+
+def test_import_without_a_file_goes_to_standard_output(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    source = tmp_path / "spec.yaml"
+    source.write_text("- t!/a: {frequency: [1, 2]}")
+    assert main(["reference", "import", str(source)]) == 0
+    assert capsys.readouterr().out == (
+        "kind: reference\nname: spec\ntitle: Imported from spec.yaml\nconstraints:\n  - topic: /a\n    rate: 1..2 Hz\n"
+    )

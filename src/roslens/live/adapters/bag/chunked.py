@@ -20,6 +20,9 @@ from roslens.live.adapters.bag.stamp import stamps_of
 LOST = "Its messages are left out. The other parts of the recording are read."
 
 
+_SPARSE = 256
+
+
 class Chunk(NamedTuple):
     """Where a chunk lies and what is in it; times are nanoseconds.
 
@@ -151,9 +154,12 @@ class ChunkedPart:
         return [channel for channel in channels if channel in self.channels]
 
     def _located(self, content: Bytes, entries: list[Entries]) -> list[tuple[Ints, Ints]] | None:
-        found = [self._layout.locate(content, entry.offsets) for entry in entries]
-        right = [one for one in found if one is not None]
-        return right if len(right) == len(found) else None
+        if not entries:
+            return []
+        found = self._layout.locate(content, np.concatenate([entry.offsets for entry in entries]))
+        if found is None:
+            return None
+        return list(zip(_parted(found[0], entries), _parted(found[1], entries), strict=True))
 
     def _stamps(self, content: Bytes, starts: Ints, sizes: Ints, channel: int) -> Ints:
         return stamps_of(content, starts, sizes, self.channels[channel])
@@ -198,12 +204,24 @@ def _gaps_between(entries: list[Entries], size: int, overhead: int) -> list[Ints
     if not entries:
         return []
     offsets = np.concatenate([entry.offsets for entry in entries])
-    order = np.argsort(offsets)
-    ordered = offsets[order]
-    sizes = np.empty_like(offsets)
-    sizes[order] = np.diff(ordered, append=max(size, int(ordered[-1]))) - overhead
-    np.clip(sizes, 0, None, out=sizes)
-    return np.split(sizes, np.cumsum([len(entry.offsets) for entry in entries])[:-1])
+    last = max(size, int(offsets.max()))
+    if last < _SPARSE * len(offsets) and int(offsets.min()) >= 0:
+        # Small messages: writing the next place down at each place is faster than sorting with their order.
+        ordered = np.sort(offsets)
+        following = np.empty(last + 1, np.int64)
+        following[ordered] = np.concatenate([ordered[1:], [last]])
+        sizes = following[offsets] - offsets
+    else:
+        order = np.argsort(offsets)
+        sizes = np.empty_like(offsets)
+        sizes[order] = np.diff(offsets[order], append=last)
+    return _parted(np.clip(sizes - overhead, 0, None), entries)
+
+
+def _parted(numbers: Ints, entries: list[Entries]) -> list[Ints]:
+    """Cut numbers of all entries into those of each."""
+    ends = np.cumsum([len(entry.times) for entry in entries]).tolist()
+    return [numbers[end - len(entry.times) : end] for entry, end in zip(entries, ends, strict=True)]
 
 
 def _defining(chunks: Sequence[Chunk]) -> set[int]:

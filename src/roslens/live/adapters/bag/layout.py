@@ -60,9 +60,13 @@ class Layout(Protocol):
 def numbers_at(content: Bytes, at: Ints, kind: type[_Number]) -> npt.NDArray[_Number]:
     """Return the little-endian numbers at any places of the content."""
     width = np.dtype(kind).itemsize
-    picked = np.ascontiguousarray(content[at[:, None] + np.arange(width)])
-    found: npt.NDArray[_Number] = picked.view(np.dtype(kind).newbyteorder("<")).reshape(-1).astype(kind, copy=False)
-    return found
+    if not len(at):
+        return np.zeros(0, kind)
+    # A view with a number at every byte: picking from it is several times faster than picking bytes.
+    everywhere: npt.NDArray[_Number] = np.ndarray(
+        (len(content) - width + 1,), np.dtype(kind).newbyteorder("<"), content, strides=(1,)
+    )
+    return everywhere[at].astype(kind, copy=False)
 
 
 def walked(rows: list[tuple[int, int, int, int]], stopped: str) -> Walk:

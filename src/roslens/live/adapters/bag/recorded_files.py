@@ -96,7 +96,7 @@ def _information(path: Path, failures: FailureLog) -> dict[str, Any]:
 
     try:
         text = path.read_text(encoding="utf-8") if path.stat().st_size <= _LONGEST_METADATA else ""
-        information = yaml.safe_load(text)["rosbag2_bagfile_information"]
+        information = yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))["rosbag2_bagfile_information"]  # noqa: S506 - both are safe
         named = information.get("relative_file_paths") or []
         reason = "" if isinstance(named, list) else "no list of files"
     except (yaml.YAMLError, OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:

@@ -24,7 +24,7 @@ def profiles_of(text: str) -> list[Qos]:
     import yaml
 
     try:
-        document = yaml.safe_load(text)
+        document = yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506 - both are safe
     except (yaml.YAMLError, RecursionError, ValueError):
         return []
     if not isinstance(document, list):

@@ -17,8 +17,8 @@
 // Ten years: two clocks may be apart, but more is a time that was never set.
 #define LONGEST_NS INT64_C(315360000000000000)
 
-// The hook in Python writes the number of its process here while it counts the topics of rclpy, whose ages and
-// processing times it alone can see.
+// The hook in Python writes the number of its process here, and "taken" and "published" for what it counts of the topics
+// of rclpy, whose ages and processing times it alone can see.
 #define PYTHON_HOOK_VARIABLE "ROSLENS_RCLPY_HOOK"
 
 static const uint8_t nobody[GID_BYTES];
@@ -30,13 +30,24 @@ int64_t now_ns(void)
   return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
-static bool python_counts(void)
+// Below rclpy, where the hook in Python does not see it.
+#define LOG_TOPIC "/rosout"
+
+static bool python_counts(const char * direction)
 {
-  const char * const process = getenv(PYTHON_HOOK_VARIABLE);
-  return process != NULL && strtol(process, NULL, 10) == (long)getpid();
+  const char * const claim = getenv(PYTHON_HOOK_VARIABLE);
+  return claim != NULL && strtol(claim, NULL, 10) == (long)getpid() && strstr(claim, direction) != NULL;
 }
 
-void begin_counting(const void * handle, const rmw_node_t * node, const char * name, bool topic)
+static bool left_to_python(const endpoint * of, int kind)
+{
+  if (kind == KIND_PUBLISHED) {
+    return strcmp(of->name, LOG_TOPIC) != 0 && python_counts("published");
+  }
+  return kind == KIND_TAKEN && python_counts("taken");
+}
+
+void begin_counting(const void * handle, const rmw_node_t * node, const char * name)
 {
   open_counter_file();
   if (!atomic_load(&counter_file_open)) {
@@ -55,12 +66,11 @@ void begin_counting(const void * handle, const rmw_node_t * node, const char * n
   const char * const slash = *space != '\0' && space[strlen(space) - 1] == '/' ? "" : "/";
   snprintf(of->node, sizeof(of->node), "%s%s%s", space, slash, node->name != NULL ? node->name : "");
   snprintf(of->name, sizeof(of->name), "%s", name);
-  of->topic = topic;
   memset(of->gid, 0, sizeof(of->gid));
   char state[STATE_BYTES];
   snprintf(
     state, sizeof(state), "preload: counting %s%s", real_rmw.implementation_identifier,
-    python_counts() ? ", its topics in Python" : "");
+    python_counts("") ? " beside Python" : "");
   say(state);
 }
 
@@ -163,7 +173,7 @@ static counter * counter_of(endpoint * of, int kind, const uint8_t gid[GID_BYTES
     one = one->next;
   }
   if (one == NULL && (of->tried == 0 || now - of->tried > RETRY_NS || now < of->tried)) {
-    if (of->topic && python_counts()) {
+    if (left_to_python(of, kind)) {
       of->tried = now;
     } else {
       one = claim(of, kind, gid, now);

@@ -6,8 +6,8 @@
 #include "endpoint.h"
 #include "real_rmw.h"
 
-// Begin to count for a handle that was just made. `topic` tells topics from services.
-void begin_counting(const void * handle, const rmw_node_t * node, const char * name, bool topic);
+// Begin to count for a handle that was just made.
+void begin_counting(const void * handle, const rmw_node_t * node, const char * name);
 
 // Count a message published at `now`, of `size` bytes or -1.
 void count_published(endpoint * of, int64_t now, int64_t size);

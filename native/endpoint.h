@@ -42,7 +42,6 @@ struct endpoint {
   char name[NAME_BYTES];
   char node[NAME_BYTES];
   uint8_t gid[GID_BYTES];
-  bool topic;     // whether of a topic, not of a service
   int64_t tried;  // when it was last left without a slot, or to the hook in Python; 0 is never
   counter * chain[CHAINS];
   call calls[CALLS];

@@ -1,8 +1,8 @@
 // Wraps the calls between a ROS 2 client library and its middleware and counts what passes; preloaded into nodes.
 //
 // Each function calls the real one with the same arguments and returns what it returns. Only the outermost of nested
-// calls counts, for some middleware implements one function by another. Python counts its topics itself where its hook
-// says so in ROSLENS_RCLPY_HOOK; services are counted here.
+// calls counts, for some middleware implements one function by another. Messages that the hook in Python claims in
+// ROSLENS_RCLPY_HOOK are left to it.
 
 #include <stddef.h>
 
@@ -47,10 +47,10 @@ static inline endpoint * counted(const void * handle)
 // Count, also from within: a signal handler that publishes must not wait for the thread it interrupts.
 #define COUNT(call) (within = true, call, within = false)
 
-static void made(const void * handle, const rmw_node_t * node, const char * name, bool topic)
+static void made(const void * handle, const rmw_node_t * node, const char * name)
 {
   if (handle != NULL && node != NULL && name != NULL && !within) {
-    COUNT(begin_counting(handle, node, name, topic));
+    COUNT(begin_counting(handle, node, name));
   }
 }
 
@@ -64,36 +64,36 @@ static void learn_gid(const void * publisher)
 }
 
 // Create a handle and begin to count it. Takes a statement for what else is to be done with it.
-#define CREATE(topic, name, node, entity, also, ...)                                     \
+#define CREATE(name, node, entity, also, ...)                                            \
   ready(__builtin_return_address(0));                                                    \
   const bool nested = within;                                                            \
   within = true;                                                                         \
   void * const handle = real_rmw.name != NULL ? real_rmw.name(__VA_ARGS__) : NULL;       \
   within = nested;                                                                       \
-  made(handle, node, entity, topic);                                                     \
+  made(handle, node, entity);                                                            \
   also;                                                                                  \
   return handle
 
 EXPORT void * rmw_create_publisher(
   const rmw_node_t * node, const void * type, const char * name, const void * qos, const void * options)
 {
-  CREATE(true, create_publisher, node, name, learn_gid(handle), node, type, name, qos, options);
+  CREATE(create_publisher, node, name, learn_gid(handle), node, type, name, qos, options);
 }
 
 EXPORT void * rmw_create_subscription(
   const rmw_node_t * node, const void * type, const char * name, const void * qos, const void * options)
 {
-  CREATE(true, create_subscription, node, name, , node, type, name, qos, options);
+  CREATE(create_subscription, node, name, , node, type, name, qos, options);
 }
 
 EXPORT void * rmw_create_client(const rmw_node_t * node, const void * type, const char * name, const void * qos)
 {
-  CREATE(false, create_client, node, name, , node, type, name, qos);
+  CREATE(create_client, node, name, , node, type, name, qos);
 }
 
 EXPORT void * rmw_create_service(const rmw_node_t * node, const void * type, const char * name, const void * qos)
 {
-  CREATE(false, create_service, node, name, , node, type, name, qos);
+  CREATE(create_service, node, name, , node, type, name, qos);
 }
 
 // Forgotten before it is destroyed: its address may be another's as soon as it is.

@@ -5,6 +5,7 @@ import sys
 import pytest
 
 from roslens.cli.main import main
+from roslens.live.inside import preload
 from roslens.live.inside.environment import PATH
 
 ROSLENS = [sys.executable, "-m", "roslens.cli.main"]
@@ -46,6 +47,7 @@ def test_a_shell_reads_what_env_prints_and_undoes_it():
 
 
 def test_env_speaks_fish(monkeypatch, capsys):
+    monkeypatch.setattr(preload, "library", lambda: None)
     monkeypatch.setenv("PYTHONPATH", "/it's")
     monkeypatch.setenv("ROSLENS_COUNTERS", "/c")
     assert main(["env", "--shell", "fish"]) == 0

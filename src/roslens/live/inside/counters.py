@@ -305,6 +305,8 @@ class CounterReader:
         baseline = new and self._last is None
         start = max(file.started, self._last or 0.0)
         for number, after in file.slots():
+            if after.kind > slots.ANSWERED:
+                continue  # calls of services are no traffic of a topic
             before = file.known.get(number)
             if before is not None and before.generation != after.generation:
                 before = None
@@ -316,7 +318,7 @@ class CounterReader:
                 continue
             tally = difference(before, after, min(start, now), now, told)
             yield Counted(
-                file.pid, after.gid.rstrip(b"\0").hex() if after.kind == slots.TAKEN else "", tally, after.other
+                file.pid, after.gid[:16].hex() if after.kind == slots.TAKEN else "", tally, after.other
             )
 
     def _watch(self, file: _File) -> None:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
+from roslens.live.inside.preload import preload_environment, preload_undone
 from roslens.live.inside.slots import VARIABLE, folder_of
 
 PATH = str(Path(__file__).parent / "path")
@@ -13,15 +14,22 @@ PATH = str(Path(__file__).parent / "path")
 
 
 def environment(base: Mapping[str, str]) -> dict[str, str]:
-    """Return the variables to set, beside those of ``base``, so that Python nodes count what they publish and take."""
+    """Return the variables to set, beside those of ``base``, so that nodes count what they publish and take.
+
+    Those in Python do so by an import hook, those in other languages by a preloaded library where there is one.
+    """
     others = _without(base.get("PYTHONPATH", ""))
-    return {"PYTHONPATH": os.pathsep.join([PATH, *others]), VARIABLE: folder_of(base)}
+    return {
+        **preload_environment(base),
+        "PYTHONPATH": os.pathsep.join([PATH, *others]),
+        VARIABLE: folder_of(base),
+    }
 
 
 def undone(base: Mapping[str, str]) -> dict[str, str | None]:
     """Return what takes ``environment`` back; None is a variable to remove."""
     others = _without(base.get("PYTHONPATH", ""))
-    return {"PYTHONPATH": os.pathsep.join(others) or None, VARIABLE: None}
+    return {**preload_undone(base), "PYTHONPATH": os.pathsep.join(others) or None, VARIABLE: None}
 
 
 def _without(path: str) -> list[str]:

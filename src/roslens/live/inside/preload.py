@@ -1,7 +1,9 @@
 """The environment in which nodes in any language count their own traffic: a library preloaded around the rmw calls.
 
-Where the hook in Python counts a process, it sets ROSLENS_RCLPY_HOOK to the number of that process, and the library
-leaves the topics to it, for it alone sees the stamps in messages and what answers what. Services only the library sees.
+Of two hooks in a process only one counts a message. The one in Python alone sees the stamps in messages and what
+answers what: it claims what rclpy takes and publishes in ROSLENS_RCLPY_HOOK, by the number of its process and the words
+"taken" and "published", and the library leaves that to it. When the claim goes, the library counts within a second.
+Services, the log and what nobody claims are the library's.
 """
 
 from __future__ import annotations
@@ -59,12 +61,17 @@ def preload_environment(base: Mapping[str, str]) -> dict[str, str]:
 
 
 def preload_undone(base: Mapping[str, str]) -> dict[str, str | None]:
-    """Return what takes ``preload_environment`` back; None is a variable to remove."""
-    return {PRELOAD: ":".join(_others(base)) or None, VARIABLE: None}
+    """Return what takes ``preload_environment`` back; None is a variable to remove, none are named without need."""
+    others = _others(base)
+    return {PRELOAD: ":".join(others) or None, VARIABLE: None} if others != _preloaded(base) else {}
+
+
+def _preloaded(base: Mapping[str, str]) -> list[str]:
+    return [path for path in base.get(PRELOAD, "").replace(" ", ":").split(":") if path]
 
 
 def _others(base: Mapping[str, str]) -> list[str]:
-    return [path for path in base.get(PRELOAD, "").replace(" ", ":").split(":") if path and Path(path).name != LIBRARY]
+    return [path for path in _preloaded(base) if Path(path).name != LIBRARY]
 
 
 def _found() -> Path | None:

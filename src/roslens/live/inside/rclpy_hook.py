@@ -26,6 +26,8 @@ from .slots import ANSWERED, PUBLISHED, TAKEN, CounterFile, Slot, folder_of
 _ATTRIBUTE = "_roslens_counters"
 _OTHER_WORK = ("_take_timer", "_take_client", "_take_service", "_take_guard_condition", "_take_waitable")
 _NO_NUMBER = 0xFFFFFFFFFFFFFFFF
+_CLAIM = "ROSLENS_RCLPY_HOOK"
+"""Tells the preloaded library, where there is one, which messages of which process are counted here and not by it."""
 
 
 class _Current(threading.local):
@@ -43,6 +45,7 @@ class _Hook:
     def __init__(self) -> None:
         self.counters: CounterFile | None = None
         self.begun = False
+        self.claimed = ""
         self.undo: list[tuple[Any, str, Any]] = []
 
     def open(self) -> CounterFile:
@@ -61,6 +64,16 @@ class _Hook:
         self.undo.append((owner, name, getattr(owner, name)))
         setattr(owner, name, function)
 
+    def claim(self, direction: str) -> None:
+        """Tell the preloaded library to leave messages of a direction, "taken" or "published", to this hook."""
+        self.claimed += f" {direction}"
+        os.environ[_CLAIM] = f"{os.getpid()}{self.claimed}"
+
+    def leave(self) -> None:
+        """Tell the preloaded library that nothing is counted here."""
+        self.claimed = ""
+        os.environ.pop(_CLAIM, None)
+
     def say(self, state: str) -> None:
         """Write the state of the hook where readers see it."""
         self.open().say(state)
@@ -70,6 +83,7 @@ class _Hook:
         for owner, name, function in self.undo:
             setattr(owner, name, function)
         self.undo = []
+        self.leave()
         if self.counters is not None:
             self.counters.fault()
             self.counters.say(f"rclpy: stopped after {type(error).__name__}: {error}")
@@ -88,6 +102,9 @@ class _Hook:
             for owner, name, function in self.undo:
                 setattr(owner, name, function)
             self.undo = []
+            self.leave()
+        elif self.claimed:
+            self.claim("")
 
 
 HOOK = _Hook()
@@ -241,6 +258,7 @@ def hook_executor(module: ModuleType) -> None:
     for name in _OTHER_WORK:
         if callable(getattr(executor, name, None)):
             HOOK.replace(executor, name, _answering_nothing(getattr(executor, name)))
+    HOOK.claim("taken")
     HOOK.say("rclpy: counting")
 
 
@@ -303,3 +321,4 @@ def hook_publisher(module: ModuleType) -> None:
             HOOK.stop(error)
 
     HOOK.replace(publisher_class, "publish", publish_and_count)
+    HOOK.claim("published")

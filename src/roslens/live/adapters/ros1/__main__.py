@@ -11,8 +11,12 @@ import sys
 import time
 from contextlib import suppress
 
+from roslens.judge.pattern import Pattern
+from roslens.live.adapters.ros1.budget import Limits
+from roslens.live.adapters.ros1.ear import Ear
 from roslens.live.adapters.ros1.ends import Ends
 from roslens.live.adapters.ros1.follow import Follower
+from roslens.live.adapters.ros1.listening import Listening
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.observation import Observation
 from roslens.live.adapters.ros1.place import own_address
@@ -31,6 +35,11 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m roslens.live.adapters.ros1", description=__doc__)
     parser.add_argument("--master", metavar="URI", default=os.environ.get("ROS_MASTER_URI") or DEFAULT_MASTER)
     parser.add_argument("--period", type=_positive, default=1.0, metavar="S", help="seconds between rounds")
+    parser.add_argument("--statistics", action="store_true", help="read what subscribers tell on /statistics")
+    parser.add_argument("--tap", action="append", default=[], type=_pattern, metavar="PATTERN", help="topics to read")
+    parser.add_argument("--tap-budget", type=_share, default=0.05, metavar="PERCENT", help="CPU of the tap (5)")
+    parser.add_argument("--tap-rate", type=_positive, default=5000.0, metavar="N", help="messages/s of the tap (5000)")
+    parser.add_argument("--tap-bytes", type=_positive, default=50e6, metavar="N", help="bytes/s of the tap (50e6)")
     options = parser.parse_args(words)
     try:
         split_uri(options.master)
@@ -40,10 +49,28 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
 
 
 def _positive(text: str) -> float:
-    value = float(text)
-    if not 0.01 <= value <= 3600:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds from 0.01 to 3600")
+    return _number(text, 0.01, 1e12)
+
+
+def _share(text: str) -> float:
+    return _number(text, 0.01, 100) / 100
+
+
+def _number(text: str, least: float, most: float) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = float("nan")
+    if not least <= value <= most:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number from {least:g} to {most:g}")
     return value
+
+
+def _pattern(text: str) -> Pattern:
+    try:
+        return Pattern.parse(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _stop(*_: object) -> None:
@@ -67,23 +94,27 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     ends = Ends(lambda name: wakes.put(("ended", name, ())))
     follower = Follower(Master(options.master, caller, resolver), caller, told.uri)
     observation = Observation(follower, caller, resolver, socket.gethostname(), time.time, ends)
+    limits = Limits(options.tap_budget, options.tap_rate, options.tap_bytes)
+    listening = Listening(caller, resolver, time.time, socket.gethostname(), limits)
+    ear = Ear(observation, listening, tuple(options.tap), options.statistics)
     try:
-        _turn(options.period, observation, speaker, wakes)
+        _turn(options.period, observation, ear, speaker, wakes)
     finally:
         follower.leave(lambda _: None)
+        listening.close()
         observation.close()
         ends.close()
         told.close()
 
 
-def _turn(period: float, observation: Observation, speaker: Speaker, wakes: queue.SimpleQueue[Wake]) -> None:
+def _turn(period: float, observation: Observation, ear: Ear, speaker: Speaker, wakes: queue.SimpleQueue[Wake]) -> None:
     moved: frozenset[str] = frozenset()
     due = time.monotonic()
     while True:
         left = due - time.monotonic()
         if left <= 0:
             begun = time.monotonic()
-            speaker.say(observation.round(moved))
+            speaker.say(ear.round(moved))
             moved = frozenset()
             due = max(begun + period, time.monotonic() + period / 10)
             continue

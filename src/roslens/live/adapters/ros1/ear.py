@@ -1,0 +1,61 @@
+"""What is listened to: which publishers, by patterns on topics, and how it joins what nodes tell of themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import msgspec
+
+from roslens.judge.pattern import Pattern
+from roslens.live.adapters.ros1.listening import Listening
+from roslens.live.adapters.ros1.names import TOOL
+from roslens.live.adapters.ros1.observation import Observation
+from roslens.live.adapters.ros1.statistics import TOPIC
+from roslens.live.adapters.ros1.stream import Source, Use
+from roslens.model.failure import Failure
+from roslens.model.wire import Frame
+
+SILENT_ROUNDS = 10
+"""Rounds after which it is worth saying that nobody publishes statistics."""
+
+
+class Ear:
+    """Adds what is heard to the rounds of an observation."""
+
+    def __init__(
+        self, observation: Observation, listening: Listening, taps: Sequence[Pattern], statistics: bool
+    ) -> None:
+        self._observation = observation
+        self._listening = listening
+        self._taps = taps
+        self._statistics = statistics
+        self._rounds = 0
+
+    def round(self, moved: frozenset[str] = frozenset()) -> Frame:
+        """Return the frame of a round with what was heard until then."""
+        frame = self._observation.round(moved)
+        if not self._taps and not self._statistics:
+            return frame
+        self._rounds += 1
+        sources = list(self._sources())
+        self._listening.want(sources)
+        taken = self._listening.take()
+        told = any(source.use is Use.STATISTICS for source in sources)
+        if self._statistics and not told and self._rounds == SILENT_ROUNDS:
+            advice = "Set the parameter /enable_statistics to true before nodes start, or start them through roslens"
+            taken.failures.append(Failure(TOOL, f"nobody publishes {TOPIC}", "subscribers that do", advice))
+        return msgspec.structs.replace(
+            frame,
+            tallies=[*frame.tallies, *taken.tallies],
+            failures=[*frame.failures, *taken.failures],
+            shed=frame.shed + taken.shed,
+        )
+
+    def _sources(self) -> Iterator[Source]:
+        for topic, publishers in self._observation.publishers.items():
+            taps = any(pattern.matches(topic) for pattern in self._taps)
+            for node, uri in publishers:
+                if taps:
+                    yield Source(Use.TAP, topic, node, uri)
+                if self._statistics and topic == TOPIC:
+                    yield Source(Use.STATISTICS, topic, node, uri)

@@ -22,6 +22,7 @@ from roslens.cli.commands import (
     report,
     run,
     serve,
+    watch,
 )
 
 COMMANDS = {
@@ -32,6 +33,7 @@ COMMANDS = {
     "plugins": plugins,
     "init": init,
     "reference": reference,
+    "watch": watch,
     "agent": agent,
     "doctor": doctor,
     "completion": completion,

@@ -1,4 +1,4 @@
-"""``roslens reference``: check, explain and import the documents that say how a running robot should behave."""
+"""``roslens reference``: check, explain, draft, test and import what says how a running robot should behave."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli import reference_draft, reference_test
 from roslens.cli.boundary import BAD_INPUT, CLEAN, NOT_ANALYSED
 
 if TYPE_CHECKING:
@@ -16,10 +17,12 @@ if TYPE_CHECKING:
     from roslens.judge.merge_references import Merged
     from roslens.judge.unmatched import Subject
 
-TEXT = "Check, explain or import references: documents that say how a running robot should behave."
+TEXT = "Check, explain, draft, test or import references: documents that say how a running robot should behave."
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
   roslens reference explain base.yaml topic:/scan
+  roslens reference draft --bag drive.bag -o robot.yaml
+  roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml
   roslens reference import arni.yaml -o robot.yaml"""
 
 _CHECK = "Say what is wrong with references, and what they expect together."
@@ -47,6 +50,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "-o", "--output", metavar="FILE", help="where to write the reference (default: standard output)"
     )
     importing.set_defaults(act=_import)
+    for name, module in (("draft", reference_draft), ("test", reference_test)):
+        module.add_arguments(actions.add_parser(name, help=module.TEXT, description=module.TEXT))
 
 
 def run(options: argparse.Namespace) -> int:

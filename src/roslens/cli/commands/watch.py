@@ -1,0 +1,91 @@
+"""``roslens watch``: rate a running system, or a recording of one, against references."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.cli.streams import add_stream_arguments
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.judge.expectation import Reference
+
+TEXT = "Watch a running ROS system, or a recording, and say what is not as the reference expects."
+EXAMPLES = """\
+  roslens watch --bag drive.bag --reference rover.yaml      a recording, as fast as it can be read
+  roslens watch --reference rover.yaml                      what runs here, until Ctrl-C
+  roslens watch --ros1 --for 60s --fail-on low,high,absent  a system test: exit code 1 when something is wrong
+  roslens watch --bag drive.mcap                            without a reference: what is there, how fast
+  roslens watch --listen 0.0.0.0:7411 --key-file key        agents on other hosts report to this one
+  roslens watch --prometheus 9411                           values and states for Prometheus"""
+
+_BAD = ("low", "high", "absent")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what to watch, what to hold it against, and where to tell it."""
+    parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
+    parser.add_argument("--reference", type=Path, action="append", default=[], metavar="FILE", help="what is expected")
+    parser.add_argument("--listen", metavar="HOST:PORT", help="take reports of `roslens agent` on other hosts")
+    parser.add_argument("--key-file", type=Path, metavar="FILE", help="the key that agents know too")
+    parser.add_argument("--for", dest="length", metavar="TIME", help="end after so long (`60s`, `5 min`)")
+    parser.add_argument(
+        "--fail-on",
+        default="low,high,absent",
+        metavar="STATES",
+        help="states that make the exit code 1: low, high, absent, or never (default: low,high,absent)",
+    )
+    parser.add_argument("--format", choices=("text", "json"), default="text", help="json: a line for each change")
+    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the result there")
+    parser.add_argument("--prometheus", type=int, metavar="PORT", help="serve values for Prometheus on this machine")
+    parser.add_argument("--history", type=Path, metavar="FILE", help="keep series and verdicts in this file (SQLite)")
+    add_stream_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Watch, and return how it ended: 1 where a state of ``--fail-on`` came up, 3 where nothing could be observed.
+
+    Raises:
+        UsageError: the options contradict each other or name something that is not there.
+        DocumentError: a reference is wrong.
+    """
+    from roslens.judge.expectation import Reference
+    from roslens.judge.read_reference import load_reference
+    from roslens.live.signals import BY_KEY
+
+    states = _states(options.fail_on)
+    reference = load_reference(options.reference, BY_KEY) if options.reference else Reference("nothing")
+    if options.bag:
+        return _replayed(options, reference, states)
+    from roslens.cli.watch_live import watch_live
+
+    return watch_live(options, reference, states)
+
+
+def _states(text: str) -> frozenset[str]:
+    if text == "never":
+        return frozenset()
+    states = frozenset(part.strip() for part in text.split(",") if part.strip())
+    if unknown := sorted(states.difference(_BAD)):
+        raise UsageError(f"--fail-on {unknown[0]!r}", expected=f"{', '.join(_BAD)} or never")
+    return states
+
+
+def _replayed(options: argparse.Namespace, reference: Reference, states: frozenset[str]) -> int:
+    from roslens.cli.watch_output import Teller
+    from roslens.cli.watch_screen import since_start
+    from roslens.live.adapters.bag.open_bag import open_bag
+    from roslens.live.replay import replay
+
+    for name in ("listen", "prometheus", "history", "length"):
+        if getattr(options, name) is not None:
+            option = "for" if name == "length" else name
+            raise UsageError(f"--{option} with --bag", expected="one of them", advice="A recording is read to its end")
+    bag = open_bag(options.bag)
+    with Teller(options, since_start(bag.start)) as teller:
+        session = replay(bag, reference, told=teller.tell)
+        shown = ", ".join(str(path) for path in options.bag)
+        teller.end(session, bag.end, f"{shown}: {bag.messages:,} messages in {bag.end - bag.start:.1f} s; at its end:")
+    return teller.code(states, nothing_seen=not bag.messages)

@@ -1,0 +1,73 @@
+"""``roslens reference test``: what references would have said of a recording, held against what is expected."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+
+if TYPE_CHECKING:
+    from roslens.live.alarms import Alarm
+    from roslens.live.expected_alarms import ExpectedAlarm
+
+TEXT = "Say what references would have raised on a recording; with --expect, whether that is right."
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the references, the recording and what is expected of it."""
+    parser.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
+    parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", required=True, help="a recording")
+    parser.add_argument("--expect", type=Path, metavar="FILE", help="the alarms that have to be raised (YAML)")
+    parser.set_defaults(act=test)
+
+
+def test(options: argparse.Namespace) -> int:
+    """Write the alarms and return the exit code: 1 where they are not as expected.
+
+    Raises:
+        DocumentError: a document is wrong.
+        UsageError: there is no recording.
+    """
+    from roslens.judge.read_reference import load_reference
+    from roslens.live.adapters.bag.open_bag import open_bag
+    from roslens.live.alarms import AlarmLog
+    from roslens.live.expected_alarms import ExpectedAlarms, compare, read_expected
+    from roslens.live.replay import replay
+    from roslens.live.signals import BY_KEY
+
+    expected = read_expected(options.expect) if options.expect else ExpectedAlarms(())
+    reference = load_reference([Path(file) for file in options.files], BY_KEY)
+    bag = open_bag(options.bag)
+    log = AlarmLog()
+    replay(bag, reference, told=lambda step: log.add(step.changes))
+    alarms = log.alarms()
+    for alarm in alarms:
+        print(_line(alarm, bag.start))
+    outcome = compare(alarms, expected, bag.start)
+    for failure in bag.failures:
+        print(f"roslens: {failure}", file=sys.stderr)
+    for missing in outcome.missing:
+        print(f"roslens: {options.expect}:{missing.line}: not raised: {_words(missing)}", file=sys.stderr)
+    if options.expect:
+        for surplus in outcome.surplus:
+            print(f"roslens: not expected: {_line(surplus, bag.start)}", file=sys.stderr)
+    count = "no alarm" if not alarms else "1 alarm" if len(alarms) == 1 else f"{len(alarms)} alarms"
+    print(f"{count} in {bag.end - bag.start:.1f} s" + (", as expected" if options.expect and outcome.passed else ""))
+    if not outcome.passed:
+        return FINDINGS
+    return NOT_ANALYSED if bag.failures else CLEAN
+
+
+def _line(alarm: Alarm, start: float) -> str:
+    from roslens.live.publish.diagnostics import sentence
+
+    length = "to the end" if alarm.until == float("inf") else f"for {max(alarm.until - alarm.since, 0):.1f} s"
+    return f"{alarm.since - start:9.2f} s  {length:>11}  {alarm.worst.entity}  {sentence(alarm.worst)}"
+
+
+def _words(expected: ExpectedAlarm) -> str:
+    parts = [expected.entity, expected.quantity, expected.state.value if expected.state else ""]
+    return f"{' '.join(part for part in parts if part)} at {expected.at:g} s (within {expected.within:g} s)"

@@ -1,0 +1,206 @@
+"""`roslens watch` of what runs now: which observers, how long, where it is told."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import platform
+import shutil
+import signal
+import sys
+import time
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+from roslens.cli.watch_output import Teller
+from roslens.cli.watch_screen import screen, time_of_day
+from roslens.live.session import Session, Source, run
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.judge.expectation import Reference
+    from roslens.live.publish.endpoint import Endpoint
+    from roslens.live.session import Step
+    from roslens.store.history import History
+
+_REDRAW_S = 1.0
+_FLUSH_S = 5.0
+_PRUNE_S = 600.0
+_HOME, _CLEAR_LINE, _CLEAR_BELOW = "\x1b[H", "\x1b[K", "\x1b[J"
+_ENTER, _LEAVE = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"
+
+
+def watch_live(options: argparse.Namespace, reference: Reference, states: frozenset[str]) -> int:
+    """Watch until the time is over or somebody stops it, and return the exit code.
+
+    Raises:
+        UsageError: the options make no sense, or an address is taken.
+    """
+    length = _length(options.length)
+    with contextlib.ExitStack() as stack:
+        teller = stack.enter_context(Teller(options, time_of_day))
+        session = Session(reference, start=time.time())
+        sources = _sources(options)
+        history = stack.enter_context(_history(options))
+        sinks: list[Callable[[Step], None]] = [_keep(session, history)] if history is not None else []
+        if options.prometheus is not None:
+            stack.callback(_serve(options.prometheus, session).close)
+        on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None
+        sinks.append(stack.enter_context(_screen(teller, session)) if on_screen else teller.tell)
+        begun, ended = time.monotonic(), _when_stopped(stack)
+
+        def told(step: Step) -> None:
+            for sink in sinks:
+                sink(step)
+
+        def stopped(_: float) -> bool:
+            return bool(ended) or (length is not None and time.monotonic() - begun >= length)
+
+        run(session, sources, wall=time.time, stopped=stopped, told=told)
+    teller = Teller(argparse.Namespace(**{**vars(options), "output": None}), time_of_day) if on_screen else teller
+    return _ended(teller, session, states, begun)
+
+
+def _ended(teller: Teller, session: Session, states: frozenset[str], begun: float) -> int:
+    teller.end(session, time.time(), f"after {time.monotonic() - begun:.0f} s:")
+    return teller.code(states, nothing_seen=not session.records)
+
+
+def _length(text: str | None) -> float | None:
+    from roslens.judge.amount import parse_amount
+
+    if text is None:
+        return None
+    try:
+        length = parse_amount(text, "s")
+    except ValueError as error:
+        raise UsageError(f"--for {text!r}: {error}", expected="a time such as `60s`") from None
+    if length <= 0:
+        raise UsageError(f"--for {text!r}", expected="a time above 0")
+    return length
+
+
+def _sources(options: argparse.Namespace) -> list[Source]:
+    from roslens.live.agent.gpu import gpu_reader
+    from roslens.live.agent.host import HostSampler
+    from roslens.live.agent.processes import ProcessSampler
+    from roslens.live.local_host import LocalHost
+
+    name = platform.node()
+    host, processes = HostSampler(name, gpu=gpu_reader()), ProcessSampler(name)
+    sources: list[Source] = [LocalHost(name, host, processes, wall=time.time, steady=time.monotonic)]
+    if options.listen is not None:
+        sources.append(_listener(options))
+    return sources
+
+
+def _listener(options: argparse.Namespace) -> Source:
+    from roslens.cli.commands.agent import address_of
+    from roslens.live.agent.key_file import read_key
+    from roslens.live.listen import Listener
+
+    if options.key_file is None:
+        raise UsageError(
+            "--listen without a key", expected="--key-file FILE", advice="Make one: roslens agent --make-key"
+        )
+    address = address_of(options.listen)
+    try:
+        return Listener(address, read_key(options.key_file), wall=time.time, steady=time.monotonic)
+    except OSError as error:
+        raise UsageError(f"cannot listen on {options.listen!r}: {error.strerror or error}") from None
+
+
+@contextlib.contextmanager
+def _history(options: argparse.Namespace) -> Iterator[History | None]:
+    if options.history is None:
+        yield None
+        return
+    from roslens.store.history import History
+
+    with History.open(options.history) as history:
+        yield history
+
+
+def _keep(session: Session, history: History) -> Callable[[Step], None]:
+    """Return what writes a step into the history: values once a second, the file every few."""
+    due = {"values": 0.0, "flush": 0.0, "prune": time.time() + _PRUNE_S}
+
+    def keep(step: Step) -> None:
+        history.add_verdicts(step.changes)
+        history.add_events(step.events)
+        if step.time >= due["values"]:
+            due["values"] = step.time + 1.0
+            for entity, values in session.readings(step.time):
+                history.add_values(str(entity), step.time, values)
+        if step.time >= due["flush"]:
+            due["flush"] = step.time + _FLUSH_S
+            history.flush()
+        if step.time >= due["prune"]:
+            due["prune"] = step.time + _PRUNE_S
+            history.prune(step.time)
+
+    return keep
+
+
+def _serve(port: int, session: Session) -> Endpoint:
+    from roslens.live.publish.endpoint import Endpoint
+    from roslens.live.publish.prometheus import prometheus_text
+
+    def page() -> str:
+        counters = {"records_total": float(session.records), "shed_total": float(session.monitor.shed)}
+        counters["cpu_seconds_total"] = time.process_time()
+        return prometheus_text(session.readings(time.time()), session.monitor.standing(), counters)
+
+    try:
+        endpoint = Endpoint(("127.0.0.1", port), page)
+    except OSError as error:
+        raise UsageError(f"--prometheus {port}: {error.strerror or error}", expected="a free port") from None
+    print(f"roslens: {endpoint.url}", file=sys.stderr, flush=True)
+    return endpoint
+
+
+@contextlib.contextmanager
+def _screen(teller: Teller, session: Session) -> Iterator[Callable[[Step], None]]:
+    """Take the terminal for a table that is drawn again every second; it is given back at the end."""
+    begun, cpu = time.monotonic(), time.process_time()
+    drawn = 0.0
+    notes: list[str] = []
+
+    def draw(step: Step) -> None:
+        nonlocal drawn
+        teller.count(step)
+        notes.extend(str(failure) for failure in step.failures)
+        passed = time.monotonic() - begun
+        if passed - drawn < _REDRAW_S and not any(one.state.bad for one in step.changes):
+            return
+        drawn = passed
+        share = 100 * (time.process_time() - cpu) / max(passed, 0.001)
+        title = f"roslens watch  {passed:.0f} s, costs {share:.1f} % of a core"
+        height = shutil.get_terminal_size((100, 24)).lines
+        lines = screen(
+            teller.terminal,
+            session.tree(step.time),
+            session.monitor.standing(),
+            title=title,
+            height=height - 1,
+            clock=time_of_day,
+            notes=notes[-3:],
+        )
+        sys.stdout.write(_HOME + "".join(f"{line}{_CLEAR_LINE}\n" for line in lines) + _CLEAR_BELOW)
+        sys.stdout.flush()
+
+    sys.stdout.write(_ENTER)
+    try:
+        yield draw
+    finally:
+        sys.stdout.write(_LEAVE)
+        sys.stdout.flush()
+
+
+def _when_stopped(stack: contextlib.ExitStack) -> list[int]:
+    """Return a list that holds something once a signal asked to end."""
+    ended: list[int] = []
+    for number in (signal.SIGINT, signal.SIGTERM):
+        before = signal.signal(number, lambda number, _: ended.append(number))
+        stack.callback(signal.signal, number, before)
+    return ended

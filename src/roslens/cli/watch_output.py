@@ -1,0 +1,99 @@
+"""What `roslens watch` writes where nobody looks at a screen: a line for each change, and how it was at the end."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from types import TracebackType
+from typing import TYPE_CHECKING, TextIO
+
+from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.streams import wants_color, width_of
+from roslens.cli.watch_screen import alert_line, screen
+from roslens.live.publish.json_lines import event_line, failure_line, verdict_line
+from roslens.report.terminal import Terminal
+
+if TYPE_CHECKING:
+    from roslens.live.session import Session, Step
+
+_ENDLESS = 10_000
+
+
+class Teller:
+    """Writes to standard output or to the file of ``-o``; a context manager."""
+
+    def __init__(self, options: argparse.Namespace, clock: Callable[[float], str]) -> None:
+        """Write as the options say; ``clock`` writes times.
+
+        Raises:
+            OSError: the file cannot be written.
+        """
+        self._options = options
+        self._clock = clock
+        self._alarms = 0
+        self._states: set[str] = set()
+        self._failed = 0
+        self._stream: TextIO = options.output.open("w", encoding="utf-8") if options.output else sys.stdout
+
+    def __enter__(self) -> Teller:
+        """Return itself."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close the file, where one was opened."""
+        if self._options.output:
+            self._stream.close()
+
+    def count(self, step: Step) -> None:
+        """Remember how a step went, without writing it."""
+        self._states.update(one.state.value for one in step.changes)
+        self._alarms += sum(one.state.bad for one in step.changes)
+        self._failed += len(step.failures)
+
+    def tell(self, step: Step) -> None:
+        """Write the changes of a step."""
+        self.count(step)
+        if self._options.format == "json":
+            lines = [event_line(one) for one in step.events] + [verdict_line(one) for one in step.changes]
+            lines += [failure_line(one) for one in step.failures]
+        else:
+            shown = [one for one in step.changes if one.state.bad or self._options.verbose]
+            lines = [alert_line(self.terminal, one, self._clock(one.since)) for one in shown]
+            for failure in step.failures:
+                print(f"roslens: {failure}", file=sys.stderr)
+        for line in lines:
+            print(line, file=self._stream, flush=True)
+
+    def end(self, session: Session, time: float, title: str) -> None:
+        """Write how it was at the end."""
+        if self._options.format == "json":
+            return
+        self.tell(session.look(time))
+        if self._options.quiet:
+            return
+        lines = screen(self.terminal, session.tree(time), (), title=title, height=_ENDLESS, clock=self._clock)
+        print("", *lines, "", self._sum(session), sep="\n", file=self._stream, flush=True)
+
+    def code(self, states: frozenset[str], *, nothing_seen: bool) -> int:
+        """Return the exit code: 1 where one of ``states`` came up, 3 where something could not be observed."""
+        if self._states & states:
+            return FINDINGS
+        return NOT_ANALYSED if nothing_seen or self._failed else CLEAN
+
+    @property
+    def terminal(self) -> Terminal:
+        """What can be shown where the result goes."""
+        encoding = (getattr(self._stream, "encoding", None) or "").lower()
+        color = wants_color(self._options, self._stream)
+        return Terminal(max(width_of(self._stream), 60), color, encoding.startswith("utf"))
+
+    def _sum(self, session: Session) -> str:
+        if not session.monitor.standing():
+            return "Nothing was judged. `roslens reference draft --bag FILE` drafts what to hold it against."
+        if not self._alarms:
+            return "Nothing was wrong."
+        times = "once" if self._alarms == 1 else f"{self._alarms} times"
+        return f"Something became wrong {times}; `roslens reference explain FILE… ENTITY` says what is expected of it."

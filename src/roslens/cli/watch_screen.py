@@ -1,0 +1,154 @@
+"""What `roslens watch` shows on a terminal: the tree with its worst states, what is wrong, what it costs."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from roslens.judge.amount import amount_text
+from roslens.live.publish.diagnostics import sentence
+from roslens.live.signals import BY_KEY
+from roslens.live.tree import SystemView
+from roslens.model.verdict import State, Verdict
+from roslens.report.terminal import Terminal, columns, left, right
+
+COLUMNS = ("rate", "largest_gap", "latency", "loss", "bandwidth", "cpu", "memory")
+_HEADINGS = ("rate", "gap", "latency", "loss", "bandwidth", "cpu", "memory")
+_CELL = 11
+_LEAST_NAME = 24
+_MOST_ALERTS = 8
+
+GLYPHS: Mapping[State, tuple[str, str, str]] = {
+    State.OK: ("✔", "+", "fine"),
+    State.SUSPENDED: ("‖", "=", "quiet"),
+    State.UNKNOWN: ("?", "?", "quiet"),
+    State.LOW: ("▼", "v", "warning"),
+    State.HIGH: ("▲", "^", "warning"),
+    State.ABSENT: ("✖", "x", "error"),
+}
+"""Sign, plain sign and role of colour of each state."""
+
+
+def state_text(terminal: Terminal, state: State) -> str:
+    """Return sign and word of a state, in its colour."""
+    sign, plain, role = GLYPHS[state]
+    return terminal.paint(f"{sign if terminal.unicode else plain} {state.value:<9}", role)
+
+
+def value_text(key: str, value: float) -> str:
+    """Return a value as people read it: three digits and a unit."""
+    signal = BY_KEY[key]
+    shown = amount_text(float(f"{value:.3g}"), signal.unit)
+    return f"{value:,.0f} {signal.unit}".rstrip() if "e" in shown else shown
+
+
+def screen(
+    terminal: Terminal,
+    view: SystemView,
+    verdicts: Sequence[Verdict],
+    *,
+    title: str,
+    height: int,
+    clock: Callable[[float], str],
+    notes: Iterable[str] = (),
+) -> list[str]:
+    """Return the lines of the whole screen, none wider than the terminal and at most ``height`` of them.
+
+    Args:
+        terminal: what can be shown.
+        view: the system.
+        verdicts: that stand.
+        title: what is watched.
+        height: lines there are.
+        clock: how a time is written.
+        notes: further lines for the bottom, such as what could not be observed.
+    """
+    head = [_first_line(terminal, view, title)]
+    bottom = _alerts(terminal, verdicts, clock)
+    bottom += [terminal.paint(terminal.cut(terminal.clean(note), terminal.width), "warning") for note in notes]
+    room = max(height - len(head) - len(bottom) - 2, 3)
+    return [*head, *_table(terminal, view, room), *bottom][:height]
+
+
+def _first_line(terminal: Terminal, view: SystemView, title: str) -> str:
+    counts = ", ".join(f"{count} {state}" for state, count in view.counts.items() if count) or "nothing is judged yet"
+    return terminal.cut(f"{terminal.clean(title)}   {counts}", terminal.width)
+
+
+def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
+    rows = list(_rows(view.children, 0))
+    shown = [place for place, key in enumerate(COLUMNS) if any(key in row.values for _, row in rows)]
+    while shown and terminal.width - 12 - _CELL * len(shown) < _LEAST_NAME:
+        shown.pop()
+    width = terminal.width - 12 - _CELL * len(shown)
+    lines = [terminal.paint(" " * 12 + left("", width) + "".join(right(_HEADINGS[at], _CELL) for at in shown), "quiet")]
+    chosen = rows if len(rows) <= room else _worst(rows, room - 1)
+    for depth, row in chosen:
+        name = terminal.cut("  " * depth + terminal.clean(_name(row)), width - 1)
+        cells = "".join(right(_cell(row, COLUMNS[at]), _CELL) for at in shown)
+        lines.append(f"{state_text(terminal, row.state)} {left(name, width)}{cells}".rstrip())
+    if len(chosen) < len(rows):
+        more = len(rows) - len(chosen)
+        lines.append(terminal.paint(f"{' ' * 12}{more} more that are fine or no worse", "quiet"))
+    return lines
+
+
+def _rows(parts: Iterable[SystemView], depth: int) -> Iterable[tuple[int, SystemView]]:
+    for part in parts:
+        yield depth, part
+        # A topic with one connection is told by that connection.
+        yield from _rows(part.children if len(part.children) != 1 or part.kind != "topic" else (), depth + 1)
+
+
+def _worst(rows: Sequence[tuple[int, SystemView]], room: int) -> list[tuple[int, SystemView]]:
+    order = {state: place for place, state in enumerate(State)}
+    ranked = sorted(range(len(rows)), key=lambda at: (-order[rows[at][1].state], rows[at][0], at))
+    return [rows[at] for at in sorted(ranked[:room])]
+
+
+def _name(row: SystemView) -> str:
+    if row.name:
+        return row.name
+    return "(host unknown)" if row.kind == "host" else "(publisher unknown)"
+
+
+def _cell(row: SystemView, key: str) -> str:
+    return value_text(key, row.values[key]) if key in row.values else ""
+
+
+def _alerts(terminal: Terminal, verdicts: Sequence[Verdict], clock: Callable[[float], str]) -> list[str]:
+    bad = [one for one in verdicts if one.state.bad]
+    causes = sorted((one for one in bad if not one.cause), key=lambda one: one.since)
+    lines = [""] if bad else []
+    lines += [alert_line(terminal, one, clock(one.since)) for one in causes[:_MOST_ALERTS]]
+    left_out = len(causes) - _MOST_ALERTS
+    if left_out > 0:
+        lines.append(terminal.paint(f"{' ' * 12}{left_out} more", "quiet"))
+    if len(bad) > len(causes):
+        lines.append(terminal.paint(f"{' ' * 12}and {len(bad) - len(causes)} that follow from these", "quiet"))
+    return lines
+
+
+def alert_line(terminal: Terminal, verdict: Verdict, when: str) -> str:
+    """Return one verdict on one line: when, how it stands, what, why."""
+    text = terminal.clean(f"{verdict.entity}  {sentence(verdict)}" if verdict.state.bad else f"{verdict.entity}")
+    if not verdict.state.bad:
+        text += terminal.clean(f"  {verdict.quantity} {_value(verdict)}")
+    room = terminal.width - columns(when) - 14
+    return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"
+
+
+def _value(verdict: Verdict) -> str:
+    if verdict.value is None or verdict.quantity not in BY_KEY:
+        return ""
+    return f"is {value_text(verdict.quantity, verdict.value)}"
+
+
+def time_of_day(seconds: float) -> str:
+    """Return a time of the wall clock: ``12:03:59.5``."""
+    return time.strftime("%H:%M:%S", time.localtime(seconds)) + f".{int(seconds * 10) % 10}"
+
+
+def since_start(start: float) -> Callable[[float], str]:
+    """Return what writes a time as seconds since the start of a recording."""
+    return lambda seconds: f"{seconds - start:+9.2f} s"

@@ -1,0 +1,48 @@
+"""One graph of what several observers see: each knows a part, and what it says replaces what it said before."""
+
+from __future__ import annotations
+
+from roslens.model.graph import Endpoint, Graph, Node
+
+
+class GraphUnion:
+    """The latest graph of each observer."""
+
+    def __init__(self) -> None:
+        self._graphs: dict[str, Graph] = {}
+
+    def put(self, sender: str, graph: Graph) -> None:
+        """Take what ``sender`` sees now."""
+        self._graphs[sender] = graph
+
+    def whole(self) -> Graph:
+        """Return everything that any observer sees; of a node what those know who know most."""
+        graphs = list(self._graphs.values())
+        nodes: dict[str, Node] = {}
+        for graph in graphs:
+            for node in graph.nodes:
+                known = nodes.get(node.name)
+                if known is None or _known(node) > _known(known):
+                    nodes[node.name] = node
+        parameters: dict[str, dict[str, str]] = {}
+        for graph in graphs:
+            for name, values in graph.parameters.items():
+                parameters.setdefault(name, {}).update(values)
+        generations = {graph.generation for graph in graphs if graph.generation}
+        return Graph(
+            "+".join(sorted(generations)),
+            tuple(nodes[name] for name in sorted(nodes)),
+            tuple(sorted({one for graph in graphs for one in graph.endpoints}, key=_order)),
+            tuple(sorted({host for graph in graphs for host in graph.hosts})),
+            tuple(sorted({process for graph in graphs for process in graph.processes})),
+            parameters,
+        )
+
+
+def _known(node: Node) -> int:
+    return bool(node.host) + 2 * bool(node.pid) + bool(node.lifecycle)
+
+
+def _order(endpoint: Endpoint) -> tuple[str, ...]:
+    # Not the endpoints themselves: a quality of service and none have no order between them.
+    return (endpoint.name, endpoint.role.value, endpoint.node, endpoint.gid, endpoint.type, endpoint.hash)

@@ -1,0 +1,109 @@
+"""A recording through the same monitor that watches live systems, as fast as it can be read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from typing import Protocol
+
+from roslens.judge.expectation import Reference, Selector
+from roslens.judge.pattern import Pattern
+from roslens.live.session import Session, Step
+from roslens.model.entity import EntityKind
+from roslens.model.failure import Failure
+from roslens.model.graph import Graph
+from roslens.model.tally import Tally
+from roslens.model.wire import VERSION, Frame
+
+STEP_S = 0.5
+"""What happens within a step is told at its end; when it began is known better."""
+
+_OF_STAMPS = frozenset({"age", "age_max"})
+
+
+class RecordedTopic(Protocol):
+    """What a recording says of a topic."""
+
+    @property
+    def name(self) -> str:
+        """Resolved name."""
+
+    @property
+    def stamped(self) -> bool:
+        """Whether its messages begin with a header."""
+
+
+class Recording(Protocol):
+    """What can be replayed; the bag adapter has it."""
+
+    @property
+    def topics(self) -> Sequence[RecordedTopic]:
+        """The topics, by name."""
+
+    @property
+    def start(self) -> float:
+        """Seconds of the first message."""
+
+    @property
+    def failures(self) -> tuple[Failure, ...]:
+        """What could not be read so far."""
+
+    def graph(self) -> Graph:
+        """Return topics and publishers."""
+
+    def tallies(self, step: float = 1.0, stamps: Collection[str] = ()) -> Iterator[tuple[float, list[Tally]]]:
+        """Yield the traffic step by step."""
+
+    def fields(self, wanted: Mapping[str, Collection[str]]) -> Iterator[tuple[float, str, dict[str, float]]]:
+        """Yield fields of messages in order of receipt."""
+
+
+def replay(
+    recording: Recording, reference: Reference, *, step_s: float = STEP_S, told: Callable[[Step], None]
+) -> Session:
+    """Rate a recording and tell each step; returns the session as it was at the end.
+
+    Stamps and fields are read only of topics for which the reference has a sentence about them.
+
+    Raises:
+        UsageError: the recording does not have what it says.
+    """
+    session = Session(reference, start=recording.start)
+    session.take([Frame(VERSION, "recording", 0, recording.start, graph=recording.graph())])
+    names = {topic.name for topic in recording.topics}
+    fields = recording.fields(wanted_fields(reference, names))
+    waiting = next(fields, None)
+    for end, tallies in recording.tallies(step_s, stamps=wanted_stamps(reference, recording.topics)):
+        while waiting is not None and waiting[0] <= end:
+            session.monitor.add_field(waiting[1], waiting[0], waiting[2])
+            waiting = next(fields, None)
+        session.take([Frame(VERSION, "recording", 0, end, tallies)])
+        told(session.look(end))
+    session.take(recording.failures)
+    return session
+
+
+def wanted_stamps(reference: Reference, topics: Iterable[RecordedTopic]) -> list[str]:
+    """Return the topics whose stamps the reference asks for."""
+    selectors = [one.selector for one in reference.expectations if one.quantity in _OF_STAMPS]
+    chained = {topic for chain in reference.chains for topic in chain.topics}
+    patterns = [Pattern.parse(one.name) for one in selectors if _of_traffic(one)]
+    return sorted(
+        topic.name
+        for topic in topics
+        if topic.stamped and (topic.name in chained or any(pattern.matches(topic.name) for pattern in patterns))
+    )
+
+
+def wanted_fields(reference: Reference, names: Iterable[str]) -> dict[str, list[str]]:
+    """Return the paths of fields that the reference asks for, by topic that is there."""
+    known = set(names)
+    wanted: dict[str, set[str]] = {}
+    for check in reference.field_checks:
+        wanted.setdefault(check.topic, set()).add(check.field)
+        if check.condition is not None:
+            wanted.setdefault(check.condition.topic, set()).add(check.condition.field)
+    return {topic: sorted(paths) for topic, paths in sorted(wanted.items()) if topic in known}
+
+
+def _of_traffic(selector: Selector) -> bool:
+    return selector.kind in (EntityKind.TOPIC, EntityKind.CONNECTION)

@@ -1,0 +1,149 @@
+"""One watch over a system: observers in, verdicts out. The clock is an argument here too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Protocol
+
+import msgspec
+
+from roslens.judge.expectation import Reference
+from roslens.live.graph_union import GraphUnion
+from roslens.live.monitor import Monitor
+from roslens.live.node_processes import NodeProcesses
+from roslens.live.tree import SystemView
+from roslens.model.entity import EntityId
+from roslens.model.failure import Failure
+from roslens.model.graph import Event
+from roslens.model.verdict import Verdict
+from roslens.model.wire import Frame
+
+
+class Source(Protocol):
+    """An observer that is asked again and again."""
+
+    def poll(self, seconds: float) -> Iterable[Frame | Failure]:
+        """Wait at most so long, and return what came."""
+
+    def close(self) -> None:
+        """Stop observing."""
+
+
+class Step(msgspec.Struct, frozen=True):
+    """What happened between two looks at the system.
+
+    Attributes:
+        time: of the look, in seconds on the monitor's clock.
+        changes: verdicts whose state changed.
+        events: changes of the graph.
+        failures: what observers could not do.
+    """
+
+    time: float
+    changes: tuple[Verdict, ...] = ()
+    events: tuple[Event, ...] = ()
+    failures: tuple[Failure, ...] = ()
+
+
+class Session:
+    """Joins what observers tell, and rates it."""
+
+    def __init__(self, reference: Reference, *, start: float) -> None:
+        """Watch from ``start`` on.
+
+        Raises:
+            ValueError: a pattern of the reference is none.
+        """
+        self.monitor = Monitor(reference, start=start)
+        self.records = 0
+        self._processes = NodeProcesses()
+        self._graphs = GraphUnion()
+        self._graph_changed = False
+        self._events: list[Event] = []
+        self._failures: list[Failure] = []
+        self._told: set[tuple[str, str]] = set()
+
+    def take(self, came: Iterable[Frame | Failure]) -> None:
+        """Take what observers tell."""
+        for one in came:
+            if isinstance(one, Failure):
+                self._fail(one)
+            else:
+                self._frame(one)
+
+    def look(self, now: float) -> Step:
+        """Rate what came and return what is new."""
+        if self._graph_changed:
+            self.monitor.add_graph(self._graphs.whole(), now)
+            self._graph_changed = False
+        changes = self.monitor.tick(now)
+        step = Step(now, changes, tuple(self._events), tuple(self._failures))
+        self._events.clear()
+        self._failures.clear()
+        return step
+
+    def readings(self, now: float) -> list[tuple[EntityId, dict[str, float]]]:
+        """Return the latest values of every entity that has any, each entity once."""
+        found: dict[str, dict[str, float]] = {}
+        waiting = [self.tree(now)]
+        while waiting:
+            part = waiting.pop()
+            if part.values:
+                found[part.id] = part.values
+            waiting += part.children
+        return [(EntityId.parse(entity), values) for entity, values in sorted(found.items())]
+
+    def tree(self, now: float) -> SystemView:
+        """Return the system with its worst states and latest values."""
+        return self.monitor.tree(now)
+
+    def _frame(self, frame: Frame) -> None:
+        self.records += len(frame.tallies) + len(frame.samples)
+        for tally in frame.tallies:
+            self.monitor.add_tally(tally)
+        if frame.graph is not None:
+            self._graphs.put(frame.sender, frame.graph)
+            self._processes.add_graph(frame.sender, frame.graph)
+            self._graph_changed = True
+        for sample in frame.samples:
+            self.monitor.add_sample(sample)
+            for of_node in self._processes.of(sample):
+                self.monitor.add_sample(of_node)
+        for event in frame.events:
+            self.monitor.add_event(event)
+        self._events += frame.events
+        for failure in frame.failures:
+            self._fail(failure)
+        self.monitor.shed += max(frame.shed, 0)
+
+    def _fail(self, failure: Failure) -> None:
+        """Keep a failure; what is said again and again is told once."""
+        key = (failure.tool, str(failure))
+        if key not in self._told:
+            self._told.add(key)
+            self._failures.append(failure)
+            self.monitor.failures.append(failure)
+
+
+def run(
+    session: Session,
+    sources: Sequence[Source],
+    *,
+    wall: Callable[[], float],
+    stopped: Callable[[float], bool],
+    told: Callable[[Step], None],
+    longest_wait_s: float = 0.1,
+) -> None:
+    """Watch until ``stopped`` says so, and tell each step.
+
+    The sources are closed at the end, whatever happens.
+    """
+    try:
+        share = longest_wait_s / max(len(sources), 1)
+        while not stopped(wall()):
+            for source in sources:
+                session.take(source.poll(share))
+            told(session.look(wall()))
+    finally:
+        for source in sources:
+            source.close()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import time
 
 import pytest
 from hypothesis import given, settings
@@ -154,6 +155,23 @@ def test_the_order_of_orthogonal_documents_does_not_matter(parts: set[tuple[str,
     one, other = load_reference(given_, BY_KEY), load_reference(shuffled, BY_KEY)
     assert sentences_of(one) == sentences_of(other)
     assert len(one.expectations) == len(parts)
+
+
+@pytest.mark.slow
+def test_a_thousand_sentences_are_read_and_held_against_each_other_in_seconds():
+    names = ("/robot{}/scan", "/robot{}/*/state", "/**/sensor{}*", "/*/joint{}")
+    rows = [
+        f"- {{topic: '{names[n % 4].format(n)}', rate: {n % 50 + 1}..{n % 50 + 2} Hz, expected: always}}"
+        for n in range(1000)
+    ]
+    text = "kind: reference\nname: big\nconstraints:\n" + "\n".join(rows)
+    started = time.perf_counter()
+    result = merge_references(read_references([GivenText("big.yaml", text.encode())], BY_KEY))
+    assert time.perf_counter() - started < 10
+    assert len(result.reference.expectations) == 1000
+    # `/**/sensor2*` and `/**/sensor22*` are the kind of pair that cannot both hold.
+    assert all(one.first.selector.name.startswith("/**/sensor") for one in result.contradictions)
+    assert result.contradictions
 
 
 PIECE = st.lists(st.sampled_from(["a", "/", "*", "**", "?", "{a,/}"]), min_size=1, max_size=3).map("".join)

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import json
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from roslens.judge.expectation import FieldCondition, Presence, PresenceMode, Reference, Selector, Timing
 from roslens.judge.merge_references import sentences_of
 from roslens.judge.range import Range
 from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reference_keys import SELECTOR_KEYS, TOLD_KEYS
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
@@ -203,9 +206,6 @@ def test_two_documents_of_one_name_are_refused():
     assert "s.yaml:2:7: a second document named 'r'; expected one (text r.yaml)" in fault(HEAD, HEAD)
 
 
-Names = Callable[[str], str]
-
-
 @pytest.mark.parametrize(
     ("namespace", "written", "meant"),
     [
@@ -233,7 +233,40 @@ def test_relative_names_are_put_under_the_namespace(namespace: str, written: str
     assert reference.expectations[0].selector.name == meant
 
 
+WORD = st.one_of(
+    st.sampled_from([*BY_KEY][:6]),
+    st.sampled_from(
+        [*SELECTOR_KEYS, *TOLD_KEYS, "expected", "constraints", "fields", "chains", "namespace", "include"]
+    ),
+    st.sampled_from(
+        ["/a", "**", "re:(a", "{a", "25..35 Hz", "<= 1 s", "always", "while node /x", "true", "5", "5 %", ""]
+    ),
+)
+TREE = st.recursive(
+    WORD.map(json.dumps),
+    lambda inner: st.one_of(
+        st.lists(inner, max_size=3).map(lambda items: f"[{', '.join(items)}]"),
+        st.dictionaries(WORD.map(json.dumps), inner, max_size=4).map(
+            lambda table: "{" + ", ".join(f"{key}: {value}" for key, value in table.items()) + "}"
+        ),
+    ),
+    max_leaves=12,
+)
+
+
+@settings(deadline=None, max_examples=300)
+@given(st.sampled_from(["constraints", "fields", "chains", "defaults", "include", "namespace"]), TREE)
+def test_whatever_a_document_holds_is_read_or_refused_with_its_place(key: str, tree: str):
+    for text in (f"{HEAD}{key}: {tree}", f"{HEAD}{key}: [{tree}]"):
+        try:
+            load_reference([GivenText("r.yaml", text.encode(), "/nowhere")], BY_KEY)
+        except DocumentError as error:
+            place = error.where
+            if not place.startswith("r.yaml:"):
+                pytest.fail(f"no place in {error}")
+
+
 def test_texts_that_yaml_would_change_are_taken_as_written():
-    reference = read(HEAD + "constraints:\n- node: no\n  on: off\n  threads: 0x10\n".replace("0x10", "12"))
+    reference = read(HEAD + "constraints:\n- node: no\n  on: off\n  threads: 12\n")
     assert reference.expectations[0].selector == Selector(EntityKind.NODE, "/no", host="off")
     assert isinstance(read(HEAD + "constraints: [{node: 12:30, expected: never}]").presences[0], Presence)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from itertools import combinations
@@ -16,6 +17,7 @@ from roslens.judge.sentence_words import expected_words, subject_words
 from roslens.model.errors import DocumentError
 
 _ADVICE = "Replace one (`override: true` with its `id`), or leave names out of it with `without`"
+_OPPOSITE = {PresenceMode.ALWAYS, PresenceMode.NEVER}
 
 
 class Contradiction(msgspec.Struct, frozen=True):
@@ -53,10 +55,30 @@ def contradictions(declared: Sequence[Declared]) -> Iterator[Contradiction]:
     for one in declared:
         groups[_theme(one.sentence)].append(one)
     for group in groups.values():
-        for first, second in combinations(group, 2):
+        for first, second in _suspects(group):
             entity = _clash(first.sentence, second.sentence)
             if entity is not None:
                 yield Contradiction(first.sentence, second.sentence, entity, second.place, first.place)
+
+
+def _suspects(group: Sequence[Declared]) -> Iterator[tuple[Declared, Declared]]:
+    """Yield the pairs that are worth a closer look: of a thousand sentences only few share a name."""
+    sentences = [one.sentence for one in group]
+    modes = {one.mode for one in sentences if isinstance(one, Presence)}
+    if modes and not modes >= _OPPOSITE:
+        return
+    expectations = [sentence for sentence in sentences if isinstance(sentence, Expectation)]
+    if len(expectations) < len(group) or len({one.percentile for one in expectations}) > 1:
+        yield from combinations(group, 2)
+        return
+    names = [Pattern.parse(one.selector.name) for one in expectations]
+    lows = [-math.inf if one.range.minimum is None else one.range.minimum for one in expectations]
+    highs = [math.inf if one.range.maximum is None else one.range.maximum for one in expectations]
+    for at, (low, high) in enumerate(zip(lows, highs, strict=True)):
+        apart = [other for other in range(at + 1, len(group)) if lows[other] > high or highs[other] < low]
+        for other in apart:
+            if names[at].intersects(names[other]):
+                yield group[at], group[other]
 
 
 def meeting_name(one: Selector, other: Selector) -> str | None:
@@ -94,7 +116,7 @@ def _clash(one: Sentence, other: Sentence) -> str | None:
     if isinstance(one, Expectation) and isinstance(other, Expectation):
         return meeting_name(one.selector, other.selector) if _apart(one, other) else None
     if isinstance(one, Presence) and isinstance(other, Presence):
-        if {one.mode, other.mode} != {PresenceMode.ALWAYS, PresenceMode.NEVER}:
+        if {one.mode, other.mode} != _OPPOSITE:
             return None
         always, never = (one, other) if one.mode is PresenceMode.ALWAYS else (other, one)
         return _forbidden(always.selector, never.selector)

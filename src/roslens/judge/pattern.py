@@ -18,6 +18,7 @@ MAX_NESTED = 20
 """Alternatives inside each other."""
 
 _NOT_SLASH = Letters(frozenset("/"), negated=True)
+_SPECIAL_SIGN = re.compile(r"[*?{},\\]")
 _SPECIAL = re.compile(r"\*+|[?{},\\]")
 
 
@@ -31,16 +32,20 @@ class Pattern:
         tail: a text with which every matching name ends.
         core: a text that is somewhere in every matching name.
         automaton: what accepts matching names; None for a literal.
+        leaf: pattern of the last segment of every matching name, where there surely is one; else None.
     """
 
-    __slots__ = ("automaton", "core", "head", "literal", "tail", "text")
+    __slots__ = ("automaton", "core", "head", "leaf", "literal", "tail", "text")
 
-    def __init__(self, text: str, automaton: Automaton | None, plain: Sequence[str] = ()) -> None:
+    def __init__(
+        self, text: str, automaton: Automaton | None, plain: Sequence[str] = (), leaf: Pattern | None = None
+    ) -> None:
         """Keep the automaton of a pattern, or None for a name alone; ``plain`` are head, core and tail."""
         self.text = text
         self.head, self.core, self.tail = plain or ("", "", "")
         self.literal = self.core if automaton is None else None
         self.automaton = automaton
+        self.leaf = leaf
 
     @staticmethod
     def parse(text: str) -> Pattern:
@@ -80,6 +85,9 @@ class Pattern:
         tails = self.tail.endswith(other.tail) or other.tail.endswith(self.tail)
         if not heads or not tails:
             return False
+        # Cheaper than the search below, and says no for most pairs of patterns that people write.
+        if self.leaf is not None and other.leaf is not None and not self.leaf.intersects(other.leaf):
+            return False
         if self.automaton is None or other.automaton is None:
             return True
         return self.automaton.meets(other.automaton)
@@ -100,7 +108,7 @@ def _parse(text: str) -> Pattern:
     automaton = Automaton()
     automaton.end = _Glob(text, pieces, automaton).build()
     runs = _plain_runs(pieces)
-    return Pattern(text, automaton, (runs[0], max(runs, key=len), runs[-1]))
+    return Pattern(text, automaton, (runs[0], max(runs, key=len), runs[-1]), _leaf(pieces))
 
 
 class _Plain(str):
@@ -154,6 +162,23 @@ def _plain_runs(pieces: list[str]) -> list[str]:
         depth += (piece == "{") - (piece == "}")
         runs.append("")
     return runs
+
+
+def _leaf(pieces: list[str]) -> Pattern | None:
+    """Return the pattern behind the last ``/`` that stands outside braces, where none can come behind it."""
+    found: list[str] = []
+    for piece in reversed(pieces):
+        if not isinstance(piece, _Plain):
+            if piece not in {"*", "?"}:
+                return None
+            found.append(piece)
+            continue
+        _, slash, behind = piece.rpartition("/")
+        found.append(_SPECIAL_SIGN.sub(r"\\\g<0>", behind))
+        if slash:
+            text = "".join(reversed(found))
+            return _parse(text) if text else None
+    return None
 
 
 class _Glob:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import msgspec
@@ -105,8 +106,14 @@ def _decode(content: bytes, shown: str) -> str:
         ) from None
 
 
+@lru_cache(maxsize=8)
+def _lines(text: str) -> tuple[str, ...]:
+    """Return the lines of a document, which is asked for the place of each of its sentences."""
+    return tuple(_BREAK.split(text))
+
+
 def _location(shown: str, text: str, place: Place) -> Location:
-    lines = _BREAK.split(text)
+    lines = _lines(text)
     before = lines[place.line - 1][: place.column] if place.line <= len(lines) else ""
     return Location(shown, place.line, len(before.encode()) + 1)
 

@@ -4,13 +4,17 @@ WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo test slow quick lint parts docs lock lock-ros2 bench clean
+.PHONY: demo testbed test slow quick lint parts docs lock lock-ros2 bench clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
 	$(BIN)/roslens check $(WS) --fail-on never || [ $$? -eq 3 ]
 	$(BIN)/roslens report $(WS) -o roslens-report
 	$(BIN)/roslens serve $(WS) --port $(PORT)
+
+# Three hosts on this machine with a robot on them, until Ctrl-C; says how to look into them and break them. As root.
+testbed: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m testbed $(ARGS)
 
 test: lint parts
 	$(BIN)/pytest -n auto -m "not slow and not browser"

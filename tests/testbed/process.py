@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 START_LIMIT = 10.0
+STEP = 0.005
 
 
 class Process:
@@ -53,7 +54,7 @@ class Process:
             with contextlib.suppress(OSError):
                 if found := children.read_text().split():
                     return int(found[0])
-            time.sleep(0.002)
+            time.sleep(STEP)
         return entering
 
     @property
@@ -67,12 +68,16 @@ class Process:
     @property
     def running(self) -> bool:
         """Whether it has not ended; a frozen one runs."""
-        return self._entering.poll() is None
+        return self.code is None
 
     @property
     def code(self) -> int | None:
         """Exit code, negative for a signal, None while it runs."""
-        return self._entering.poll()
+        code = self._entering.poll()
+        # nsenter stops itself along with its child, and does not notice when somebody else wakes or kills the child.
+        if code is None and _state(self._entering.pid) == "T" and _state(self.pid) != "T":
+            os.kill(self._entering.pid, signal.SIGCONT)
+        return code
 
     def output(self) -> str:
         """All it has written so far, in all its lives."""
@@ -84,12 +89,15 @@ class Process:
             return
         with contextlib.suppress(ProcessLookupError):
             os.kill(self.pid, number)
-            if number == signal.SIGCONT:  # nsenter stops itself along with its child, and does not notice this
-                os.kill(self._entering.pid, number)
 
     def wait(self, limit: float) -> int:
         """Waits up to `limit` seconds for its end; raises subprocess.TimeoutExpired."""
-        return self._entering.wait(limit)
+        deadline = time.monotonic() + limit
+        while (code := self.code) is None:
+            if time.monotonic() > deadline:
+                raise subprocess.TimeoutExpired(self.command, limit)
+            time.sleep(STEP)
+        return code
 
     def stop(self, limit: float = 5.0) -> None:
         """Asks it to end (SIGINT, what ROS nodes expect), and kills it after `limit` seconds."""
@@ -111,3 +119,11 @@ class Process:
         if self.running:
             raise RuntimeError(f"{self.name!r} still runs as {self.pid}; stop or kill it first")
         self._spawn()
+
+
+def _state(pid: int) -> str:
+    """The letter that the kernel gives a process: R, S, T... or nothing when there is none."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return ""

@@ -1,5 +1,6 @@
 import json
 import os
+import signal
 import statistics
 import time
 from pathlib import Path
@@ -31,8 +32,8 @@ def test_a_delay_both_ways_doubles(shaped):
 def test_loss_is_the_share_asked_for(request, bed):
     bed = request.getfixturevalue(bed)
     with faults.loss(bed, "here", 20) as fault:
-        found = round_trips(bed["here"], bed["there"], 500, 0.003)
-    assert 100 * (1 - found["answered"] / found["sent"]) == pytest.approx(20, abs=6.3)  # 3.5 standard deviations
+        found = round_trips(bed["here"], bed["there"], 1000, 0.002)
+    assert 100 * (1 - found["answered"] / found["sent"]) == pytest.approx(20, abs=5)  # four standard deviations of 1.26
     assert fault.began < fault.ended
     assert round_trips(bed["here"], bed["there"], 50, 0.003)["answered"] == 50
 
@@ -118,6 +119,14 @@ def test_a_frozen_process_does_nothing_and_thaws(bulk):
         assert counter.running
     wait_until("it ticks again", lambda: len(counter.output()) > ticks, 5)
     counter.kill()
+
+
+def test_a_process_that_was_frozen_and_killed_from_outside_has_ended(bulk):
+    victim = bulk["here"].start(["sleep", "600"], name="frozen-victim")
+    victim.send(signal.SIGSTOP)
+    wait_until("it is stopped", lambda: stat(victim.pid)[0] == "T", 5)
+    bulk["here"].run(["kill", "-9", str(victim.inner_pid)])
+    assert victim.wait(5) == -9
 
 
 def test_a_killed_process_is_gone_and_comes_back_as_another(bulk):

@@ -1,0 +1,79 @@
+import statistics
+import time
+from pathlib import Path
+
+import pytest
+
+from testbed import faults, leftovers, robot_ros1, robot_ros2
+from testbed.clock import library, shifted
+from testbed.hosts import Bed
+from testbed.machine import BedError
+from testbed.robot import HOSTS, NODES, RATES, Robot
+from testbed.robot_ros1 import Ros1Robot
+from testbed.robot_ros2 import Ros2Robot
+
+pytestmark = pytest.mark.real
+
+ROBOTS = {"ros1": (Ros1Robot, robot_ros1.why_not), "ros2": (Ros2Robot, robot_ros2.why_not)}
+BRISK = {topic for topic, rate in RATES.items() if rate > 1}
+
+
+@pytest.fixture(params=sorted(ROBOTS))
+def kind(request, allowed) -> type[Robot]:
+    made, why_not = ROBOTS[request.param]
+    if reason := why_not():
+        pytest.skip(reason)
+    return made
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("link", ["bulk", "shaped"])
+def test_every_topic_is_heard_on_another_host_at_its_rate(kind, link):
+    with Bed(HOSTS, link) as bed, kind(bed) as robot:
+        heard = robot.listen("brain", 3.0)
+        assert heard.waited < 20
+        assert {topic: heard.rates[topic] for topic in BRISK} == pytest.approx(
+            {topic: RATES[topic] for topic in BRISK}, rel=0.1
+        )
+        assert all(process.running for process in robot.processes.values())
+        pids = [process.pid for process in robot.processes.values()]
+    assert [pid for pid in pids if Path(f"/proc/{pid}").exists()] == []
+    assert leftovers.namespaces(bed.stem) == []
+    assert bed.stem not in Path("/proc/self/mountinfo").read_text()
+
+
+@pytest.mark.slow
+def test_the_master_knows_who_publishes_what(allowed):
+    if reason := robot_ros1.why_not():
+        pytest.skip(reason)
+    with Bed(HOSTS) as bed, Ros1Robot(bed, statistics=True) as robot:
+        robot.listen("sensor", 0.1, topics=[*BRISK, "/statistics"])
+        publishers = robot.publishers()
+        assert {topic: publishers[topic] for topic in RATES} == {
+            topic: [f"/{node.name}"] for node in NODES for topic in node.rates
+        }
+        with pytest.raises(BedError, match=r"(?i)unknown node"):
+            robot.ask_master("lookupNode", "/nobody")
+
+
+@pytest.mark.slow
+def test_loads_and_faults_show_in_what_is_heard(kind):
+    with Bed(HOSTS, "shaped") as bed, kind(bed, loads={"lidar": {"rate": 5}}) as robot:
+        assert robot.listen("base", 2.0, topics=["/scan"]).rates["/scan"] == pytest.approx(5, abs=1)
+        with faults.frozen(robot.processes["camera"]), pytest.raises(BedError, match="/camera/image"):
+            robot.listen("base", 0.1, topics=["/camera/image", "/scan"], limit=4)
+        with faults.killed(robot.processes["lidar"]), pytest.raises(BedError, match="/scan"):
+            robot.listen("base", 0.1, topics=["/scan", "/odom"], limit=4)
+        assert robot.listen("base", 1.0, topics=["/scan", "/camera/image"]).rates["/camera/image"] > 5
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(library() is None, reason="faketime is not installed: apt-get install faketime")
+def test_a_clock_offset_moves_the_stamps_of_a_host(kind):
+    with Bed(HOSTS) as bed, kind(bed, faked_clocks=["base"]) as robot:
+        with shifted(bed["base"], -0.25):
+            shifted_ages = robot.stamp_ages("brain", "/odom", 1.0)
+        time.sleep(1.1)  # faketime reads the offset once a second
+        ages = robot.stamp_ages("brain", "/odom", 1.0)
+        assert robot.listen("brain", 1.0, topics=["/odom"]).rates["/odom"] == pytest.approx(50, rel=0.1)
+    assert statistics.median(shifted_ages) - statistics.median(ages) == pytest.approx(0.25, abs=0.03)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Protocol
 
+import msgspec
+
 from roslens.judge.expectation import Reference, Selector
 from roslens.judge.pattern import Pattern
 from roslens.live.session import Session, Step
@@ -44,6 +46,10 @@ class Recording(Protocol):
         """Seconds of the first message."""
 
     @property
+    def end(self) -> float:
+        """Seconds of the last message."""
+
+    @property
     def failures(self) -> tuple[Failure, ...]:
         """What could not be read so far."""
 
@@ -72,7 +78,12 @@ def replay(
     names = {topic.name for topic in recording.topics}
     fields = recording.fields(wanted_fields(reference, names))
     waiting = next(fields, None)
-    for end, tallies in recording.tallies(step_s, stamps=wanted_stamps(reference, recording.topics)):
+    for step, tallies in recording.tallies(step_s, stamps=wanted_stamps(reference, recording.topics)):
+        # Nobody knows what came after the last message: the last step ends with it.
+        end = min(step, recording.end)
+        tallies = (
+            [msgspec.structs.replace(tally, end=min(tally.end, end)) for tally in tallies] if end < step else tallies
+        )
         while waiting is not None and waiting[0] <= end:
             session.monitor.add_field(waiting[1], waiting[0], waiting[2])
             waiting = next(fields, None)

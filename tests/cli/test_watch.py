@@ -1,0 +1,113 @@
+"""`roslens watch` and `roslens reference draft | test` over the recording of the example."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.main import main
+
+ROBOT = Path(__file__).parents[2] / "examples" / "robot"
+ROVER = str(ROBOT / "rover.yaml")
+
+
+@pytest.fixture(scope="module")
+def bag(tmp_path_factory):
+    path = tmp_path_factory.mktemp("bag") / "robot.bag"
+    subprocess.run([sys.executable, ROBOT / "record.py", path], check=True, stdout=subprocess.DEVNULL)
+    return str(path)
+
+
+def test_the_faults_of_the_recording_are_told_with_when_they_began(bag, capsys):
+    assert main(["watch", "--bag", bag, "--reference", ROVER, "--no-color"]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    told = [(float(line.split()[0]), line.split()[3], line.split()[4]) for line in lines if " s " in line[:14]]
+    assert ("low", "topic:/scan") in [(state, entity) for at, state, entity in told if 29.5 <= at <= 31]
+    assert ("high", "topic:/odom") in [(state, entity) for at, state, entity in told if 44.5 <= at <= 46]
+    assert ("absent", "topic:/cmd_vel") in [(state, entity) for at, state, entity in told if 59.5 <= at <= 61]
+    entities = {entity for at, _, entity in told if at < 59}
+    assert entities <= {"topic:/scan", "topic:/odom", "topic:/planner/status"}
+    assert "7,099 messages in 80.0 s" in "\n".join(lines)
+    assert lines[-1].startswith("Something became wrong")
+
+
+def test_lines_of_json(bag, capsys):
+    assert main(["watch", "--bag", bag, "--reference", ROVER, "--format", "json"]) == 1
+    lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert {line["is"] for line in lines} == {"verdict"}
+    scan = [line for line in lines if line["entity"] == "topic:/scan" and line["quantity"] == "rate"]
+    assert [line["state"] for line in scan] == ["ok", "low", "ok"]
+    assert scan[1]["expectation"] == "rover.topic.scan.rate"
+    assert scan[1]["where"].startswith(f"{ROVER}:")
+
+
+def test_what_fails_is_chosen(bag, capsys):
+    assert main(["watch", "--bag", bag, "--reference", ROVER, "-q", "--fail-on", "never"]) == 0
+    assert main(["watch", "--bag", bag]) == 0
+    assert "Nothing was judged. `roslens reference draft" in capsys.readouterr().out
+
+
+def test_a_file_takes_the_result(bag, tmp_path, capsys):
+    out = tmp_path / "out.txt"
+    assert main(["watch", "--bag", bag, "--reference", ROVER, "-o", str(out)]) == 1
+    assert capsys.readouterr().out == ""
+    assert "topic:/scan" in out.read_text()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--bag", "none.bag"], "none.bag"),
+        (["--bag", __file__], "begins with"),
+        (["--fail-on", "hihg", "--bag", "x"], "--fail-on 'hihg'; expected low, high, absent or never"),
+        (["--bag", "x", "--for", "5 s"], "--for with --bag; expected one of them"),
+        (["--bag", "x", "--prometheus", "1"], "--prometheus with --bag"),
+        (["--reference", "none.yaml"], "none.yaml: cannot read it"),
+        (["--for", "5 Hz"], "--for '5 Hz'"),
+        (["--listen", "127.0.0.1:0"], "--listen without a key; expected --key-file FILE"),
+    ],
+)
+def test_what_makes_no_sense_is_said(words, said, capsys):
+    assert main(["watch", *words]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_this_host_for_a_moment(tmp_path, capsys):
+    history = tmp_path / "live.sqlite"
+    words = ["watch", "--for", "1.5 s", "--history", str(history), "--format", "json"]
+    assert main(words) == 0
+    assert capsys.readouterr().out.count("\n") >= 0
+    from roslens.store.history import History
+
+    with History.open(history) as kept:
+        import platform
+
+        assert kept.points(f"host:{platform.node()}", "memory", 0, 4e9, most=10**9)
+
+
+def test_a_draft_raises_nothing_on_what_is_steady_and_finds_the_faults(bag, tmp_path, capsys):
+    draft = tmp_path / "draft.yaml"
+    assert main(["reference", "draft", "--bag", bag, "-o", str(draft)]) == 0
+    assert main(["reference", "draft", "--bag", bag, "-o", str(draft)]) == 2
+    capsys.readouterr()
+    assert main(["reference", "test", str(draft), "--bag", bag]) == 1
+    told = capsys.readouterr().out.splitlines()
+    gaps = [line for line in told if "/odom" in line and "gap is high" in line]
+    assert len(gaps) == 1
+    assert 44.5 <= float(gaps[0].split()[0]) <= 46
+
+
+def test_a_test_with_expectations(bag, tmp_path, capsys):
+    expect = tmp_path / "alarms.yaml"
+    expect.write_text(
+        "kind: reference test\nothers: allowed\nalarms:\n"
+        "  - {entity: 'topic:/scan', quantity: rate, state: low, at: 30.5 s, within: 1 s}\n"
+        "  - {entity: 'topic:/cmd_vel', state: absent, at: 60 s, within: 1 s}\n"
+    )
+    assert main(["reference", "test", ROVER, "--bag", bag, "--expect", str(expect)]) == 0
+    assert "as expected" in capsys.readouterr().out
+    expect.write_text("kind: reference test\nothers: allowed\nalarms:\n  - {entity: 'topic:/scan', at: 10 s}\n")
+    assert main(["reference", "test", ROVER, "--bag", bag, "--expect", str(expect)]) == 1
+    assert f"{expect}:4: not raised: topic:/scan at 10 s (within 0.5 s)" in capsys.readouterr().err

@@ -40,6 +40,7 @@ class FakeServer:
 
         class Server(ThreadingHTTPServer):
             daemon_threads = True
+
             def process_request(self, request, address):
                 opened.append(request)
                 super().process_request(request, address)

@@ -58,7 +58,7 @@ TAKEN, PUBLISHED, ANSWERED = 1, 2, 3
 """Kinds: taken from a publisher; published; published in answer to a message of the topic ``other``."""
 REQUESTED, HEARD, ASKED, REPLIED = 4, 5, 6, 7
 """Kinds of a service, whose name is the topic: requests a client sent, responses it took, requests a server took,
-responses it sent. The preloaded library alone counts them; processing is how long the call took, for client and server."""
+responses it sent. The preloaded library alone counts them; processing is the time of a call, for client and server."""
 
 SEQUENCE, KIND, GENERATION, GID = 0, 1, 2, 3
 COUNT, BYTES, FIRST, LAST, LOST, PENDING, PENDING_SINCE, BANK = 6, 7, 8, 9, 10, 11, 12, 13

@@ -1,0 +1,73 @@
+"""Publishers and subscriptions of one topic that look joined and are not: nothing arrives, and nobody says so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslens.live.adapters.ros2 import TOOL
+from roslens.model.failure import Failure
+from roslens.model.graph import Endpoint, Role
+from roslens.model.qos import Qos
+
+
+def misfits(endpoints: Iterable[Endpoint]) -> Iterator[Failure]:
+    """Yield one failure per pair of endpoints of different nodes or the same that exchange nothing, and why."""
+    by_topic: dict[str, tuple[list[Endpoint], list[Endpoint]]] = {}
+    for endpoint in endpoints:
+        if endpoint.role in (Role.PUBLISHER, Role.SUBSCRIPTION):
+            ends = by_topic.setdefault(endpoint.name, ([], []))
+            ends[endpoint.role is Role.SUBSCRIPTION].append(endpoint)
+    for topic, (publishers, subscriptions) in sorted(by_topic.items()):
+        told = set()
+        for publisher in publishers:
+            for subscription in subscriptions:
+                failure = _misfit(topic, publisher, subscription)
+                if failure is not None and failure not in told:
+                    told.add(failure)
+                    yield failure
+
+
+def _misfit(topic: str, publisher: Endpoint, subscription: Endpoint) -> Failure | None:
+    pair = f"{subscription.node} gets nothing of what {publisher.node} publishes on {topic}"
+    entity = f"topic:{topic}"
+    if publisher.type and subscription.type and publisher.type != subscription.type:
+        return Failure(
+            TOOL, f"{pair}: its type is {subscription.type}", f"{publisher.type}, which is published",
+            "Give one of the two topics another name", entity=entity,
+        )  # fmt: skip
+    if publisher.hash and subscription.hash and publisher.hash != subscription.hash:
+        return Failure(
+            TOOL, f"{pair}: its definition of {publisher.type} is another ({subscription.hash[:14]})",
+            f"that of the publisher ({publisher.hash[:14]})",
+            "Build both nodes against the same version of the message package", entity=entity,
+        )  # fmt: skip
+    if publisher.qos is None or subscription.qos is None:
+        return None
+    reasons = list(incompatible(publisher.qos, subscription.qos))
+    if not reasons:
+        return None
+    wanted, offered = (", ".join(words) for words in zip(*reasons, strict=True))
+    return Failure(
+        TOOL, f"{pair}: it requests {wanted}", f"a request that is met by what is offered, {offered}",
+        "Offer more at the publisher or request less at the subscription", entity=entity,
+    )  # fmt: skip
+
+
+def incompatible(offered: Qos, requested: Qos) -> Iterator[tuple[str, str]]:
+    """Yield, in words, each policy that is requested and the one offered that does not meet it.
+
+    After the rules of DDS, 2.2.3: what is offered must be at least as strict as what is requested.
+    """
+    for wanted, given, strict, lax in (
+        (requested.reliability, offered.reliability, "reliable", "best_effort"),
+        (requested.durability, offered.durability, "transient_local", "volatile"),
+        (requested.liveliness, offered.liveliness, "manual_by_topic", "automatic"),
+    ):
+        if wanted == strict and given == lax:
+            yield strict, lax
+    for name, want, give in (
+        ("deadline", requested.deadline_s, offered.deadline_s),
+        ("lease", requested.lease_s, offered.lease_s),
+    ):
+        if want and (not give or give > want):
+            yield f"a {name} of {want:g} s", f"one of {give:g} s" if give else f"no {name}"

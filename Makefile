@@ -59,6 +59,6 @@ bench: .venv/stamp
 clean:
 	rm -rf .venv roslens-report .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 
-.venv/stamp: pyproject.toml requirements.lock
+.venv/stamp: pyproject.toml requirements.lock hatch_build.py $(wildcard native/*.[ch])
 	PYTHON="$(PYTHON)" sh .ci/venv
 	touch $@

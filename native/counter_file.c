@@ -43,7 +43,7 @@ static bool make_folder(char * path)
     return false;
   }
   if (!S_ISDIR(found.st_mode) || found.st_uid != getuid()) {
-    errno = EPERM;
+    errno = S_ISDIR(found.st_mode) ? EPERM : ENOTDIR;
     return false;
   }
   return true;

@@ -236,8 +236,9 @@ __attribute__((visibility("default"))) int scenario(void (*set_time)(int64_t))
     } else if (strcmp(verb, "serve") == 0) {
       answer = serve(entities[id].handle, two, &taken) * 10 + taken;
     } else if (strcmp(verb, "environment") == 0) {
-      answer = two[0] != '\0' ? setenv(one, strcmp(two, "self") != 0 ? two : (sprintf(four, "%d", getpid()), four), 1)
-                              : unsetenv(one);
+      char value[128];
+      snprintf(value, sizeof(value), "%.20s %.50s %.50s", two, three, four);
+      answer = two[0] != '\0' ? setenv(one, value, 1) : unsetenv(one);
     } else if (strcmp(verb, "threads") == 0) {
       threads(id, (work){entities[atoi(two)].handle, entities[atoi(three)].handle, atoi(four)});
     } else if (strcmp(verb, "fork") == 0) {

@@ -96,6 +96,12 @@ class Node:
         assert answers[-1], self.process.stderr.read()
         return [int(answer) for answer in answers]
 
+    def claim(self, text):
+        """Set what the hook in Python claims; "self" is the process of the node, an empty text takes the claim away."""
+        process, _, directions = text.partition(" ")
+        number = str(self.process.pid) if process == "self" else process
+        self.say(f"environment ROSLENS_RCLPY_HOOK {number} {directions}")
+
     def file(self):
         """The bytes of the counter file."""
         (path,) = self.counters.glob(f"*{slots.SUFFIX}")

@@ -26,7 +26,7 @@ class Observer(str, Enum):
     SCRIPTED = "scripted"
 
 
-class Moments(msgspec.Struct, frozen=True, array_like=True):
+class Moments(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """Count, sum, sum of squares, least and greatest of a series; two of them merge into that of both.
 
     With a ``count`` of 0 the other fields mean nothing.
@@ -69,7 +69,7 @@ class Moments(msgspec.Struct, frozen=True, array_like=True):
 NOTHING = Moments()
 
 
-class Tally(msgspec.Struct, frozen=True, array_like=True):
+class Tally(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """The traffic of a connection between two instants.
 
     Instants are seconds on the observer's clock, which for a recording is the time of receipt in it.

@@ -1,0 +1,171 @@
+"""A connection: what its observers tell of the traffic from one publisher to one subscriber over one topic."""
+
+from __future__ import annotations
+
+from roslens.live.connection_name import connection_id
+from roslens.live.measured import Measured
+from roslens.live.traffic import MEASURES, percentile_of
+from roslens.live.verdict_state import NEVER
+from roslens.live.window import RANK, Window
+from roslens.model.tally import Observer, Tally
+
+AUTOMATIC = (0.0,)
+
+
+class Connection(Measured):
+    """The windows of a connection, one for each observer and each length that a sentence asks for.
+
+    Attributes:
+        topic: its name.
+        publisher: empty where unknown.
+        subscriber: empty of traffic seen at the publisher.
+        host: on which its observer stands.
+        gone: whether the graph says that an end of it is gone.
+    """
+
+    __slots__ = ("_by_observer", "_lengths", "_order", "gone", "host", "publisher", "settled", "subscriber", "topic")
+
+    def __init__(self, topic: str, publisher: str, subscriber: str, now: float) -> None:
+        super().__init__(connection_id(topic, publisher, subscriber), now)
+        self.topic = topic
+        self.publisher = publisher
+        self.subscriber = subscriber
+        self.host = ""
+        self.gone = False
+        self.seen = True
+        self.settled = -NEVER
+        self._lengths: tuple[float, ...] = AUTOMATIC
+        self._by_observer: dict[Observer, list[Window]] = {}
+        self._order: list[list[Window]] = []
+
+    def add(self, tally: Tally, now: float) -> bool:
+        """Take a tally that is plausible; return whether it told anything new."""
+        windows = self._by_observer.get(tally.observer)
+        if windows is None:
+            windows = self._observed(tally)
+        if len(windows) == 1:
+            return windows[0].add(tally, now)
+        return any([window.add(tally, now) for window in windows])
+
+    def resize(self, lengths: tuple[float, ...]) -> None:
+        """Keep a window of each of these lengths."""
+        if lengths == self._lengths:
+            return
+        for observer, windows in self._by_observer.items():
+            by_length = dict(zip(self._lengths, windows, strict=True))
+            kept = []
+            for length in lengths:
+                window = by_length.get(length) or _copy(max(windows, key=lambda one: one.length), length)
+                kept.append(window)
+            self._by_observer[observer] = kept
+        self._lengths = lengths
+        self._sort()
+
+    def settle(self, now: float) -> None:
+        """Bring every window to ``now``."""
+        if self.settled == now:
+            return
+        self.settled = now
+        for windows in self._order:
+            for window in windows:
+                window.settle(now)
+                if window.stepped:
+                    window.stepped = False
+                    self.appeared = now
+
+    def clear(self, now: float) -> None:
+        """Forget all traffic, because time broke."""
+        self.appeared = now
+        for windows in self._order:
+            for window in windows:
+                window.clear()
+
+    def value(self, key: str, at: int, percentile: float = 0.0) -> tuple[float | None, Window | None]:
+        """Return a signal and the window it is from: that of the best observer who speaks and can tell."""
+        measure = MEASURES.get(key)
+        if measure is None:
+            return None, None
+        if len(self._order) == 1 and not percentile:
+            window = self._order[0][at]
+            return (measure(window), window) if window.spacing else (None, None)
+        stale: tuple[float | None, Window | None] = (None, None)
+        for windows in self._order:
+            window = windows[at]
+            if not window.spacing:
+                continue
+            value = percentile_of(window, key, percentile) if percentile else measure(window)
+            if value is None:
+                stale = stale if stale[1] else (None, window)
+            elif window.horizon == window.until:
+                return value, window
+            elif stale[0] is None:
+                stale = (value, window)
+        return stale
+
+    def best(self, at: int) -> Window | None:
+        """Return the window of the best observer who speaks; of those who fell silent where all did."""
+        quiet = None
+        for windows in self._order:
+            window = windows[at]
+            if window.spacing:
+                if window.horizon == window.until:
+                    return window
+                quiet = quiet or window
+        return quiet
+
+    @property
+    def quiet_since(self) -> float | None:
+        """When the monitor noticed the last tally of all, None where it noticed none."""
+        noticed = [windows[0].noticed for windows in self._order if windows[0].spacing]
+        return max(noticed, default=None)
+
+    def next_due(self, now: float) -> float:
+        """Return when silence alone may change something."""
+        due = NEVER
+        for windows in self._order:
+            for window in windows:
+                if window.spacing:
+                    due = min(due, _due(window, now))
+        return due
+
+    def _observed(self, tally: Tally) -> list[Window]:
+        if tally.host and not self.host:
+            self.host = tally.host
+        windows = [Window(tally.observer, tally.host, length) for length in self._lengths]
+        self._by_observer[tally.observer] = windows
+        self._sort()
+        return windows
+
+    def _sort(self) -> None:
+        self._order = [self._by_observer[one] for one in sorted(self._by_observer, key=RANK.__getitem__)]
+
+
+def _due(window: Window, now: float) -> float:
+    patient = window.noticed + window.patience
+    if now < patient:
+        return patient + 1e-9
+    over = window.noticed + window.length + (window.until - (window.last or window.begun))
+    step = min(max(window.length / 20, 0.05), 0.095)
+    return now + step if now <= over + step else NEVER
+
+
+def _copy(source: Window, length: float) -> Window:
+    """Return a window of another length that knows what one knows already."""
+    window = Window(source.observer, source.host, length)
+    for name in (
+        "until",
+        "last",
+        "begun",
+        "noticed",
+        "spacing",
+        "span",
+        "count",
+        "intervals",
+        "bytes",
+        "sized",
+        "news",
+        "horizon",
+    ):
+        setattr(window, name, getattr(source, name))
+    window.buckets.extend(source.buckets)
+    return window

@@ -1,0 +1,145 @@
+"""Judging an entity: its signals at an instant against the sentences about it."""
+
+from __future__ import annotations
+
+from roslens.live.connection import Connection
+from roslens.live.measured import Group, Judged
+from roslens.live.sampled import Sampled
+from roslens.live.topic import Topic
+from roslens.live.verdict_state import NEVER
+from roslens.live.window import Window
+from roslens.model.verdict import State
+
+_UNSEEN_PERIODS = 2
+"""A topic that never said anything is given so many expected periods."""
+
+
+def judge_connection(connection: Connection, now: float) -> list[Judged]:
+    """Judge a connection; return what changed."""
+    connection.settle(now)
+    connection.looked = now
+    due = connection.next_due(now)
+    changed: list[Judged] = []
+    for group in connection.groups:
+        value, window = connection.value(group.key, group.at, group.percentile)
+        if connection.gone and window is not None and window.horizon > window.until:
+            value, window = None, None
+            for judged in group.judged:
+                judged.evidence = "an end of it is gone from the graph"
+        due = min(due, _judge_group(group, now, value, window, connection.appeared, changed))
+    connection.due = due
+    return changed
+
+
+def judge_topic(topic: Topic, now: float, *, graph_known: bool) -> list[Judged]:
+    """Judge a topic by its connections; return what changed."""
+    due = NEVER
+    for connections in topic.connections.values():
+        for connection in connections:
+            connection.settle(now)
+            due = min(due, connection.next_due(now))
+    topic.looked = now
+    changed: list[Judged] = []
+    for group in topic.groups:
+        value, window = topic.value(group.key, group.at, group.percentile)
+        if value is None and window is None:
+            group.calm = False
+            changed += [one for one in group.judged if _judge_unseen(topic, one, now, graph_known=graph_known)]
+            due = min(due, *(one.state.due for one in group.judged))
+            continue
+        if window is None:
+            for judged in group.judged:
+                judged.evidence = _ends(topic)
+        due = min(due, _judge_group(group, now, value, window, topic.appeared, changed))
+    topic.due = due
+    return changed
+
+
+def judge_sampled(sampled: Sampled, now: float) -> list[Judged]:
+    """Judge a host, node or process; return what changed."""
+    sampled.settle(now)
+    due = sampled.next_due(now)
+    changed: list[Judged] = []
+    for judged in sampled.judged:
+        sentence = judged.sentence
+        value = sampled.value(sentence.key, sentence.timing.window, sentence.percentile, now)
+        grace = sampled.appeared + sentence.timing.grace
+        raw = sentence.bounds.state(value)
+        if not sampled.seen and not sampled.known and sentence.literal is not None:
+            raw, judged.evidence = State.ABSENT, "never seen"
+        elif value is None:
+            judged.evidence = "no fresh sample"
+        else:
+            judged.evidence = f"sampled {max(now - sampled.noticed, 0):.1f} s ago"
+        began = sampled.appeared if raw is State.ABSENT else NEVER
+        firm = sentence.bounds.firm(value, judged.state.state)
+        if judged.state.step(now, raw, value, firm=firm, began=began, grace=grace):
+            changed.append(judged)
+        due = min(due, judged.state.due)
+    sampled.due = due
+    return changed
+
+
+def _judge_group(
+    group: Group, now: float, value: float | None, window: Window | None, appeared: float, changed: list[Judged]
+) -> float:
+    """Judge all sentences that take a value; return when one of them may change without news."""
+    due = _gap_due(group, window, now) if group.key == "largest_gap" else NEVER
+    if group.calm and value is not None and group.low <= value <= group.high:
+        group.value, group.time, group.window = value, now, window
+        return due
+    changed += [one for one in group.judged if _step(one, now, value, window, appeared)]
+    due = min(due, group.settle())
+    if group.calm and value is not None:
+        group.value, group.time, group.window = value, now, window
+    return due
+
+
+def _step(judged: Judged, now: float, value: float | None, window: Window | None, appeared: float) -> bool:
+    sentence = judged.sentence
+    judged.window = window
+    raw = sentence.bounds.state(value)
+    state = judged.state
+    grace = appeared + sentence.timing.grace
+    if raw is State.OK:
+        if now < grace and window is not None and not window.filled:
+            moved = state.step(now, State.UNKNOWN, value)
+            state.due = min(grace, now + max(window.length - (window.horizon - window.begun), 0.05))
+            return moved
+        return state.step(now, raw, value, firm=sentence.bounds.firm(value, state.state))
+    began = NEVER
+    silent = window is not None and (not window.intervals or window.quiet * window.intervals > 2 * window.span)
+    if silent and window is not None and raw is not State.UNKNOWN:
+        began = now - window.quiet
+    if raw is State.LOW and value == 0.0 and sentence.silence:
+        raw = State.ABSENT
+    return state.step(now, raw, value, began=began, grace=grace)
+
+
+def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool) -> bool:
+    """Judge a sentence about a topic of which nobody tells anything."""
+    sentence = judged.sentence
+    judged.window = None
+    grace = topic.appeared + max(sentence.timing.grace, _UNSEEN_PERIODS * sentence.period)
+    there = topic.known and graph_known
+    if there and topic.publishers:
+        raw, judged.evidence = State.UNKNOWN, "it is published, but nobody observes it"
+    elif sentence.silence and (sentence.literal is not None or topic.connections):
+        raw, judged.evidence = State.ABSENT, "nobody publishes it" if there else "never seen"
+    elif sentence.literal is not None and not there and not topic.connections:
+        raw, judged.evidence = State.ABSENT, "never seen"
+    else:
+        raw, judged.evidence = State.UNKNOWN, "nothing is known of it"
+    return judged.state.step(now, raw, 0.0 if raw.bad else None, began=topic.appeared, grace=grace)
+
+
+def _gap_due(group: Group, window: Window | None, now: float) -> float:
+    """Return when the silence that goes on breaks a bound on gaps that are longer than the window."""
+    if window is None:
+        return NEVER
+    left = [one.sentence.bounds.high - window.quiet for one in group.judged]
+    return now + min((one for one in left if one >= 0), default=NEVER) + 1e-6
+
+
+def _ends(topic: Topic) -> str:
+    return "by the graph" if topic.known else "by the traffic seen"

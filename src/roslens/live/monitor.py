@@ -1,0 +1,405 @@
+"""The monitor: takes what observers tell, rates it against a reference, and says what changed."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
+
+from roslens.judge.expectation import Reference
+from roslens.live.age_chain import AgeChains
+from roslens.live.clock_watch import ClockWatch, Course
+from roslens.live.connection import Connection
+from roslens.live.due_queue import DueQueue
+from roslens.live.existence import Existence
+from roslens.live.explained import Explained
+from roslens.live.field_check import FieldChecks
+from roslens.live.judging import judge_connection, judge_sampled, judge_topic
+from roslens.live.measured import Measured
+from roslens.live.plans import plan, required
+from roslens.live.plausible_tally import plausible_tally
+from roslens.live.presence import Presences
+from roslens.live.rulebook import NOTHING_KNOWN, Rulebook
+from roslens.live.sampled import Sampled, finite
+from roslens.live.standing import Standing
+from roslens.live.topic import Topic
+from roslens.live.tree import SystemView, view_of
+from roslens.live.world import World
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.graph import Change, Event, Graph
+from roslens.model.sample import Sample
+from roslens.model.tally import Tally
+from roslens.model.verdict import State, Verdict
+from roslens.model.wire import Frame
+
+PACE_S = 0.28
+"""How often, at most, what is fine is looked at."""
+_CHAINS_S = 0.2
+_SWEEP_S = 30.0
+_KEPT_FAILURES = 100
+_MACHINES = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS)
+
+
+class Monitor:
+    """Rates a live system or a recording of one; every time is an argument, in seconds on the monitor's clock.
+
+    Attributes:
+        shed: records that observers dropped before they reached the monitor.
+        failures: the latest things that observers could not do.
+    """
+
+    def __init__(self, reference: Reference, *, start: float) -> None:
+        """Begin to watch at ``start``.
+
+        Raises:
+            ValueError: a pattern of the reference is none.
+        """
+        self._world = World()
+        self._clock = ClockWatch(start)
+        self._began = start
+        self._suspended = self._held = self._settling = False
+        self._rules = Rulebook(reference)
+        self._presences = Presences(self._rules, start)
+        self._existence = Existence(self._world, self._presences)
+        self._fields = FieldChecks(reference.field_checks, start)
+        self._chains = AgeChains(reference.chains, start)
+        self._explained = Explained(self._world)
+        self._queue = DueQueue()
+        self._waiting: list[Measured] = []
+        self._moved: list[Standing] = []
+        self._retired: list[Verdict] = []
+        self._chains_due = self._sweep_due = start
+        self._implausible = 0
+        self.shed = 0
+        self.failures: deque[Failure] = deque(maxlen=_KEPT_FAILURES)
+        self._wait_all(required(self._world, self._rules, start))
+
+    @property
+    def refused(self) -> int:
+        """Records that could not be true, in whole or in part, and those for which there was no room."""
+        return self._implausible + self._world.refused
+
+    def add_tally(self, tally: Tally) -> None:
+        """Take the traffic of a connection; what cannot be true of it is unknown."""
+        kept = plausible_tally(tally)
+        if kept is not tally:
+            self._implausible += 1
+            if kept is None:
+                return
+        now = self._clock.now
+        connection = self._world.connections.get((kept.topic, kept.publisher, kept.subscriber))
+        if connection is None:
+            connection = self._meet(kept, now)
+            if connection is None:
+                return
+        if connection.add(kept, now):
+            if kept.count:
+                connection.gone = False
+                if self._held:
+                    self.clock_runs(now)
+            if not connection.waiting:
+                connection.waiting = True
+                self._waiting.append(connection)
+
+    def add_sample(self, sample: Sample) -> None:
+        """Take what was read of a host, process or node; values that are not finite are unknown."""
+        if sample.time - sample.time != 0 or sample.entity.kind not in _MACHINES:
+            self._implausible += 1
+            return
+        sampled = self._world.entity(sample.entity, self._clock.now)
+        if sampled is None:
+            return
+        values = finite(sample.values)
+        self._implausible += len(values) < len(sample.values)
+        if not sampled.seen:
+            sampled.appeared = max(sampled.appeared, self._clock.now)
+            sampled.planless = True
+        if sampled.add(sample, values):
+            self._existence.take_sample(sampled, sample.time)
+            self._wait(sampled)
+
+    def add_graph(self, graph: Graph, time: float) -> None:
+        """Take the whole graph as it is at ``time``."""
+        now = self._clock.now
+        for entity in self._world.take_graph(graph, now):
+            entity.planless = True
+            self._wait(entity)
+        self._existence.take_graph(graph, time, now)
+        self._explained.stale = True
+
+    def add_event(self, event: Event) -> None:
+        """Take a change of the graph: what appeared has grace, what vanished is gone at once."""
+        try:
+            entity = EntityId.parse(event.entity)
+        except ValueError:
+            self._implausible += 1
+            return
+        if event.time - event.time != 0:
+            self._implausible += 1
+            return
+        key = (entity.kind, entity.name)
+        if event.change is Change.VANISHED:
+            self._existence.vanish(key, event.time)
+        elif event.change in (Change.APPEARED, Change.RESTARTED):
+            self._existence.appear(key, self._presences.existing.get(key, NOTHING_KNOWN))
+            for one in self._world.concerned(entity):
+                one.appeared = max(one.appeared, min(event.time, self._clock.now + 1))
+                self._wait(one)
+
+    def add_field(self, topic: str, time: float, values: Mapping[str, float]) -> None:
+        """Take values of fields of the last message on a topic, by path."""
+        if time - time == 0:
+            self._fields.add(topic, values)
+
+    def add_frame(self, frame: Frame) -> None:
+        """Take everything that an observer tells at once."""
+        for tally in frame.tallies:
+            self.add_tally(tally)
+        for sample in frame.samples:
+            self.add_sample(sample)
+        for event in frame.events:
+            self.add_event(event)
+        if frame.graph is not None:
+            self.add_graph(frame.graph, frame.time)
+        self.failures.extend(frame.failures)
+        self.shed += max(frame.shed, 0)
+
+    def clock_stands(self, time: float) -> None:
+        """Suspend what is judged of traffic until :meth:`clock_runs`, :meth:`clock_jumped` or the next message."""
+        self._held = True
+        self._suspend(time)
+
+    def clock_runs(self, time: float) -> None:
+        """Judge again from the next tick on, after grace."""
+        self._held = False
+        if self._suspended:
+            self._resume(time)
+
+    def clock_jumped(self, time: float) -> None:
+        """Forget the traffic before; everything is suspended in the next tick, and then has grace."""
+        self._clock = ClockWatch(time)
+        self._jump(time)
+        self._settling = True
+
+    def replace_reference(self, reference: Reference) -> None:
+        """Judge by another reference; what did not change keeps windows and states.
+
+        Raises:
+            ValueError: a pattern of the reference is none; the old one is kept.
+        """
+        rules = Rulebook(reference, self._rules)
+        now = self._clock.now
+        before = {*self._presences.standing, *self._fields.standing, *self._chains.standing}
+        self._rules = rules
+        self._presences = self._existence.presences = Presences(rules, now, self._presences)
+        self._fields = FieldChecks(reference.field_checks, now, self._fields)
+        self._chains = AgeChains(reference.chains, now, self._chains)
+        self._retire(before - {*self._presences.standing, *self._fields.standing, *self._chains.standing}, now)
+        for one in self._entities():
+            one.planless = True
+            self._wait(one)
+        self._wait_all(required(self._world, rules, now))
+        self._explained.stale = True
+
+    def tick(self, now: float) -> tuple[Verdict, ...]:
+        """Judge what has news or is due; return the verdicts whose state changed, sorted by entity and expectation."""
+        self._follow_clock(now)
+        now = self._clock.now
+        moved, self._moved = self._moved, []
+        moved += self._judge(now)
+        changed = {one: None for one in moved if one.state.state is not one.reported}
+        for one in changed:
+            one.reported = one.state.state
+            self._explained.note(one)
+        self._explained.explain()
+        verdicts = {(one.entity, one.expectation): one for one in self._retired}
+        self._retired = []
+        verdicts.update((one.key, one.verdict()) for one in changed)
+        return tuple(verdicts[key] for key in sorted(verdicts))
+
+    def standing(self) -> tuple[Verdict, ...]:
+        """Return every verdict as it stands, sorted by entity and expectation."""
+        return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
+
+    def next_due(self, now: float) -> float:
+        """Return when a tick could change something if nothing comes; infinity where only news can."""
+        if self._waiting or self._moved or self._retired:
+            return now
+        due = min(self._queue.first, self._presences.due, self._fields.due)
+        return max(min(due, self._chains_due) if self._chains.standing else due, now)
+
+    def tree(self, now: float) -> SystemView:
+        """Return the system by host, node, topic and connection, with worst states and latest values."""
+        return view_of(self._world, self._standing(), now)
+
+    def _entities(self) -> Iterator[Measured]:
+        return chain(self._world.topics.values(), self._world.connections.values(), self._world.sampled.values())
+
+    def _standing(self) -> Iterator[Standing]:
+        return chain(
+            self._presences.standing,
+            self._fields.standing,
+            self._chains.standing,
+            chain.from_iterable(one.judged for one in self._entities()),
+        )
+
+    def _meet(self, tally: Tally, now: float) -> Connection | None:
+        """Make room for a connection that is new, and for what is known by it alone."""
+        connection = self._world.connection(tally, now)
+        if connection is None:
+            return None
+        topic = self._world.topics[tally.topic]
+        if not topic.seen:
+            # Grace counts from when a topic is there, not from when somebody began to wait for it.
+            topic.appeared = now
+        topic.add(connection)
+        topic.planless = topic.planless or len(topic.connections) == 1
+        self._presences.appear((connection.id.kind, connection.id.name), self._world.facts(connection))
+        graph = self._world.graph
+        if graph is None or not topic.known:
+            self._presences.appear((EntityKind.TOPIC, topic.name), self._world.facts(topic))
+        if graph is None:
+            for node in filter(None, (tally.publisher, tally.subscriber)):
+                self._presences.appear((EntityKind.NODE, node), NOTHING_KNOWN)
+        return connection
+
+    def _wait(self, one: Measured) -> None:
+        if not one.waiting:
+            one.waiting = True
+            self._waiting.append(one)
+
+    def _wait_all(self, entities: Iterable[Measured]) -> None:
+        for one in entities:
+            one.planless = True
+            self._wait(one)
+
+    def _follow_clock(self, now: float) -> None:
+        course = self._clock.tick(now)
+        if course is Course.JUMPED:
+            self._jump(now)
+        elif course is Course.STANDS:
+            self._suspend(now)
+        elif self._settling:
+            self._settling = False
+        elif self._suspended and not self._held:
+            self._resume(now)
+
+    def _traffic(self) -> Iterator[Standing]:
+        return chain(
+            self._fields.standing,
+            self._chains.standing,
+            *(one.judged for one in self._entities() if not isinstance(one, Sampled)),
+        )
+
+    def _suspend(self, time: float) -> None:
+        if self._suspended:
+            return
+        self._suspended = True
+        for one in self._traffic():
+            one.forget(time, State.SUSPENDED)
+            self._moved.append(one)
+
+    def _resume(self, time: float) -> None:
+        """Begin anew: what came before the break says nothing of what comes now."""
+        self._suspended = False
+        self._began = time
+        self._fields.clear()
+        for one in self._entities():
+            if not isinstance(one, Sampled):
+                one.appeared = time
+            if isinstance(one, Connection):
+                one.clear(time)
+            one.due = time
+            self._wait(one)
+        for standing in self._traffic():
+            standing.forget(time, State.UNKNOWN)
+            self._moved.append(standing)
+
+    def _jump(self, time: float) -> None:
+        self._held = False
+        self._suspend(time)
+        self._began = time
+        self._presences.look_again()
+        self._queue = DueQueue()
+        self._chains_due = self._sweep_due = time
+        for one in self._entities():
+            one.planned = one.due = float("inf")
+            if isinstance(one, Sampled):
+                one.clear(time)
+                self._wait(one)
+
+    def _judge(self, now: float) -> list[Standing]:
+        changed = self._judge_entities(now)
+        if not self._suspended:
+            changed += self._fields.judge(now, self._began)
+            if self._chains.standing and now >= self._chains_due:
+                changed += self._chains.judge(now, self._look, self._began)
+                self._chains_due = now + _CHAINS_S
+        changed += self._presences.judge(now, self._began, self._existence.vanished)
+        if now >= self._sweep_due:
+            self._sweep_due = now + _SWEEP_S
+            self._sweep(now)
+        return changed
+
+    def _judge_entities(self, now: float) -> list[Standing]:
+        waiting, self._waiting = self._waiting, []
+        topics: dict[Topic, None] = {}
+        others: dict[Measured, None] = {}
+        for one in (*waiting, *self._queue.take(now)):
+            one.waiting = False
+            if type(one) is Connection:
+                topics[self._world.topics[one.topic]] = None
+                others[one] = None
+            elif isinstance(one, Topic):
+                topics[one] = None
+            else:
+                others[one] = None
+        for one in (*topics, *others):
+            if one.planless:
+                self._retire(plan(one, self._world, self._rules, now), now)
+        changed: list[Standing] = []
+        for one in (*others, *topics):
+            if isinstance(one, Sampled):
+                changed += judge_sampled(one, now)
+                if one.seen and not one.fresh(now):
+                    self._existence.take_silence(one, now)
+            elif self._suspended:
+                continue
+            elif one.calm and 0 <= now - one.looked < PACE_S and one.due > now:
+                # What is fine is looked at less often: a window forgets its oldest tally early enough for that.
+                one.due = min(one.due, one.looked + PACE_S)
+            elif isinstance(one, Connection):
+                changed += judge_connection(one, now)
+            elif isinstance(one, Topic) and one.judged:
+                changed += judge_topic(one, now, graph_known=self._world.graph is not None)
+            self._queue.put(one)
+        return changed
+
+    def _retire(self, dropped: Iterable[Standing], now: float) -> None:
+        """Say of verdicts that are judged no more that they are unknown."""
+        for one in dropped:
+            self._explained.drop(one)
+            if one.reported is not State.UNKNOWN:
+                one.state.step(now, State.UNKNOWN, None)
+                one.window, one.evidence = None, "judged no more"
+                self._retired.append(one.verdict())
+
+    def _sweep(self, now: float) -> None:
+        """Let go of what is gone for long, so that memory stays bounded."""
+        for connection in self._world.outdated(now):
+            self._world.forget(connection)
+            self._existence.vanish((connection.id.kind, connection.id.name), now)
+            self._retire(connection.judged, now)
+            self._wait_all((self._world.topics[connection.topic],))
+        for sampled in self._world.outdated_processes(now):
+            del self._world.sampled[sampled.id]
+            self._retire(sampled.judged, now)
+
+    def _look(self, topic_name: str, key: str) -> float | None:
+        topic = self._world.topics.get(topic_name)
+        if topic is None or topic.planless:
+            return None
+        for connection in topic.all_connections():
+            connection.settle(self._clock.now)
+        return topic.value(key, 0)[0]

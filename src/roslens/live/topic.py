@@ -1,0 +1,116 @@
+"""A topic: the fold of its connections."""
+
+from __future__ import annotations
+
+from roslens.live.connection import Connection
+from roslens.live.measured import Measured
+from roslens.live.window import RANK, Window
+from roslens.model.entity import EntityId, EntityKind
+
+SUMMED = frozenset({"rate", "bandwidth"})
+_WIDEST = frozenset({"jitter", "largest_gap"})
+_OF_PUBLISHERS = SUMMED | _WIDEST | {"period", "message_size"}
+_MEANS = frozenset({"latency", "age"})
+
+
+class Topic(Measured):
+    """The connections of a topic by publisher.
+
+    Attributes:
+        name: of the topic.
+        connections: by publisher; that of unknown ones under the empty name.
+        publishers: nodes that publish it, by the graph.
+        former: those that did before the last of them went.
+        subscribers: nodes that subscribe to it, by the graph.
+        types: of its messages.
+        known: whether the graph has it.
+        lengths: of the windows that its sentences need.
+    """
+
+    __slots__ = ("connections", "former", "known", "lengths", "name", "publishers", "subscribers", "types")
+
+    def __init__(self, name: str, now: float) -> None:
+        super().__init__(EntityId(EntityKind.TOPIC, name), now)
+        self.name = name
+        self.connections: dict[str, list[Connection]] = {}
+        self.publishers: frozenset[str] = frozenset()
+        self.former: frozenset[str] = frozenset()
+        self.subscribers: frozenset[str] = frozenset()
+        self.types: frozenset[str] = frozenset()
+        self.known = False
+        self.lengths: tuple[float, ...] = ()
+
+    def add(self, connection: Connection) -> None:
+        """Take a connection in."""
+        self.connections.setdefault(connection.publisher, []).append(connection)
+        self.seen = True
+
+    def remove(self, connection: Connection) -> None:
+        """Let a connection go."""
+        group = self.connections[connection.publisher]
+        group.remove(connection)
+        if not group:
+            del self.connections[connection.publisher]
+
+    def all_connections(self) -> list[Connection]:
+        """Return every connection that is there, else every one."""
+        every = [one for group in self.connections.values() for one in group]
+        return [one for one in every if not one.gone] or every
+
+    def views(self, at: int) -> list[tuple[Connection, Window]]:
+        """Return for each publisher where its traffic is seen best: subscribers of one publisher do not add up."""
+        groups = self.connections
+        if len(groups) == 1:
+            (group,) = groups.values()
+            if len(group) == 1:
+                window = group[0].best(at)
+                return [(group[0], window)] if window else []
+        named = [group for publisher, group in groups.items() if publisher]
+        found = []
+        for group in named or groups.values():
+            seen = [(one, window) for one in group if (window := one.best(at))]
+            if seen:
+                found.append(min(seen, key=_quality))
+        return [(one, window) for one, window in found if not one.gone or len(found) == 1] or found
+
+    def value(self, key: str, at: int, percentile: float = 0.0) -> tuple[float | None, Window | None]:
+        """Return a signal of the topic and the window that tells most of it."""
+        if key == "publishers":
+            return self._count(self.publishers, "publisher")
+        if key == "subscribers":
+            return self._count(self.subscribers, "subscriber")
+        if key in _OF_PUBLISHERS:
+            seen = [one.value(key, at, percentile) for one, _ in self.views(at)]
+        else:
+            seen = [one.value(key, at, percentile) for one in self.all_connections()]
+        told = [(value, window) for value, window in seen if value is not None]
+        if not told:
+            return None, seen[0][1] if seen else None
+        if len(told) == 1:
+            return told[0]
+        return _folded(key, told)
+
+    def _count(self, known: frozenset[str], field: str) -> tuple[float | None, Window | None]:
+        if self.known:
+            return float(len(known)), None
+        names = {getattr(one, field) for one in self.all_connections()} - {""}
+        return (float(len(names)) if names else None), None
+
+
+def _quality(seen: tuple[Connection, Window]) -> tuple[bool, bool, int, bool, float]:
+    connection, window = seen
+    quiet = window.horizon > window.until
+    return connection.gone, quiet, RANK[window.observer], bool(connection.subscriber), -window.count
+
+
+def _folded(key: str, told: list[tuple[float, Window | None]]) -> tuple[float, Window | None]:
+    values = [value for value, _ in told]
+    if key in SUMMED:
+        return sum(values), told[0][1]
+    if key in _MEANS or key in ("period", "message_size"):
+        weights = [window.count if window else 1 for _, window in told]
+        total = sum(weights)
+        mean = sum(v * w for v, w in zip(values, weights, strict=True)) / total if total else sum(values) / len(values)
+        return mean, told[0][1]
+    worst = max(range(len(values)), key=values.__getitem__)
+    return values[worst], told[worst][1]

@@ -1,0 +1,156 @@
+"""The system as a tree: hosts, their nodes, the topics these publish, and the connections of those."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import msgspec
+
+from roslens.live.connection import Connection
+from roslens.live.sampled import Sampled
+from roslens.live.standing import Standing
+from roslens.live.topic import Topic
+from roslens.live.traffic import MEASURES
+from roslens.live.world import World
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.verdict import State
+
+_WORSE = {state: place for place, state in enumerate(State)}
+UNKNOWN_NAME = ""
+"""Name of the host of nodes of which nobody knows where they are, and of the node of topics nobody publishes."""
+
+
+class SystemView(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A part of the system, or all of it.
+
+    Attributes:
+        id: text form of the id of the entity; ``system`` of the whole.
+        name: to show.
+        kind: ``system``, ``host``, ``node``, ``process``, ``topic`` or ``connection``.
+        state: worst state of it and everything below.
+        counts: how many verdicts of it and everything below are in which state, by the state's name.
+        values: latest values of its own, by key of the signal.
+        observer: how these were observed; empty where there are none.
+        children: the parts below, sorted by name.
+    """
+
+    id: str
+    name: str
+    kind: str
+    state: State = State.OK
+    counts: dict[str, int] = {}
+    values: dict[str, float] = {}
+    observer: str = ""
+    children: tuple[SystemView, ...] = ()
+
+
+def view_of(world: World, standing: Iterable[Standing], now: float) -> SystemView:
+    """Return the tree at ``now``; an entity below several others counts once in what is above them all."""
+    return _Tree(world, standing, now).build()
+
+
+class _Tree:
+    def __init__(self, world: World, standing: Iterable[Standing], now: float) -> None:
+        self._world = world
+        self._now = now
+        self._states: dict[EntityId, list[State]] = {}
+        for one in standing:
+            self._states.setdefault(one.entity, []).append(one.state.state)
+
+    def build(self) -> SystemView:
+        placed = self._placed()
+        hosts: dict[str, list[SystemView]] = {}
+        below: dict[str, set[EntityId]] = {}
+        for node in sorted(placed):
+            view, entities = self._node(node, placed[node])
+            host = self._world.host_of(node) if node else UNKNOWN_NAME
+            hosts.setdefault(host, []).append(view)
+            below.setdefault(host, set()).update(entities)
+        others = [one for one in self._states if one.kind not in (EntityKind.NODE, EntityKind.TOPIC)]
+        for entity in dict.fromkeys((*self._world.sampled, *others)):
+            if entity.kind is EntityKind.HOST:
+                hosts.setdefault(entity.name, [])
+            elif entity.kind is EntityKind.PROCESS:
+                host = entity.name.rpartition("/")[0]
+                hosts.setdefault(host, []).append(self._view(entity, {entity}, ()))
+                below.setdefault(host, set()).add(entity)
+        views = []
+        everything: set[EntityId] = set(self._states)
+        for name in sorted(hosts):
+            entity = EntityId(EntityKind.HOST, name)
+            views.append(self._view(entity, {entity} | below.get(name, set()), tuple(hosts[name])))
+        state, counts = self._sum(everything)
+        return SystemView("system", "system", "system", state, counts, {}, "", tuple(views))
+
+    def _placed(self) -> dict[str, set[str]]:
+        """Return the topics of each node; those without a publisher under no name."""
+        placed: dict[str, set[str]] = {}
+        graph = self._world.graph
+        for node in graph.nodes if graph else ():
+            placed.setdefault(node.name, set())
+        for entity in (*self._world.sampled, *self._states):
+            if entity.kind is EntityKind.NODE:
+                placed.setdefault(entity.name, set())
+        for topic in self._world.topics.values():
+            nodes = {*(topic.publishers or topic.former), *filter(None, topic.connections)}
+            for name in nodes or (UNKNOWN_NAME,):
+                placed.setdefault(name, set()).add(topic.name)
+        return placed
+
+    def _node(self, node: str, topics: set[str]) -> tuple[SystemView, set[EntityId]]:
+        entity = EntityId(EntityKind.NODE, node)
+        below = {entity}
+        views = []
+        for name in sorted(topics):
+            view, entities = self._topic(self._world.topics[name], node)
+            views.append(view)
+            below |= entities
+        return self._view(entity, below, tuple(views)), below
+
+    def _topic(self, topic: Topic, node: str) -> tuple[SystemView, set[EntityId]]:
+        mine = topic.connections.get(node, [])
+        views = [self._view(one.id, {one.id}, ()) for one in sorted(mine, key=lambda one: one.id)]
+        below = {topic.id, *(one.id for one in mine)}
+        return self._view(topic.id, below, tuple(views)), below
+
+    def _view(self, entity: EntityId, below: set[EntityId], children: tuple[SystemView, ...]) -> SystemView:
+        state, counts = self._sum(below)
+        values, observer = self._values(entity)
+        return SystemView(str(entity), entity.name, entity.kind.value, state, counts, values, observer, children)
+
+    def _sum(self, entities: set[EntityId]) -> tuple[State, dict[str, int]]:
+        states = [state for entity in entities for state in self._states.get(entity, ())]
+        counts = {state.value: states.count(state) for state in State if state in states}
+        return max(states, key=_WORSE.__getitem__, default=State.OK), counts
+
+    def _values(self, entity: EntityId) -> tuple[dict[str, float], str]:
+        sampled = self._world.sampled.get(entity)
+        if sampled is not None:
+            return _of_sampled(sampled, self._now)
+        if entity.kind is EntityKind.TOPIC:
+            topic = self._world.topics[entity.name]
+            for one in topic.all_connections():
+                one.settle(self._now)
+            return _of_traffic(topic, (*MEASURES, "publishers", "subscribers"))
+        if entity.kind is EntityKind.CONNECTION:
+            connection = self._world.connection_of(entity)
+            if connection is not None:
+                connection.settle(self._now)
+                return _of_traffic(connection, tuple(MEASURES))
+        return {}, ""
+
+
+def _of_sampled(sampled: Sampled, now: float) -> tuple[dict[str, float], str]:
+    values = sampled.latest(now)
+    return values, sampled.observer.value if sampled.observer and values else ""
+
+
+def _of_traffic(entity: Connection | Topic, keys: Iterable[str]) -> tuple[dict[str, float], str]:
+    values: dict[str, float] = {}
+    observer = ""
+    for key in keys:
+        value, window = entity.value(key, 0)
+        if value is not None:
+            values[key] = value
+            observer = observer or (window.observer.value if window else "")
+    return values, observer

@@ -1,0 +1,282 @@
+"""What one observer told of one connection over the last seconds.
+
+Everything inside is on the observer's clock, and only the time since its last news is taken from the monitor's: so a
+clock that is hours away, or a tally that is always a second late, changes nothing.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+
+from roslens.live.bucket import Bucket
+from roslens.model.tally import Observer, Tally
+
+MAX_BUCKETS = 48
+"""Neighbouring tallies are merged rather than to keep more than these."""
+DEFAULT_S = 2.0
+"""Length of a window of which nothing is known."""
+LONGEST_S = 60.0
+"""To which a window grows by itself where the traffic is slow."""
+PERIODS = 5
+"""How many expected periods a window has to hold."""
+_EPSILON = 1e-6
+_SLACK_S = 1.0
+_STRANGE = 3
+"""So many tallies in a row from another time are a stepped clock, fewer are mistakes."""
+
+
+class Window:
+    """The tallies of one observer of one connection, newest last.
+
+    Attributes:
+        observer: who saw it.
+        host: on which the observer stands.
+        length: seconds that are kept.
+        until: end of the newest tally, which only ever grows.
+        last: when the last message came; 0 before the first.
+        begun: start of the oldest tally since the observer appeared or its clock stepped.
+        noticed: when the monitor noticed the newest tally, on its own clock.
+        spacing: seconds from one tally to the next.
+        horizon: up to when the window reaches, on the observer's clock.
+        stepped: whether the observer's clock did, since somebody last asked.
+    """
+
+    __slots__ = (
+        "_automatic",
+        "_strange",
+        "begun",
+        "buckets",
+        "bytes",
+        "count",
+        "horizon",
+        "host",
+        "intervals",
+        "last",
+        "length",
+        "news",
+        "noticed",
+        "observer",
+        "sized",
+        "spacing",
+        "span",
+        "stepped",
+        "until",
+    )
+
+    def __init__(self, observer: Observer, host: str, length: float = 0.0) -> None:
+        """Begin an empty window; a ``length`` of 0 lets it find one by the traffic it sees."""
+        self.observer = observer
+        self.host = host
+        self._automatic = not length
+        self.length = length or DEFAULT_S
+        self.buckets: deque[Bucket] = deque()
+        self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = 0.0
+        self.count = self.intervals = self.bytes = self.sized = 0
+        self.news = self.stepped = False
+        self._strange: list[Tally] = []
+
+    def resize(self, length: float) -> None:
+        """Keep another stretch of time from now on; 0 is found by the traffic."""
+        self._automatic = not length
+        self.length = length or max(DEFAULT_S, self.length)
+
+    def add(self, tally: Tally, now: float) -> bool:
+        """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it told anything new."""
+        buckets = self.buckets
+        if not self.spacing and not buckets:
+            self._begin(tally)
+            return True
+        until = self.until
+        if tally.end <= until + _EPSILON:
+            return self._fill(tally) or self._stranger(tally, now)
+        hole = tally.start - until
+        if hole > _SLACK_S + self.spacing and hole > _SLACK_S + self.spacing + now - self.noticed:
+            return self._stranger(tally, now)
+        if hole < -_EPSILON:
+            fresh = self._without_known(tally)
+            if fresh is None:
+                return False
+            tally = fresh
+        elif hole > self.spacing:
+            # A pause of the observer says little of how often it usually speaks.
+            self.spacing = max(min(tally.end - until, 2 * self.spacing), 0.9 * self.spacing)
+        if hole <= self.spacing:
+            self.spacing = max(tally.end - until, 0.9 * self.spacing)
+        if self._strange:
+            self._strange.clear()
+        self._append(Bucket(tally, self.last if hole <= _SLACK_S else 0.0))
+        return True
+
+    def settle(self, now: float) -> None:
+        """Look at the window at ``now`` on the monitor's clock: silence counts, what is too old goes."""
+        if self.news:
+            self.news = False
+            self.noticed = now
+            self.horizon = self.until
+            if self._automatic and self.intervals:
+                self.length = min(max(self.length, PERIODS * self.span / self.intervals), LONGEST_S)
+        else:
+            quiet = now - self.noticed
+            self.horizon = self.until + (quiet if quiet > self.patience else 0.0)
+        self._drop(self.horizon - self.length)
+
+    @property
+    def patience(self) -> float:
+        """Seconds without news after which an observer is taken to have seen nothing."""
+        return 1.5 * self.spacing + 0.05
+
+    @property
+    def quiet(self) -> float:
+        """Seconds since the last message, or since the beginning where there was none."""
+        return max(self.horizon - (self.last or self.begun), 0.0)
+
+    @property
+    def filled(self) -> bool:
+        """Whether the connection has been watched for as long as the window is."""
+        return self.horizon - self.begun >= self.length - _EPSILON
+
+    def clear(self) -> None:
+        """Forget everything: time itself broke."""
+        self.buckets.clear()
+        self._strange.clear()
+        self.count = self.intervals = self.bytes = self.sized = 0
+        self.until = self.last = self.begun = self.spacing = self.span = 0.0
+
+    def _begin(self, tally: Tally) -> None:
+        self.clear()
+        self.begun = tally.start
+        self.spacing = max(tally.end - tally.start, _EPSILON)
+        self._append(Bucket(tally, 0.0))
+
+    def _append(self, bucket: Bucket) -> None:
+        self.buckets.append(bucket)
+        self.until = bucket.end
+        if bucket.last > self.last:
+            self.last = bucket.last
+        elif bucket.count and not bucket.last:
+            self.last = bucket.end
+        self._take_in(bucket)
+        self.news = True
+        if len(self.buckets) > MAX_BUCKETS:
+            self._drop(self.until - self.length)
+            if len(self.buckets) > MAX_BUCKETS:
+                self._merge()
+
+    def _take_in(self, bucket: Bucket) -> None:
+        self.count += bucket.count
+        self.intervals += bucket.intervals
+        self.span += bucket.span
+        self.bytes += bucket.bytes
+        self.sized += bucket.sized
+
+    def _take_out(self, bucket: Bucket) -> None:
+        self.count -= bucket.count
+        self.intervals -= bucket.intervals
+        self.span -= bucket.span
+        self.bytes -= bucket.bytes
+        self.sized -= bucket.sized
+
+    def _drop(self, before: float) -> None:
+        buckets = self.buckets
+        before -= _EPSILON
+        while buckets and buckets[0].start < before and (len(buckets) > 1 or buckets[0].end <= before):
+            gone = buckets.popleft()
+            self._take_out(gone)
+        if not buckets:
+            self.span = 0.0
+
+    def _merge(self) -> None:
+        """Merge neighbours in pairs."""
+        merged: deque[Bucket] = deque()
+        buckets = self.buckets
+        while len(buckets) > 1:
+            bucket = buckets.popleft()
+            bucket.absorb(buckets.popleft())
+            merged.append(bucket)
+        merged.extend(buckets)
+        self.buckets = merged
+        self.span = sum(bucket.span for bucket in merged)
+
+    def _fill(self, tally: Tally) -> bool:
+        """Put a late tally where nothing is known yet; what is known already is a duplicate."""
+        if tally.start < self.begun - _EPSILON or not tally.count or tally.end <= self.until - self.length:
+            return False
+        for number, bucket in enumerate(self.buckets):
+            if bucket.start >= tally.end - _EPSILON:
+                before = self.buckets[number - 1].end if number else self.begun
+                if tally.start < before - _EPSILON:
+                    return False
+                late = Bucket(tally, 0.0)
+                self.buckets.insert(number, late)
+                self._take_in(late)
+                return True
+            if bucket.end > tally.start + _EPSILON:
+                return False
+        return False
+
+    def _without_known(self, tally: Tally) -> Tally | None:
+        """Return the part of an overlapping tally that is new, None where that cannot be told."""
+        while self.buckets and self.buckets[-1].start >= tally.start - _EPSILON:
+            gone = self.buckets.pop()
+            self._take_out(gone)
+        known = self.buckets[-1].end if self.buckets else tally.start
+        overlap = known - tally.start
+        if overlap <= _EPSILON:
+            return tally
+        share = (tally.end - known) / (tally.end - tally.start)
+        if tally.count and tally.first and tally.first >= known - _EPSILON:
+            return _cut(tally, known, tally.count, 1.0)
+        return _cut(tally, known, round(tally.count * share), share)
+
+    def _stranger(self, tally: Tally, now: float) -> bool:
+        """Keep a tally from another time aside; several in a row, and none from this, mean that a clock stepped."""
+        strange = self._strange
+        if self.until - self.length < tally.start <= self.until:
+            return False
+        if strange and tally.start < strange[-1].end - _EPSILON:
+            strange.clear()
+        strange.append(tally)
+        del strange[:-_STRANGE]
+        if len(strange) < _STRANGE or self.news or now - self.noticed <= self.patience:
+            return False
+        known = list(strange)
+        self._begin(known[0])
+        self.stepped = True
+        for one in known[1:]:
+            self.spacing = max(one.end - self.until, self.spacing)
+            self._append(Bucket(one, self.last))
+        return True
+
+
+def _cut(tally: Tally, start: float, count: int, share: float) -> Tally:
+    """Return a tally that begins later; its times between messages stay, as they are per message."""
+    first = tally.first if tally.first >= start else 0.0
+    return Tally(
+        tally.topic,
+        tally.publisher,
+        tally.subscriber,
+        start,
+        tally.end,
+        count,
+        round(tally.bytes * share) if tally.bytes >= 0 else -1,
+        first,
+        tally.last if first or tally.last >= start else 0.0,
+        tally.period if share == 1.0 else type(tally.period)(),
+        tally.latency,
+        tally.age,
+        round(tally.lost * share) if tally.lost >= 0 else -1,
+        tally.observer,
+        tally.host,
+        tally.processing,
+    )
+
+
+RANK = {
+    Observer.INSIDE: 0,
+    Observer.SCRIPTED: 1,
+    Observer.TAP: 2,
+    Observer.PROTOCOL: 3,
+    Observer.RECORDING: 4,
+    Observer.AGENT: 5,
+}
+"""How good an observer is; the least is the best."""

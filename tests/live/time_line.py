@@ -1,0 +1,224 @@
+"""Plays a time line: traffic, samples and graphs by the second, and what the monitor says of them.
+
+A time line is a YAML mapping: ``expect`` (sentences), ``presence``, ``traffic`` (stretches of regular messages),
+``samples``, ``graphs``, ``events``, ``calls`` and ``then``: the state that has to hold at an instant.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from roslens.judge.expectation import (
+    AgeChain,
+    Expectation,
+    FieldCheck,
+    FieldCondition,
+    Presence,
+    PresenceMode,
+    Reference,
+    Selector,
+    Timing,
+    Told,
+)
+from roslens.judge.range import Range
+from roslens.live.monitor import Monitor
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
+from roslens.model.sample import Sample
+from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.verdict import Verdict
+
+TICK_S = 0.1
+_TIMINGS = {"for": "lasting", "recover": "recovering", "margin": "margin", "grace": "grace", "window": "window"}
+
+
+def moments(values: list[float]) -> Moments:
+    if not values:
+        return NOTHING
+    return Moments(len(values), sum(values), sum(v * v for v in values), min(values), max(values))
+
+
+def told(row: dict[str, Any]) -> Told:
+    timing = {_TIMINGS[key]: float(row[key]) for key in _TIMINGS if key in row}
+    return Told(id=row["id"], timing=Timing(**timing))
+
+
+def selector(row: dict[str, Any]) -> Selector:
+    fields = {key: row[key] for key in ("name", "host", "type", "publisher", "subscriber") if key in row}
+    return Selector(kind=EntityKind(row.get("kind", "topic")), **fields)
+
+
+def reference(line: dict[str, Any]) -> Reference:
+    conditions = lambda row: row and FieldCondition(row["topic"], row["field"], Range.parse(row["range"]))  # noqa: E731
+    return Reference(
+        name="test",
+        expectations=tuple(
+            Expectation(
+                told(row),
+                selector(row),
+                row["quantity"],
+                Range.parse(row["range"]),
+                percentile=row.get("percentile", 0),
+            )
+            for row in line.get("expect", ())
+        ),
+        presences=tuple(
+            Presence(
+                told(row),
+                selector(row),
+                PresenceMode(row["mode"]),
+                selector(row["while"]) if "while" in row else None,
+            )
+            for row in line.get("presence", ())
+        ),
+        field_checks=tuple(
+            FieldCheck(
+                told(row), row["topic"], row["field"], Range.parse(row["range"]), condition=conditions(row.get("if"))
+            )
+            for row in line.get("fields", ())
+        ),
+        chains=tuple(
+            AgeChain(told(row), tuple(row["topics"]), Range.parse(row["range"])) for row in line.get("chains", ())
+        ),
+    )
+
+
+def tallies(row: dict[str, Any]) -> list[tuple[float, Tally]]:
+    """Return the tallies of regular traffic, each with when it is delivered."""
+    start, end, report = float(row.get("from", 0)), float(row["to"]), float(row.get("report", 0.2))
+    period = 1 / row["hz"] if row.get("hz") else float("inf")
+    skip = row.get("gaps", ())
+    delay, offset = float(row.get("delay", 0)), float(row.get("offset", 0))
+    times, at = [], start + period / 2
+    while at < end:
+        if not any(a <= at < b for a, b in skip):
+            times.append(at)
+        at += period
+    found, last, number = [], None, 0
+    count = round((end - start) / report)
+    for step in range(count):
+        left, right = start + step * report, start + (step + 1) * report
+        mine = [t for t in times if left <= t < right]
+        gaps = []
+        for t in mine:
+            if last is not None:
+                gaps.append(t - last)
+            last = t
+        repeated = lambda key: moments([float(row[key])] * len(mine)) if key in row else NOTHING  # noqa: E731
+        number += 1
+        tally = Tally(
+            row["topic"],
+            row.get("publisher", "/p"),
+            row.get("subscriber", ""),
+            left + offset,
+            right + offset,
+            len(mine),
+            len(mine) * row["size"] if "size" in row else -1,
+            mine[0] + offset if mine else 0.0,
+            mine[-1] + offset if mine else 0.0,
+            moments(gaps),
+            repeated("latency"),
+            repeated("age"),
+            round(len(mine) * row["lost"] / (100 - row["lost"])) if "lost" in row else -1,
+            Observer(row.get("observer", "inside")),
+            row.get("host", ""),
+            repeated("processing"),
+        )
+        if mine or row.get("empty", True):
+            found.append((right + delay, tally))
+    return found
+
+
+def graph(row: dict[str, Any]) -> Graph:
+    ends = [Endpoint(node, Role.PUBLISHER, t) for node, topics in row.get("publish", {}).items() for t in topics]
+    ends += [Endpoint(node, Role.SUBSCRIPTION, t) for node, topics in row.get("subscribe", {}).items() for t in topics]
+    nodes = tuple(Node(name, host or "") for name, host in sorted(row.get("nodes", {}).items()))
+    return Graph(
+        "ros2", nodes, tuple(sorted(ends, key=lambda e: (e.node, e.role.value, e.name))), tuple(row.get("hosts", ()))
+    )
+
+
+class Played:
+    """What a monitor said along a time line."""
+
+    def __init__(self, line: dict[str, Any]) -> None:
+        self.monitor = Monitor(reference(line), start=0.0)
+        self.changes: list[tuple[float, Verdict]] = []
+        self.standing: list[tuple[float, dict[tuple[str, str], Verdict]]] = []
+        actions: list[tuple[float, Any]] = []
+        for row in line.get("traffic", ()):
+            actions += [(at, lambda t=t: self.monitor.add_tally(t)) for at, t in tallies(row)]
+        for row in line.get("samples", ()):
+            at = float(row.get("from", 0))
+            while at < row["to"]:
+                sample = Sample(EntityId.parse(row["entity"]), at, {k: float(v) for k, v in row["values"].items()})
+                actions.append((at, lambda s=sample: self.monitor.add_sample(s)))
+                at += row.get("every", 1.0)
+        for row in line.get("graphs", ()):
+            actions.append((row["at"], lambda r=row: self.monitor.add_graph(graph(r), r["at"])))
+        for row in line.get("events", ()):
+            event = Event(row["at"], Change(row["change"]), row["entity"])
+            actions.append((row["at"], lambda e=event: self.monitor.add_event(e)))
+        for row in line.get("values", ()):
+            values = {key: float(value) for key, value in row["values"].items()}
+            actions.append((row["at"], lambda r=row, v=values: self.monitor.add_field(r["topic"], r["at"], v)))
+        for row in line.get("calls", ()):
+            actions.append((row["at"], lambda r=row: getattr(self.monitor, r["call"])(r["at"])))
+        actions.sort(key=lambda action: action[0])
+        self._run(actions, line.get("clock", []), line["until"])
+
+    def _run(self, actions: list[tuple[float, Any]], clock: list[dict[str, Any]], until: float) -> None:
+        """Tick ten times a second; ``clock`` has the stretches in which time stands or from which on it is shifted."""
+        place = 0
+        for number in range(1, round(until / TICK_S) + 1):
+            now = round(number * TICK_S, 6)
+            while place < len(actions) and actions[place][0] <= now + 1e-9:
+                actions[place][1]()
+                place += 1
+            shown = now
+            for row in clock:
+                if now >= row["at"]:
+                    shown = row["at"] if now < row.get("until", 0) else now + row.get("shift", 0)
+            self.changes += [(now, verdict) for verdict in self.monitor.tick(shown)]
+            found = {(str(v.entity), v.expectation): v for v in self.monitor.standing()}
+            self.standing.append((now, found))
+
+    def at(self, time: float) -> dict[tuple[str, str], Verdict]:
+        return max((row for row in self.standing if row[0] <= time + 1e-9), key=lambda row: row[0])[1]
+
+    def states(self, entity: str, id_: str) -> list[tuple[float, str]]:
+        return [(at, v.state.value) for at, v in self.changes if (str(v.entity), v.expectation) == (entity, id_)]
+
+
+def read(path: Path) -> dict[str, Any]:
+    line = yaml.safe_load(path.read_text())
+    assert isinstance(line, dict)
+    return line
+
+
+def wrong(line: dict[str, Any], played: Played) -> list[str]:
+    """Return what a time line demands and the monitor did not say."""
+    found = []
+    for row in line["then"]:
+        verdict = played.at(row["at"]).get((row["of"], row["id"]))
+        for key in ("state", "cause"):
+            said = str(getattr(getattr(verdict, key, None), "value", getattr(verdict, key, None)))
+            if key in row and said != row[key]:
+                found.append(f"at {row['at']}: {row['of']} {row['id']}: {key} is {said}, not {row[key]}: {verdict}")
+        for key in ("value", "since"):
+            if key in row and (
+                verdict is None
+                or getattr(verdict, key) is None
+                or abs(getattr(verdict, key) - row[key]) > row.get("within", 0.01) * max(abs(row[key]), 1)
+            ):
+                found.append(f"at {row['at']}: {row['of']} {row['id']}: {key} is not {row[key]}: {verdict}")
+    for row in line.get("never", ()):
+        found += [
+            f"{row['of']} was {state} at {at}"
+            for at, state in played.states(row["of"], row["id"])
+            if state in row["states"]
+        ]
+    return found

@@ -11,6 +11,7 @@ def install() -> None:
     """Wait for the client libraries of ROS."""
     when_imported("rclpy.executors", _executors)
     when_imported("rclpy.publisher", _publisher)
+    when_imported("rospy.topics", _topics)
 
 
 def _executors(module: ModuleType) -> None:
@@ -23,3 +24,9 @@ def _publisher(module: ModuleType) -> None:
     from .rclpy_hook import hook_publisher
 
     hook_publisher(module)
+
+
+def _topics(module: ModuleType) -> None:
+    from .ros1_statistics import hook_topics
+
+    hook_topics(module)

@@ -25,7 +25,6 @@ SWITCH = "ROSLENS_ROS1_STATISTICS"
 """Environment variable that keeps rospy's own logger where it is ``0``."""
 _LEFT_OUT = ("/clock", TOPIC)
 _INT32 = 2**31 - 1
-_FORGET_S = 60.0
 _EXPECTED = ("is_enabled", "callback", "shutdown")
 
 
@@ -46,8 +45,21 @@ def hook_topics(module: ModuleType) -> None:
 class Connection:
     """Sums over all messages of one publisher since the connection exists; whoever reads takes differences."""
 
-    __slots__ = ("ages", "aged", "count", "gaps", "intervals", "last", "longest", "lost", "oldest", "sequence", "size",
-                 "square_ages", "square_gaps")  # fmt: skip
+    __slots__ = (
+        "aged",
+        "ages",
+        "count",
+        "gaps",
+        "intervals",
+        "last",
+        "longest",
+        "lost",
+        "oldest",
+        "sequence",
+        "size",
+        "square_ages",
+        "square_gaps",
+    )  # fmt: skip
 
     def __init__(self) -> None:
         self.count = self.intervals = self.aged = self.lost = self.size = 0
@@ -69,7 +81,6 @@ class LightLogger:
         self.connections: dict[str, Connection] = {}
         self._subscriber = subscriber
         self._told: dict[str, tuple[float, ...]] = {}
-        self._silent: dict[str, float] = {}
         if self.topic in _LEFT_OUT:
             self.callback = self._ignore  # type: ignore[method-assign]
         else:
@@ -85,6 +96,13 @@ class LightLogger:
 
     def callback(self, msg: Any, publisher: str, stat_bytes: int) -> None:
         """Count a message; ``stat_bytes`` is what the connection carried since it exists."""
+        try:
+            self._count(msg, publisher, stat_bytes)
+        except Exception as error:  # noqa: BLE001 - a node must run whatever becomes of its observer
+            self.callback = self._ignore  # type: ignore[method-assign]
+            sys.stderr.write("roslens: %s is no longer counted: %s\n" % (self.topic, error))  # noqa: UP031
+
+    def _count(self, msg: Any, publisher: str, stat_bytes: int) -> None:
         now = _TELLER.clock()
         seen = self.connections.get(publisher)
         if seen is None:
@@ -100,7 +118,7 @@ class LightLogger:
         seen.last = now
         seen.count += 1
         seen.size = stat_bytes
-        if msg._has_header:
+        if msg._has_header:  # noqa: SLF001 - generated into every message
             header = msg.header
             stamp = header.stamp
             age = now - stamp.secs - stamp.nsecs * 1e-9
@@ -114,8 +132,8 @@ class LightLogger:
                 seen.lost += sequence - seen.sequence - 1
             seen.sequence = sequence
 
-    def windows(self, now: float) -> list[tuple[str, list[float], float, float]]:
-        """Return publisher, growth of its sums, longest gap and greatest age since the last time; forget who is gone."""
+    def windows(self) -> list[tuple[str, list[float], float, float]]:
+        """Return publishers, growth of their sums, longest gaps and greatest ages; forget who is gone."""
         found = []
         there = self._publishers()
         for publisher, seen in list(self.connections.items()):
@@ -125,19 +143,14 @@ class LightLogger:
             longest, seen.longest = seen.longest, 0.0
             oldest, seen.oldest = seen.oldest, float("-inf")
             found.append((publisher, [new - old for new, old in zip(sums, before)], longest, oldest))  # noqa: B905
-            if sums[0] != before[0]:
-                self._silent.pop(publisher, None)
-            elif publisher not in there or now - self._silent.setdefault(publisher, now) > _FORGET_S > len(there):
-                self._forget(publisher)
+            if sums[0] == before[0] and publisher not in there:
+                self.connections.pop(publisher, None)
+                self._told.pop(publisher, None)
         return found
 
     def _publishers(self) -> set[str]:
         connections = getattr(self._subscriber, "connections", None) or ()
         return {getattr(connection, "callerid_pub", "") for connection in list(connections)}
-
-    def _forget(self, publisher: str) -> None:
-        for known in (self.connections, self._told, self._silent):
-            known.pop(publisher, None)  # type: ignore[attr-defined]
 
     def shutdown(self) -> None:
         """Forget everything: the subscriber is closed."""
@@ -186,7 +199,7 @@ class Teller:
 
     @staticmethod
     def _ended() -> bool:
-        import rospy
+        import rospy  # type: ignore[import-not-found]
 
         return bool(rospy.core.is_shutdown_requested())
 
@@ -198,7 +211,7 @@ class Teller:
         self.clock = time.time if rospy.rostime.is_wallclock() else rospy.get_time
         now = self.clock()
         if self._publisher is None:
-            from rosgraph_msgs.msg import TopicStatistics
+            from rosgraph_msgs.msg import TopicStatistics  # type: ignore[import-not-found]
 
             self._publisher = rospy.Publisher(TOPIC, TopicStatistics, queue_size=100)
         since, self._since = self._since, now
@@ -206,7 +219,7 @@ class Teller:
             loggers = list(self._loggers)
         node = rospy.get_name()
         for logger in loggers:
-            for window in logger.windows(time.time()):
+            for window in logger.windows():
                 if 0 < since <= now:
                     self._publisher.publish(_message(logger.topic, node, since, now, *window))
 

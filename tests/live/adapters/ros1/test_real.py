@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from roslens.live import inside
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.xml_rpc import Caller, CallError
 from roslens.model.graph import Change, Role
@@ -268,3 +269,71 @@ def test_no_trace_is_left_at_the_master(ros, observe):
     observer.close()
     assert "/roslens_" not in str(caller.call("getSystemState", "/test"))
     caller.close()
+
+
+SENDER = """
+import sys, rospy
+from geometry_msgs.msg import PointStamped
+rospy.init_node("sender")
+publisher = rospy.Publisher("/point", PointStamped, queue_size=100)
+rate = rospy.Rate(40)
+while not rospy.is_shutdown():
+    message = PointStamped()
+    message.header.stamp = rospy.Time.now() - rospy.Duration(0.25)
+    publisher.publish(message)
+    rate.sleep()
+"""
+TAKER = """
+import rospy
+from geometry_msgs.msg import PointStamped
+rospy.init_node("taker")
+rospy.Subscriber("/point", PointStamped, lambda message: None)
+rospy.spin()
+"""
+POINT_SIZE = 16 + 24
+
+
+def test_a_tap_reads_rate_age_and_loss_and_is_no_part_of_the_system(ros, observe):
+    ros.python(SENDER)
+    observer = observe("--tap", "/po*")
+    tallies, rate = measured(observer, 6, "/point", "/sender", "", Observer.TAP)
+    assert rate == pytest.approx(40, rel=0.05)
+    count = sum(t.count for t in tallies)
+    assert sum(t.bytes for t in tallies) == count * POINT_SIZE
+    assert sum(t.period.total for t in tallies) / sum(t.period.count for t in tallies) == pytest.approx(1 / 40, rel=0.1)
+    assert sum(t.age.total for t in tallies) / count == pytest.approx(0.25, abs=0.05)
+    assert sum(t.lost for t in tallies) == 0
+    assert not traffic(observer.frames, "/rosout", "/sender", "", Observer.TAP)
+    assert not [t for frame in observer.frames for t in frame.tallies if "roslens" in t.subscriber]
+
+
+@pytest.mark.parametrize("light", [True, False])
+def test_statistics_of_subscribers_are_read(ros, observe, light):
+    if light:
+        environment = {"PYTHONPATH": str(Path(inside.__file__).parent / "path")}
+    else:
+        environment = {}
+        caller = Caller(ros.master, Resolver())
+        caller.call("setParam", "/test", "/enable_statistics", True)
+        caller.call("setParam", "/test", "/statistics_window_max_size", 1)
+        caller.close()
+    ros.python(SENDER)
+    ros.python(TAKER, **environment)
+    observer = observe("--statistics")
+    tallies, rate = measured(observer, 4, "/point", "/sender", "/taker", Observer.INSIDE)
+    assert rate == pytest.approx(40, rel=0.1)
+    count = sum(t.count for t in tallies)
+    assert sum(t.bytes for t in tallies) / count == pytest.approx(POINT_SIZE, rel=0.1)
+    assert sum(t.age.total for t in tallies) / count == pytest.approx(0.25, abs=0.05)
+    assert sum(t.lost for t in tallies) == 0
+
+
+def test_silence_is_told_by_the_light_logger(ros, observe):
+    sender = ros.python(SENDER)
+    ros.python(TAKER, PYTHONPATH=str(Path(inside.__file__).parent / "path"))
+    observer = observe("--statistics")
+    measured(observer, 2, "/point", "/sender", "/taker", Observer.INSIDE)
+    sender.send_signal(signal.SIGSTOP)
+    key = ("/point", "/sender", "/taker", Observer.INSIDE)
+    observer.until(lambda frame: any(t.count == 0 for t in traffic([frame], *key)))
+    sender.send_signal(signal.SIGCONT)

@@ -10,9 +10,11 @@ from roslens.judge.pattern import Pattern
 from roslens.live.adapters.ros1.listening import Listening
 from roslens.live.adapters.ros1.names import TOOL
 from roslens.live.adapters.ros1.observation import Observation
+from roslens.live.adapters.ros1.slave import FRAMING
 from roslens.live.adapters.ros1.statistics import TOPIC
 from roslens.live.adapters.ros1.stream import Source, Use
 from roslens.model.failure import Failure
+from roslens.model.tally import Observer, Tally
 from roslens.model.wire import Frame
 
 SILENT_ROUNDS = 10
@@ -46,10 +48,16 @@ class Ear:
             taken.failures.append(Failure(TOOL, f"nobody publishes {TOPIC}", "subscribers that do", advice))
         return msgspec.structs.replace(
             frame,
-            tallies=[*frame.tallies, *taken.tallies],
+            tallies=[*frame.tallies, *(self._without_framing(tally) for tally in taken.tallies)],
             failures=[*frame.failures, *taken.failures],
             shed=frame.shed + taken.shed,
         )
+
+    def _without_framing(self, tally: Tally) -> Tally:
+        """Take the lengths before messages off what rospy told of itself."""
+        if tally.observer is not Observer.INSIDE or tally.subscriber in self._observation.unframed or tally.bytes < 0:
+            return tally
+        return msgspec.structs.replace(tally, bytes=max(tally.bytes - FRAMING * tally.count, 0))
 
     def _sources(self) -> Iterator[Source]:
         for topic, publishers in self._observation.publishers.items():

@@ -58,6 +58,7 @@ class Observation:
         self._left: list[tuple[str, Contact]] = []
         self._graph: Graph | None = None
         self._said: set[Failure] = set()
+        self._unframed: set[str] = set()
         self._rounds = 0
         self._pool = ThreadPoolExecutor(_AT_ONCE, "node")
 
@@ -70,6 +71,11 @@ class Observation:
             if contact and not contact.dead:
                 found.setdefault(topic, []).append((node, contact.uri))
         return found
+
+    @property
+    def unframed(self) -> frozenset[str]:
+        """Nodes that count messages they receive without the length before them, which is what roscpp does."""
+        return frozenset(self._unframed)
 
     def round(self, moved: frozenset[str] = frozenset()) -> Frame:
         """Ask everybody; ``moved`` are nodes whose API may be elsewhere now."""
@@ -142,6 +148,7 @@ class Observation:
         if contact:
             contact.close()
             self._bus.forget(name)
+            self._unframed.discard(name)
             if self._ends:
                 self._ends.forget(name)
 
@@ -157,6 +164,7 @@ class Observation:
         return looks
 
     def _tallies(self, readings: list[Reading]) -> list[Tally]:
+        self._unframed.update(reading.node for reading in readings if reading.stats.wraps)
         homes = {contact.uri.rstrip("/"): name for name, contact in self._contacts.items()}
         return self._bus.tallies(readings, homes)
 

@@ -11,7 +11,8 @@ from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, Trouble, unwrap
 from roslens.model.failure import Failure
 
-_PREFIX = 4
+FRAMING = 4
+"""Bytes of the length before each message."""
 
 
 class Link(msgspec.Struct, frozen=True, order=True):
@@ -37,7 +38,7 @@ class Counter(msgspec.Struct, frozen=True, order=True):
     sends: bool
     count: int
     bytes: int
-    prefix: int = _PREFIX
+    prefix: int = FRAMING
     drops: int = -1
 
 
@@ -131,7 +132,7 @@ def _read_row(topic: str, row: Any, sends: bool, roscpp: bool) -> Counter | None
     if len(row) < (4 if sends else 5) or not _whole(row[1]) or not _whole(row[place]):
         return None
     drops = row[3] if roscpp and not sends and _whole(row[3]) else -1
-    prefix = 0 if roscpp and not sends else _PREFIX
+    prefix = 0 if roscpp and not sends else FRAMING
     return Counter(_link_id(row[0]), topic, sends, row[place], row[1], prefix, drops)
 
 

@@ -107,6 +107,7 @@ def test_limits_mean_what_they_meant(limits: str, range_: Range):
         ("a: {frequency: [1, 2]}", "no id, expected h!host"),
         ("c!/a!/b: {frequency: [1, 2]}", "no id, expected h!host"),
         ("'t!/{a': {frequency: [1, 2]}", "'{' without '}' in the pattern '/{a'"),
+        ('"t!/a\\n": {frequency: [1, 2]}', "its name cannot be printed"),
         ("t!/a: {alive_timer: -1}", "it is '-1', expected seconds"),
     ],
 )

@@ -53,6 +53,7 @@ def test_what_a_pattern_matches(text: str, matching: list[str], others: list[str
         ("/a/b}", r"'\}' without '\{'"),
         ("/a/***", "write `\\*\\*` for any text"),
         ("/a\\", "ends in a backslash"),
+        ("*a" * 101, "101 stars in the pattern"),
         ("{" * 30 + "}" * 30, "more than 20 braces"),
         ("re:", "empty"),
         ("re:(a", "is no regular expression: missing"),
@@ -182,7 +183,8 @@ def test_intersections_told_by_hand(one: str, other: str, both: bool):
 
 
 @pytest.mark.parametrize(
-    "text", ["/*a*a*a*a*a*a*a*b", "re:/(a+)+b", "re:/(a|aa)*b", "/{a,aa,**}{a,aa,**}b", "/**a**a**b"]
+    "text",
+    ["/*a*a*a*a*a*a*a*b", "re:/(a+)+b", "re:/(a|aa)*b", "/{a,aa,**}{a,aa,**}b", "/**a**a**b", "/" + "*a" * 99 + "*b"],
 )
 def test_hostile_names_take_no_longer_than_their_length(text: str):
     pattern = Pattern.parse(text)

@@ -136,6 +136,8 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
         ("topic: /n\nrate: 1..2\noverride: true", "override without an id"),
         ("topic: /n\nrate: 1..2\noverride: true\nid: x", "nothing to override: no sentence 'x.rate'"),
         ("topic: /n\nrate: 1..2\nid: x\n\b", "character"),
+        ('topic: "/a\\x1b[2J"\nrate: 1..2', "topic has the control character '\\x1b'; expected a text without any"),
+        ('topic: /a\nrate: 1..2\ntext: "a\\n\\x07"', "text has the control character '\\x07'"),
         ("topic:\nrate: 1..2", "r.yaml:4:5: topic has no value"),
         ("topic: re:(?!x)\nrate: 1..2", "has negative look-ahead or look-behind"),
     ],
@@ -269,4 +271,8 @@ def test_whatever_a_document_holds_is_read_or_refused_with_its_place(key: str, t
 def test_texts_that_yaml_would_change_are_taken_as_written():
     reference = read(HEAD + "constraints:\n- node: no\n  on: off\n  threads: 12\n")
     assert reference.expectations[0].selector == Selector(EntityKind.NODE, "/no", host="off")
+    lines = read(
+        HEAD + "constraints:\n- node: /n\n  text: |\n    One.\n    Two.\n  threads: 1 ..\n    12\n"
+    ).expectations[0]
+    assert (lines.told.text, lines.written) == ("One.\nTwo.", "1 .. 12")
     assert isinstance(read(HEAD + "constraints: [{node: 12:30, expected: never}]").presences[0], Presence)

@@ -29,6 +29,8 @@ def read_id(seuid: str) -> Selected | str:
     names = [_unescaped(part) for part in parts]
     if kind is None or not all(names) or len(names) != (3 if kind is EntityKind.CONNECTION else 1):
         return "no id, expected h!host, n!node, t!topic or c!subscriber!topic!publisher"
+    if not all(name.isprintable() for name in names):
+        return "its name cannot be printed, which no ROS name is like"
     try:
         wild = [name for name in names if Pattern.parse(name).literal is None]
     except ValueError as error:

@@ -17,6 +17,9 @@ REGULAR_EXPRESSION = "re:"
 MAX_NESTED = 20
 """Alternatives inside each other."""
 
+MAX_STARS = 100
+"""Of one pattern: each may keep a state busy for every character of a name."""
+
 _NOT_SLASH = Letters(frozenset("/"), negated=True)
 _SPECIAL_SIGN = re.compile(r"[*?{},\\]")
 _SPECIAL = re.compile(r"\*+|[?{},\\]")
@@ -105,6 +108,9 @@ def _parse(text: str) -> Pattern:
     if all(isinstance(piece, _Plain) for piece in pieces):
         name = "".join(pieces)
         return Pattern(text, None, (name, name, name))
+    stars = sum(piece in {"*", "**"} for piece in pieces)
+    if stars > MAX_STARS:
+        raise ValueError(f"{stars} stars in the pattern {text[:60]!r}, expected up to {MAX_STARS}")
     automaton = Automaton()
     automaton.end = _Glob(text, pieces, automaton).build()
     runs = _plain_runs(pieces)

@@ -15,7 +15,7 @@ from roslens.judge.merge_references import merge_references
 from roslens.judge.name_scope import join, put_under
 from roslens.judge.pattern import REGULAR_EXPRESSION, Pattern
 from roslens.judge.read_sentences import read_sentences
-from roslens.judge.read_told import read_defaults, reading, sentence_id, slug
+from roslens.judge.read_told import read_defaults, reading, sentence_id, slug, visible
 from roslens.judge.reference_document import Declared, Defaults, ReferenceDocument, Scope
 from roslens.judge.reference_keys import DEFAULT_KEYS, DOCUMENT_KIND, REFERENCE_KEYS
 from roslens.model.errors import DocumentError
@@ -105,9 +105,10 @@ class _Reader:
             prefix=slug(outer) if outer else "",
             defaults=read_defaults(document.section("defaults", "table of defaults", DEFAULT_KEYS), Defaults()),
         )
+        title = visible(document, "title", document.text("title", name))
         shown = str(source) if isinstance(source, Path) else source.shown
         own = distinct(read_sentences(document, scope), name)
-        self.documents.append(ReferenceDocument(name, document.text("title", name), shown, own))
+        self.documents.append(ReferenceDocument(name, title, shown, own))
 
     def _name(self, document: Section, path: str) -> str:
         if (kind := document.text("kind")) != DOCUMENT_KIND:

@@ -6,7 +6,7 @@ from roslens.judge.document import Section
 from roslens.judge.expectation import Selector
 from roslens.judge.name_scope import put_under
 from roslens.judge.pattern import Pattern
-from roslens.judge.read_told import reading
+from roslens.judge.read_told import reading, visible
 from roslens.judge.reference_document import Scope
 from roslens.judge.reference_keys import KINDS, NARROWING
 from roslens.model.entity import EntityKind
@@ -83,7 +83,7 @@ def _narrowing(section: Section, scope: Scope, key: str, kind: EntityKind) -> st
 
 def _pattern(section: Section, scope: Scope, key: str, text: str, *, scoped: bool) -> str:
     def read() -> str:
-        Pattern.parse(text)
+        Pattern.parse(visible(section, key, text))
         pattern = put_under(scope.namespace, text) if scoped else text
         return Pattern.parse(pattern).text
 

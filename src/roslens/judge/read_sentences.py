@@ -62,7 +62,7 @@ def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
             selector=selector,
             quantity=quantity.key,
             range=limits.range,
-            written=section.text(quantity.key),
+            written=_squeezed(section.text(quantity.key)),
             percentile=limits.percentile,
         )
         yield declared(section, scope, expectation, name, quantity.key, void=limits.range == Range())
@@ -111,7 +111,7 @@ def _field_check(section: Section, scope: Scope) -> Declared:
         topic=topic,
         field=field,
         range=_plain_range(section, "range", ""),
-        written=section.text("range"),
+        written=_squeezed(section.text("range")),
         condition=condition,
     )
     return declared(section, scope, check, name, "range", void=check.range == Range())
@@ -131,9 +131,14 @@ def _chain(section: Section, scope: Scope) -> Declared:
         told=told_of(section, scope, name, "age", "age"),
         topics=topics,
         range=_plain_range(section, "age", "s"),
-        written=section.text("age"),
+        written=_squeezed(section.text("age")),
     )
     return declared(section, scope, chain, name, "age", void=chain.range == Range())
+
+
+def _squeezed(text: str) -> str:
+    """Return a range on one line."""
+    return " ".join(text.split())
 
 
 def _plain_range(section: Section, key: str, unit: str) -> Range:

@@ -14,6 +14,7 @@ from roslens.model.finding import Severity
 
 _ID = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.:-]*\Z")
 _LONGEST_ID = 80
+_CONTROL = re.compile("[\x00-\x1f\x7f-\x9f]")
 Read = TypeVar("Read")
 
 
@@ -31,6 +32,17 @@ def reading(section: Section, key: str, read: Callable[[], Read]) -> Read:
         raise section.fault(key, f"{key}: {what}", expected=expected, advice=advice) from None
 
 
+def visible(section: Section, key: str, text: str, *, lines: bool = False) -> str:
+    """Return a text that will be shown on terminals and pages.
+
+    Raises:
+        DocumentError: it has control characters; with ``lines`` line ends and tabs are none.
+    """
+    if found := _CONTROL.search(re.sub("[\t\n]", "", text) if lines else text):
+        raise section.fault(key, f"{key} has the control character {found[0]!r}", expected="a text without any")
+    return text
+
+
 def read_defaults(section: Section | None, defaults: Defaults) -> Defaults:
     """Return ``defaults`` with what a section says instead.
 
@@ -42,7 +54,7 @@ def read_defaults(section: Section | None, defaults: Defaults) -> Defaults:
     timing = defaults.timing
     return Defaults(
         severity=section.choice("severity", Severity, defaults.severity),
-        group=section.text("group", defaults.group),
+        group=visible(section, "group", section.text("group", defaults.group)),
         timing=Timing(
             lasting=_seconds(section, "for", timing.lasting),
             recovering=_seconds(section, "recover", timing.recovering),
@@ -93,7 +105,7 @@ def told_of(section: Section, scope: Scope, name: str, aspect: str, key: str) ->
         where=f"{location.path}:{location.line}",
         severity=own.severity,
         group=own.group,
-        text=section.text("text", ""),
+        text=visible(section, "text", section.text("text", ""), lines=True),
         timing=own.timing,
     )
 

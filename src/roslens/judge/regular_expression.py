@@ -12,8 +12,8 @@ from typing import Any
 
 from roslens.judge.automaton import Automaton, Letters
 
-MAX_STATES = 5_000
-"""Of the automaton of one expression; `(a{100}){100}` would have more."""
+MAX_STATES = 1_000
+"""Of the automaton of one expression; `(a{40}){40}` would have more."""
 
 _FLAGS = re.IGNORECASE | re.ASCII | re.DOTALL | re.UNICODE | re.VERBOSE
 

@@ -31,6 +31,12 @@ def test_check_shows_what_is_expected(base: Path, capsys: pytest.CaptureFixture[
     assert capsys.readouterr().out == ""
 
 
+def test_a_name_without_end_does_not_flood_the_table(base: Path, capsys: pytest.CaptureFixture[str]):
+    base.write_text(HEAD.format("base") + f"- {{topic: '/{'x' * 10_000}', rate: 5..6 Hz}}\n")
+    assert main(["reference", "check", str(base)]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) < 400
+
+
 def test_check_names_what_is_wrong(base: Path, capsys: pytest.CaptureFixture[str]):
     base.write_text(HEAD.format("base") + "- {topic: /scan, raet: 5 Hz}\n")
     assert main(["reference", "check", str(base)]) == 2

@@ -28,6 +28,9 @@ EXAMPLES = """\
 _CHECK = "Say what is wrong with references, and what they expect together."
 _EXPLAIN = "Say what references expect of one entity, in which order, and where that stands."
 _IMPORT = "Make a reference of a specification of ARNI, and say what became of each of its lines."
+_WIDEST = 72
+"""Characters of a cell; `explain` shows all of them."""
+
 _NARROWING = ("host", "type", "publisher", "subscriber")
 
 
@@ -121,11 +124,14 @@ def _table(merged: Merged) -> str:
     from roslens.judge.merge_references import sentences_of
     from roslens.judge.sentence_words import expected_words, subject_words
 
+    def clipped(text: str) -> str:
+        return text if len(text) <= _WIDEST else f"{text[: _WIDEST - 1]}…"
+
     heads = ("of", "is expected", "else", "id", "stands in")
     rows = [
         (
-            subject_words(sentence),
-            expected_words(sentence),
+            clipped(subject_words(sentence)),
+            clipped(expected_words(sentence)),
             sentence.told.severity.value,
             sentence.told.id,
             sentence.told.where,

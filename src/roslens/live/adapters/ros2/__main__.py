@@ -49,14 +49,14 @@ def _period(text: str) -> float:
     value = float(text)
     if not 0.05 <= value <= 8:
         # The counters of nodes keep their extremes for 8.5 s.
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds from 0.05 to 8")
+        raise argparse.ArgumentTypeError(f"{text!r}; expected a number of seconds from 0.05 to 8")
     return value
 
 
 def _percent(text: str) -> float:
     value = float(text)
     if not 0 < value <= 100:
-        raise argparse.ArgumentTypeError(f"{text!r} is no share of a core above 0 and up to 100 percent")
+        raise argparse.ArgumentTypeError(f"{text!r}; expected a share of a core above 0 and up to 100")
     return value
 
 

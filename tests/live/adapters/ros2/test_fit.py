@@ -1,0 +1,50 @@
+import pytest
+
+from roslens.live.adapters.ros2.fit import incompatible, misfits
+from roslens.model.graph import Endpoint, Role
+from roslens.model.qos import Qos
+
+
+def end(role, qos=None, node="/n", kind="a/msg/B", type_hash=""):
+    return Endpoint(node, role, "/t", kind, type_hash, qos)
+
+
+@pytest.mark.parametrize(
+    ("offered", "requested", "words"),
+    [
+        (Qos("best_effort"), Qos("reliable"), [("reliable", "best_effort")]),
+        (Qos("reliable"), Qos("best_effort"), []),
+        (Qos(durability="volatile"), Qos(durability="transient_local"), [("transient_local", "volatile")]),
+        (Qos(liveliness="automatic"), Qos(liveliness="manual_by_topic"), [("manual_by_topic", "automatic")]),
+        (Qos(deadline_s=0.2), Qos(deadline_s=0.1), [("a deadline of 0.1 s", "one of 0.2 s")]),
+        (Qos(), Qos(deadline_s=0.1), [("a deadline of 0.1 s", "no deadline")]),
+        (Qos(deadline_s=0.1), Qos(deadline_s=0.1), []),
+        (Qos(lease_s=5), Qos(lease_s=1), [("a lease of 1 s", "one of 5 s")]),
+        (Qos(), Qos("reliable", "transient_local"), []),
+    ],
+)
+def test_what_is_requested_must_be_offered(offered, requested, words):
+    assert list(incompatible(offered, requested)) == words
+
+
+def test_a_pair_that_exchanges_nothing_is_named_once_with_its_reason():
+    ends = [end(Role.PUBLISHER, Qos("best_effort"), "/camera"), end(Role.SUBSCRIPTION, Qos("reliable"), "/viewer")]
+    (failure,) = misfits(ends * 2)
+    assert str(failure) == (
+        "topic:/t: /viewer gets nothing of what /camera publishes on /t: it requests reliable; expected a request that "
+        "is met by what is offered, best_effort. Offer more at the publisher or request less at the subscription"
+    )
+
+
+def test_another_definition_of_the_same_type_is_named():
+    (failure,) = misfits([end(Role.PUBLISHER, type_hash="RIHS01_aa"), end(Role.SUBSCRIPTION, type_hash="RIHS01_bb")])
+    assert "its definition of a/msg/B is another (RIHS01_bb)" in failure.what
+
+
+def test_another_type_is_named():
+    (failure,) = misfits([end(Role.PUBLISHER), end(Role.SUBSCRIPTION, kind="a/msg/C")])
+    assert "its type is a/msg/C" in failure.what
+
+
+def test_what_fits_or_is_unknown_is_no_failure():
+    assert list(misfits([end(Role.PUBLISHER), end(Role.SUBSCRIPTION, Qos("reliable"))])) == []

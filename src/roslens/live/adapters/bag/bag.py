@@ -51,7 +51,7 @@ class Bag:
         self._failures = failures
         self.generation = parts[0].generation
         filled = [part for part in parts if part.start <= part.end]
-        self._start = min((part.start for part in filled), default=0)
+        self._start = max(min((part.start for part in filled), default=0), 0)
         self._end = max((part.end for part in filled), default=0)
         self.start, self.end = self._start / _SECOND, self._end / _SECOND
         self.messages = sum(count for part in parts for count in part.counts.values())

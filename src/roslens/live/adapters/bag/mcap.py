@@ -135,10 +135,10 @@ def _chunk_of(cursor: Cursor) -> Chunk:
     compression, packed, size = cursor.text(), cursor.u64(), cursor.u64()
     index_at = at + length
     places.sort()
-    ends = [place for place, _ in places[1:]] + [index_at + index_length]
+    ends = [place for place, _ in places] + [index_at + index_length]
     counts = {
-        channel: max(next_at - place - _INDEX_HEAD, 0) // 16
-        for (place, channel), next_at in zip(places, ends, strict=True)
+        channel: max(following - place - _INDEX_HEAD, 0) // 16
+        for (place, channel), following in zip(places, ends[1:], strict=True)
     }
     # Of the record before its content: two times, size, checksum, the text of the compression and two lengths.
     content_at = at + PREFIX.size + 40 + len(compression.encode())

@@ -25,6 +25,10 @@ from roslens.model.tally import Tally
 MOST_STREAMS = 500
 LONGEST_RETRY_S = 16.0
 _IDLE_S = 0.25
+_SETTLE_S = 0.05
+"""Accounts are settled so often, since settling costs as much as a message."""
+_MUCH = 1_000_000
+"""Bytes after which they are settled anyway."""
 _AT_ONCE = 4
 
 
@@ -184,10 +188,10 @@ class Listening:
         self._done.failures.append(Failure(TOOL, what, expected, advice, entity=entity, partial=True))
 
     def _run(self) -> None:
-        cpu = time.thread_time()
+        cpu, due = time.thread_time(), 0.0
+        messages = size = 0
         while self._open:
             ready = self._selector.select(_IDLE_S)
-            messages = size = 0
             with self._lock:
                 for key, _ in ready:
                     if key.data is None:
@@ -196,9 +200,11 @@ class Listening:
                         found = self._drain(key.data)
                         messages += found[0]
                         size += found[1]
-                now, before = time.thread_time(), cpu
-                cpu = now
-                self._spend(now - before, messages, size)
+                if size > _MUCH or time.monotonic() >= due:
+                    now, before = time.thread_time(), cpu
+                    self._spend(now - before, messages, size)
+                    cpu, due = now, time.monotonic() + _SETTLE_S
+                    messages = size = 0
 
     def _drain(self, source: Source) -> tuple[int, int]:
         stream = self._streams[source]

@@ -1,0 +1,70 @@
+import pytest
+
+from roslens.judge.pattern import Pattern
+from roslens.live.adapters.ros1.ear import SILENT_ROUNDS, Ear
+from roslens.live.adapters.ros1.listening import Taken
+from roslens.live.adapters.ros1.stream import Source, Use
+from roslens.model.tally import Observer, Tally
+from roslens.model.wire import VERSION, Frame
+
+TOLD = Tally("/t", "/a", "/b", 0.0, 1.0, 10, 300, observer=Observer.INSIDE)
+
+
+class Observation:
+    publishers = {"/scan": [("/lidar", "http://l:1/")], "/statistics": [("/b", "http://b:1/")], "/other": []}  # noqa: RUF012
+    unframed = frozenset()
+
+    def round(self, moved):
+        return Frame(VERSION, "vm/ros1", 0, 1.0, shed=1)
+
+
+class Listening:
+    wanted = None
+
+    def want(self, sources):
+        self.wanted = sources
+
+    def take(self):
+        return Taken([TOLD], [], 2)
+
+
+@pytest.fixture
+def make():
+    def build(taps=(), statistics=False):
+        ear = Ear(Observation(), Listening(), [Pattern.parse(text) for text in taps], statistics)
+        return ear, ear._observation, ear._listening
+
+    return build
+
+
+def test_nothing_is_listened_to_unasked(make):
+    ear, _, listening = make()
+    assert ear.round().tallies == []
+    assert listening.wanted is None
+
+
+def test_patterns_choose_topics(make):
+    ear, _, listening = make(["/sc*"])
+    assert ear.round().shed == 3
+    assert listening.wanted == [Source(Use.TAP, "/scan", "/lidar", "http://l:1/")]
+
+
+def test_statistics_are_read_from_all_who_publish_them(make):
+    ear, _, listening = make(statistics=True)
+    ear.round()
+    assert listening.wanted == [Source(Use.STATISTICS, "/statistics", "/b", "http://b:1/")]
+
+
+def test_the_lengths_that_rospy_counts_are_taken_off_and_roscpp_counts_none(make):
+    ear, observation, _ = make(statistics=True)
+    assert ear.round().tallies[0].bytes == 260
+    observation.unframed = frozenset({"/b"})
+    assert ear.round().tallies[0].bytes == 300
+
+
+def test_statistics_that_nobody_publishes_are_named_once(make):
+    ear, observation, _ = make(statistics=True)
+    observation.publishers = {}
+    failures = [failure for _ in range(3 * SILENT_ROUNDS) for failure in ear.round().failures]
+    assert len(failures) == 1
+    assert "/enable_statistics" in failures[0].advice

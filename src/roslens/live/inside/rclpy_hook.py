@@ -66,7 +66,7 @@ class _Hook:
 
     def claim(self, direction: str) -> None:
         """Tell the preloaded library to leave messages of a direction, "taken" or "published", to this hook."""
-        self.claimed += f" {direction}"
+        self.claimed += f" {direction}" if direction else ""
         os.environ[_CLAIM] = f"{os.getpid()}{self.claimed}"
 
     def leave(self) -> None:

@@ -1,0 +1,19 @@
+import queue
+import subprocess
+import sys
+
+from roslens.live.adapters.ros2.process_ends import ProcessEnds
+
+
+def test_the_end_of_a_process_is_told_once_and_at_once():
+    told = queue.SimpleQueue()
+    ends = ProcessEnds(told.put)
+    with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as process:
+        ends.watch(process.pid)
+        ends.watch(process.pid)
+        process.kill()
+        assert told.get(timeout=10) == process.pid
+    ends.watch(process.pid)  # long gone
+    assert told.get(timeout=10) == process.pid
+    assert told.empty()
+    ends.close()

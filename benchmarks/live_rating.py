@@ -75,18 +75,18 @@ def frames_of(seconds: float, per_second: float) -> list[tuple[float, bytes]]:
     every = CONNECTIONS / per_second
     share = round(per_second / TICKS)
     frames, place = [], 0
-    last = [0.0] * CONNECTIONS
     for step in range(round(seconds * TICKS)):
         now = (step + 1) / TICKS
+        rounds = max(share // CONNECTIONS, 1)
         numbers = [(place + one) % CONNECTIONS for one in range(min(share, CONNECTIONS))]
         place += share
         for first in range(0, len(numbers), 200):
             chunk = numbers[first : first + 200]
             if chunk[-1] < chunk[0]:
                 continue
-            frames.append((now, frame_at(now - every, now, step, range(chunk[0], chunk[-1] + 1))))
-            for number in chunk:
-                last[number] = now
+            for turn in range(rounds):
+                end = now - (rounds - 1 - turn) * every
+                frames.append((now, frame_at(end - every, end, step, range(chunk[0], chunk[-1] + 1))))
     return frames
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 
 from roslens.judge.expectation import AgeChain
 from roslens.live.sentence import Bounds
@@ -23,12 +24,12 @@ def age_at_end(topics: Sequence[str], look: Look) -> tuple[float | None, str]:
     ages = [look(topic, "age") for topic in topics]
     if None not in ages:
         known = [age for age in ages if age is not None]
-        if all(later >= earlier for earlier, later in zip(known, known[1:], strict=False)):
+        if all(later >= earlier for earlier, later in pairwise(known)):
             return known[-1], "by the stamps in the headers"
     age = ages[0]
     if age is None:
         return None, f"no stamp is seen on {topics[0]}"
-    for before, after in zip(topics, topics[1:], strict=False):
+    for before, after in pairwise(topics):
         processing, latency = look(before, "processing"), look(after, "latency")
         if processing is None:
             return None, f"the time from {before} to {after} cannot be seen"

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import msgspec
+
 from roslens.model.tally import Moments, Tally
 
 
-class Bucket:
+class Bucket(msgspec.Struct, gc=False):
     """One tally, or several neighbouring ones together.
 
     Attributes:
@@ -22,60 +24,51 @@ class Bucket:
         lost: messages known to be lost.
         losable: messages that came where losses were counted.
         losses_counted: whether losses were counted at all.
+        period: moments of the times between messages.
+        latency: of the times from publishing to receipt.
+        age: of the times from the stamp to receipt.
+        processing: of the times from receipt to the answer.
     """
 
-    __slots__ = (
-        "age",
-        "bytes",
-        "count",
-        "end",
-        "first",
-        "gap",
-        "intervals",
-        "last",
-        "latency",
-        "losable",
-        "losses_counted",
-        "lost",
-        "period",
-        "processing",
-        "sized",
-        "span",
-        "start",
-    )
+    start: float
+    end: float
+    count: int
+    first: float
+    last: float
+    intervals: int
+    span: float
+    gap: float
+    bytes: int
+    sized: int
+    lost: int
+    losable: int
+    losses_counted: bool
+    period: Moments
+    latency: Moments
+    age: Moments
+    processing: Moments
 
-    def __init__(self, tally: Tally, previous: float) -> None:
+    @classmethod
+    def of(cls, tally: Tally, previous: float) -> Bucket:
         """Take a tally; ``previous`` is when the last message before it came, 0 where unknown."""
-        self.start = tally.start
-        self.end = tally.end
-        self.count = count = tally.count
-        self.first = first = tally.first
-        self.last = tally.last
-        self.period = period = tally.period
-        self.latency = tally.latency
-        self.age = tally.age
-        self.processing = tally.processing
-        self.intervals = period.count
-        self.span = period.total
-        self.gap = period.greatest if period.count else -1.0
-        if period.count < count and first:
-            self._complete(first - previous if previous else 0.0)
-        known = tally.bytes
-        self.bytes, self.sized = (known, count) if known >= 0 else (0, 0)
-        lost = tally.lost
-        self.losses_counted = lost >= 0
-        self.lost, self.losable = (lost, count) if lost >= 0 else (0, 0)
-
-    def _complete(self, before: float) -> None:
-        """Take the times that the observer did not count from first and last; ``before`` is that before the first."""
-        if not self.intervals and self.count > 1:
-            self.intervals = self.count - 1
-            self.span = self.last - self.first
-            self.gap = self.span / self.intervals
-        if before > 0 and self.intervals < self.count:
-            self.intervals += 1
-            self.span += before
-            self.gap = max(self.gap, before)
+        period, count, first = tally.period, tally.count, tally.first
+        intervals, span = period.count, period.total
+        gap = period.greatest if intervals else -1.0
+        if intervals < count and first:
+            # The observer did not count every time between messages: first and last tell some of them.
+            if not intervals and count > 1:
+                intervals, span = count - 1, tally.last - first
+                gap = span / intervals
+            if previous and first > previous and intervals < count:
+                intervals += 1
+                span += first - previous
+                gap = max(gap, first - previous)
+        size, lost = tally.bytes, tally.lost
+        return cls(
+            tally.start, tally.end, count, first, tally.last, intervals, span, gap,
+            max(size, 0), count if size >= 0 else 0, max(lost, 0), count if lost >= 0 else 0, lost >= 0,
+            period, tally.latency, tally.age, tally.processing,
+        )  # fmt: skip
 
     def absorb(self, later: Bucket) -> None:
         """Become the bucket of both; ``later`` begins where this one ends."""

@@ -51,10 +51,8 @@ def first_causes(
         inside = sorted((entity for entity in component if entity in bad), key=order)
         outside = min(incoming, key=order, default=None)
         first = inside[0] if inside else None
-        if first is None or (outside is not None and bad[outside] <= bad[first] + LATE_S):
-            root = outside
-        else:
-            root = first
+        explained = first is None or (outside is not None and bad[outside] <= bad[first] + LATE_S)
+        root = outside if explained else first
         for entity in component:
             carried[entity] = root
         for entity in inside:

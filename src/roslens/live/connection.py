@@ -45,7 +45,8 @@ class Connection(Measured):
             windows = self._observed(tally)
         if len(windows) == 1:
             return windows[0].add(tally, now)
-        return any([window.add(tally, now) for window in windows])
+        news = [window.add(tally, now) for window in windows]
+        return any(news)
 
     def resize(self, lengths: tuple[float, ...]) -> None:
         """Keep a window of each of these lengths."""
@@ -60,6 +61,12 @@ class Connection(Measured):
             self._by_observer[observer] = kept
         self._lengths = lengths
         self._sort()
+
+    def notice(self, now: float) -> None:
+        """Note when news came, without looking at it yet."""
+        for windows in self._order:
+            for window in windows:
+                window.notice(now)
 
     def settle(self, now: float) -> None:
         """Bring every window to ``now``."""
@@ -119,6 +126,11 @@ class Connection(Measured):
         noticed = [windows[0].noticed for windows in self._order if windows[0].spacing]
         return max(noticed, default=None)
 
+    @property
+    def alone(self) -> list[Window] | None:
+        """The windows of the only observer; None where there are several."""
+        return self._order[0] if len(self._order) == 1 else None
+
     def next_due(self, now: float) -> float:
         """Return when silence alone may change something."""
         due = NEVER
@@ -141,7 +153,7 @@ class Connection(Measured):
 
 
 def _due(window: Window, now: float) -> float:
-    patient = window.noticed + window.patience
+    patient = window.noticed + 1.5 * window.spacing + 0.05
     if now < patient:
         return patient + 1e-9
     over = window.noticed + window.length + (window.until - (window.last or window.begun))

@@ -20,13 +20,25 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     connection.looked = now
     due = connection.next_due(now)
     changed: list[Judged] = []
+    calm = True
+    alone = connection.alone
     for group in connection.groups:
-        value, window = connection.value(group.key, group.at, group.percentile)
-        if connection.gone and window is not None and window.horizon > window.until:
-            value, window = None, None
+        if alone is not None and group.calm and group.measure is not None and not group.percentile:
+            window = alone[group.at]
+            value = group.measure(window)
+            if value is not None and group.low <= value <= group.high:
+                group.value, group.window = value, window
+                if group.key == "largest_gap":
+                    due = min(due, _gap_due(group, window, now))
+                continue
+        value, seen = connection.value(group.key, group.at, group.percentile)
+        if connection.gone and seen is not None and seen.horizon > seen.until:
+            value, seen = None, None
             for judged in group.judged:
                 judged.evidence = "an end of it is gone from the graph"
-        due = min(due, _judge_group(group, now, value, window, connection.appeared, changed))
+        due = min(due, _judge_group(group, now, value, seen, connection.appeared, changed))
+        calm = calm and group.calm
+    connection.calm = calm
     connection.due = due
     return changed
 
@@ -40,10 +52,12 @@ def judge_topic(topic: Topic, now: float, *, graph_known: bool) -> list[Judged]:
             due = min(due, connection.next_due(now))
     topic.looked = now
     changed: list[Judged] = []
+    views = [topic.views(at) for at in range(len(topic.lengths))]
+    calm = True
     for group in topic.groups:
-        value, window = topic.value(group.key, group.at, group.percentile)
+        value, window = topic.value(group.key, group.at, group.percentile, views[group.at])
         if value is None and window is None:
-            group.calm = False
+            calm = group.calm = False
             changed += [one for one in group.judged if _judge_unseen(topic, one, now, graph_known=graph_known)]
             due = min(due, *(one.state.due for one in group.judged))
             continue
@@ -51,6 +65,8 @@ def judge_topic(topic: Topic, now: float, *, graph_known: bool) -> list[Judged]:
             for judged in group.judged:
                 judged.evidence = _ends(topic)
         due = min(due, _judge_group(group, now, value, window, topic.appeared, changed))
+        calm = calm and group.calm
+    topic.calm = calm
     topic.due = due
     return changed
 
@@ -86,12 +102,12 @@ def _judge_group(
     """Judge all sentences that take a value; return when one of them may change without news."""
     due = _gap_due(group, window, now) if group.key == "largest_gap" else NEVER
     if group.calm and value is not None and group.low <= value <= group.high:
-        group.value, group.time, group.window = value, now, window
+        group.value, group.window = value, window
         return due
     changed += [one for one in group.judged if _step(one, now, value, window, appeared)]
     due = min(due, group.settle())
     if group.calm and value is not None:
-        group.value, group.time, group.window = value, now, window
+        group.value, group.window = value, window
     return due
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from roslens.live.sentence import Sentence
 from roslens.live.standing import Standing
+from roslens.live.traffic import MEASURES
 from roslens.live.verdict_state import NEVER
 from roslens.live.window import Window
 from roslens.model.entity import EntityId
@@ -33,13 +34,13 @@ class Judged(Standing):
         """Begin anew in ``state``, because time itself broke."""
         super().forget(now, state)
         if self.group is not None:
-            self.group.calm = False
+            self.group.calm = self.group.entity.calm = False
 
     def verdict(self) -> Verdict:
         """Return how it stands, for others to read."""
         group = self.group
         if group is not None and group.calm:
-            self.state.value, self.state.time, self.window = group.value, group.time, group.window
+            self.state.value, self.state.time, self.window = group.value, group.entity.looked, group.window
         return super().verdict()
 
 
@@ -47,7 +48,9 @@ class Group:
     """Sentences about one entity that take the same value, so that one look tells whether all are fine still.
 
     Attributes:
+        entity: that is judged.
         key: of the signal.
+        measure: that takes it from a window; None where windows do not tell it.
         at: number of the window.
         percentile: of the values in the window, 0 for the window itself.
         low: the highest of the lower bounds.
@@ -55,20 +58,21 @@ class Group:
         judged: the sentences.
         calm: whether all are ok, and stay so as long as the value is between both.
         value: at the last look at a calm group.
-        time: of that look.
         window: that showed it.
     """
 
-    __slots__ = ("at", "calm", "high", "judged", "key", "low", "percentile", "time", "value", "window")
+    __slots__ = ("at", "calm", "entity", "high", "judged", "key", "low", "measure", "percentile", "value", "window")
 
-    def __init__(self, judged: list[Judged]) -> None:
+    def __init__(self, entity: Measured, judged: list[Judged]) -> None:
         first = judged[0]
+        self.entity = entity
+        self.measure = MEASURES.get(first.sentence.key)
         self.key, self.at, self.percentile = first.sentence.key, first.at, first.sentence.percentile
         self.low = max(one.sentence.bounds.low for one in judged)
         self.high = min(one.sentence.bounds.high for one in judged)
         self.judged = judged
         self.calm = False
-        self.value = self.time = 0.0
+        self.value = 0.0
         self.window: Window | None = None
         for one in judged:
             one.group = self
@@ -88,6 +92,7 @@ class Measured:
         judged: sentences about it.
         groups: these by the value that they take.
         looked: when it was judged last.
+        calm: whether everything about it was fine when it was judged last.
         appeared: from when grace counts.
         due: when it has to be judged again without any news; NEVER where only news can change it.
         planned: the earliest time at which it waits in the queue.
@@ -96,7 +101,19 @@ class Measured:
         waiting: whether it waits to be judged in the next tick.
     """
 
-    __slots__ = ("appeared", "due", "groups", "id", "judged", "looked", "planless", "planned", "seen", "waiting")
+    __slots__ = (
+        "appeared",
+        "calm",
+        "due",
+        "groups",
+        "id",
+        "judged",
+        "looked",
+        "planless",
+        "planned",
+        "seen",
+        "waiting",
+    )
 
     def __init__(self, entity: EntityId, now: float) -> None:
         self.id = entity
@@ -108,6 +125,7 @@ class Measured:
         self.seen = False
         self.planless = True
         self.waiting = False
+        self.calm = False
 
     def adopt(self, sentences: Iterable[Sentence], now: float) -> list[Judged]:
         """Be judged by these sentences from now on; return those judged no more. Unchanged ones keep their state."""
@@ -124,9 +142,5 @@ class Measured:
         groups: dict[tuple[str, int, float], list[Judged]] = {}
         for one in self.judged:
             groups.setdefault((one.sentence.key, one.at, one.sentence.percentile), []).append(one)
-        self.groups = [Group(judged) for judged in groups.values()]
-
-    @property
-    def calm(self) -> bool:
-        """Whether everything about it is fine."""
-        return all([group.calm for group in self.groups])
+        self.groups = [Group(self, judged) for judged in groups.values()]
+        self.calm = False

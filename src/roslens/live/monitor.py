@@ -360,21 +360,30 @@ class Monitor:
                 self._retire(plan(one, self._world, self._rules, now), now)
         changed: list[Standing] = []
         for one in (*others, *topics):
-            if isinstance(one, Sampled):
-                changed += judge_sampled(one, now)
-                if one.seen and not one.fresh(now):
-                    self._existence.take_silence(one, now)
-            elif self._suspended:
-                continue
-            elif one.calm and 0 <= now - one.looked < PACE_S and one.due > now:
-                # What is fine is looked at less often: a window forgets its oldest tally early enough for that.
-                one.due = min(one.due, one.looked + PACE_S)
-            elif isinstance(one, Connection):
-                changed += judge_connection(one, now)
-            elif isinstance(one, Topic) and one.judged:
-                changed += judge_topic(one, now, graph_known=self._world.graph is not None)
-            self._queue.put(one)
+            changed += self._judge_one(one, now)
+            if one.due < one.planned:
+                self._queue.put(one)
         return changed
+
+    def _judge_one(self, one: Measured, now: float) -> Iterable[Standing]:
+        if isinstance(one, Sampled):
+            judged = judge_sampled(one, now)
+            if one.seen and not one.fresh(now):
+                self._existence.take_silence(one, now)
+            return judged
+        if self._suspended:
+            return ()
+        if one.calm and 0 <= now - one.looked < PACE_S and one.due > now:
+            # What is fine is looked at less often: a window forgets its oldest tally early enough for that.
+            if isinstance(one, Connection):
+                one.notice(now)
+            one.due = one.looked + PACE_S
+            return ()
+        if isinstance(one, Connection):
+            return judge_connection(one, now)
+        if isinstance(one, Topic) and one.judged:
+            return judge_topic(one, now, graph_known=self._world.graph is not None)
+        return ()
 
     def _retire(self, dropped: Iterable[Standing], now: float) -> None:
         """Say of verdicts that are judged no more that they are unknown."""

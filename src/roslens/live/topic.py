@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 from roslens.live.connection import Connection
 from roslens.live.measured import Measured
 from roslens.live.window import RANK, Window
@@ -54,7 +56,7 @@ class Topic(Measured):
 
     def all_connections(self) -> list[Connection]:
         """Return every connection that is there, else every one."""
-        every = [one for group in self.connections.values() for one in group]
+        every = list(chain.from_iterable(self.connections.values()))
         return [one for one in every if not one.gone] or every
 
     def views(self, at: int) -> list[tuple[Connection, Window]]:
@@ -73,16 +75,20 @@ class Topic(Measured):
                 found.append(min(seen, key=_quality))
         return [(one, window) for one, window in found if not one.gone or len(found) == 1] or found
 
-    def value(self, key: str, at: int, percentile: float = 0.0) -> tuple[float | None, Window | None]:
-        """Return a signal of the topic and the window that tells most of it."""
+    def value(
+        self, key: str, at: int, percentile: float = 0.0, views: list[tuple[Connection, Window]] | None = None
+    ) -> tuple[float | None, Window | None]:
+        """Return a signal of the topic and the window that tells most of it; ``views`` are taken where known."""
         if key == "publishers":
             return self._count(self.publishers, "publisher")
         if key == "subscribers":
             return self._count(self.subscribers, "subscriber")
         if key in _OF_PUBLISHERS:
-            seen = [one.value(key, at, percentile) for one, _ in self.views(at)]
+            seen = [one.value(key, at, percentile) for one, _ in (self.views(at) if views is None else views)]
         else:
             seen = [one.value(key, at, percentile) for one in self.all_connections()]
+        if len(seen) == 1:
+            return seen[0]
         told = [(value, window) for value, window in seen if value is not None]
         if not told:
             return None, seen[0][1] if seen else None

@@ -38,6 +38,7 @@ class Window:
         noticed: when the monitor noticed the newest tally, on its own clock.
         spacing: seconds from one tally to the next.
         horizon: up to when the window reaches, on the observer's clock.
+        quiet: seconds up to the horizon since the last message, or since the beginning where there was none.
         stepped: whether the observer's clock did, since somebody last asked.
     """
 
@@ -56,6 +57,7 @@ class Window:
         "news",
         "noticed",
         "observer",
+        "quiet",
         "sized",
         "spacing",
         "span",
@@ -70,7 +72,7 @@ class Window:
         self._automatic = not length
         self.length = length or DEFAULT_S
         self.buckets: deque[Bucket] = deque()
-        self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = 0.0
+        self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = self.quiet = 0.0
         self.count = self.intervals = self.bytes = self.sized = 0
         self.news = self.stepped = False
         self._strange: list[Tally] = []
@@ -104,31 +106,34 @@ class Window:
             self.spacing = max(tally.end - until, 0.9 * self.spacing)
         if self._strange:
             self._strange.clear()
-        self._append(Bucket(tally, self.last if hole <= _SLACK_S else 0.0))
+        self._append(Bucket.of(tally, self.last if hole <= _SLACK_S else 0.0))
         return True
 
-    def settle(self, now: float) -> None:
-        """Look at the window at ``now`` on the monitor's clock: silence counts, what is too old goes."""
+    def notice(self, now: float) -> None:
+        """Note when news came, without looking at it yet."""
         if self.news:
             self.news = False
             self.noticed = now
             self.horizon = self.until
             if self._automatic and self.intervals:
                 self.length = min(max(self.length, PERIODS * self.span / self.intervals), LONGEST_S)
+
+    def settle(self, now: float) -> None:
+        """Look at the window at ``now`` on the monitor's clock: silence counts, what is too old goes."""
+        if self.news:
+            self.notice(now)
         else:
-            quiet = now - self.noticed
-            self.horizon = self.until + (quiet if quiet > self.patience else 0.0)
-        self._drop(self.horizon - self.length)
+            waited = now - self.noticed
+            self.horizon = self.until + (waited if waited > self.patience else 0.0)
+        horizon = self.horizon
+        self.quiet = max(horizon - (self.last or self.begun), 0.0)
+        if self.buckets and self.buckets[0].start < horizon - self.length - _EPSILON:
+            self._drop(horizon - self.length)
 
     @property
     def patience(self) -> float:
         """Seconds without news after which an observer is taken to have seen nothing."""
         return 1.5 * self.spacing + 0.05
-
-    @property
-    def quiet(self) -> float:
-        """Seconds since the last message, or since the beginning where there was none."""
-        return max(self.horizon - (self.last or self.begun), 0.0)
 
     @property
     def filled(self) -> bool:
@@ -146,7 +151,7 @@ class Window:
         self.clear()
         self.begun = tally.start
         self.spacing = max(tally.end - tally.start, _EPSILON)
-        self._append(Bucket(tally, 0.0))
+        self._append(Bucket.of(tally, 0.0))
 
     def _append(self, bucket: Bucket) -> None:
         self.buckets.append(bucket)
@@ -206,7 +211,7 @@ class Window:
                 before = self.buckets[number - 1].end if number else self.begun
                 if tally.start < before - _EPSILON:
                     return False
-                late = Bucket(tally, 0.0)
+                late = Bucket.of(tally, 0.0)
                 self.buckets.insert(number, late)
                 self._take_in(late)
                 return True
@@ -244,7 +249,7 @@ class Window:
         self.stepped = True
         for one in known[1:]:
             self.spacing = max(one.end - self.until, self.spacing)
-            self._append(Bucket(one, self.last))
+            self._append(Bucket.of(one, self.last))
         return True
 
 

@@ -149,6 +149,15 @@ def test_frames_wait_while_the_monitor_is_away(clock, agent_of):
     assert later[-1].graph is not None or any(frame.graph is not None for frame in later)
 
 
+def test_an_agent_is_told_which_processes_hold_nodes(listener, agent_of):
+    agent = agent_of(listener.port)
+    listener.name("base", frozenset({7, 8}))
+    listener.name("arm", frozenset({9}))
+    until(listener, [agent], lambda _: agent._processes._named == {7, 8})
+    listener.name("base", frozenset({8}))
+    until(listener, [agent], lambda _: agent._processes._named == {8})
+
+
 def test_two_agents_on_a_host(listener, agent_of):
     agents = [agent_of(listener.port, name="base"), agent_of(listener.port, name="arm")]
     until(listener, agents, lambda _: len(listener.agents()) == 2)

@@ -116,6 +116,31 @@ def test_a_run_asks_all_sources_and_closes_them(session):
     assert all(source.closed for source in sources)
 
 
+class Watcher(Scripted):
+    """A source that remembers which processes it was told of."""
+
+    def __init__(self):
+        super().__init__([])
+        self.named = []
+
+    def name(self, host, pids):
+        self.named.append((host, pids))
+
+
+def test_who_samples_processes_is_told_which_hold_nodes(session):
+    watcher = Watcher()
+    graphs = [Graph("ros1", (Node("/a", "base", 7), Node("/b", "arm", 8))), Graph("ros1", (Node("/a", "base", 9),))]
+    steps: list[Step] = []
+    run(
+        session,
+        [Scripted([frame(1.0, graph=one) for one in graphs]), watcher],
+        wall=lambda: 1.0,
+        stopped=lambda _: len(steps) == 4,
+        told=steps.append,
+    )
+    assert watcher.named == [("base", {7}), ("arm", {8}), ("base", {9})]
+
+
 def test_sources_are_closed_whatever_happens(session):
     source = Scripted([])
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import os
 import platform
 import shutil
 import signal
@@ -16,6 +17,7 @@ from roslens.cli.watch_output import Teller
 from roslens.cli.watch_screen import screen, time_of_day
 from roslens.live.session import Session, Source, run
 from roslens.model.errors import UsageError
+from roslens.model.failure import Failure
 
 if TYPE_CHECKING:
     from roslens.judge.expectation import Reference
@@ -89,9 +91,51 @@ def _sources(options: argparse.Namespace) -> list[Source]:
     name = platform.node()
     host, processes = HostSampler(name, gpu=gpu_reader()), ProcessSampler(name)
     sources: list[Source] = [LocalHost(name, host, processes, wall=time.time, steady=time.monotonic)]
+    sources += _of_ros(options)
     if options.listen is not None:
         sources.append(_listener(options))
     return sources
+
+
+def _of_ros(options: argparse.Namespace) -> list[Source]:
+    """Return the observers that were asked for; without a word about it, of every ROS that is found here."""
+    from roslens.live.child_source import ros1_source, ros2_source
+
+    asked = options.ros1 or options.ros2
+    taps = options.tap
+    sources: list[Source] = []
+    if options.ros1 or (not asked and (options.master or os.environ.get("ROS_MASTER_URI"))):
+        sources.append(ros1_source(options.master or "", taps, os.environ, steady=time.monotonic))
+    if options.ros2:
+        sources.append(ros2_source(options.python or "", options.domain, taps, os.environ, steady=time.monotonic))
+    elif not asked:
+        try:
+            sources.append(ros2_source(options.python or "", options.domain, taps, os.environ, steady=time.monotonic))
+        except UsageError as error:
+            if options.python or options.domain is not None:
+                raise
+            if not sources and options.listen is None:
+                sources.append(NoRos(error))
+    return sources
+
+
+class NoRos:
+    """Says once that no ROS was found, where it was not asked for by name."""
+
+    def __init__(self, error: UsageError) -> None:
+        """Say what was tried."""
+        self._failure: Failure | None = Failure(
+            "ros", f"no ROS was found: no $ROS_MASTER_URI and {error.what}", error.expected, error.advice
+        )
+
+    def poll(self, seconds: float) -> list[Failure]:
+        """Return the failure the first time."""
+        time.sleep(seconds)
+        found, self._failure = self._failure, None
+        return [found] if found else []
+
+    def close(self) -> None:
+        """Nothing is open."""
 
 
 def _listener(options: argparse.Namespace) -> Source:

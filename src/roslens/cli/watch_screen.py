@@ -12,8 +12,9 @@ from roslens.live.tree import SystemView
 from roslens.model.verdict import State, Verdict
 from roslens.report.terminal import Terminal, columns, left, right
 
-COLUMNS = ("rate", "largest_gap", "latency", "loss", "bandwidth", "cpu", "memory")
-_HEADINGS = ("rate", "gap", "latency", "loss", "bandwidth", "cpu", "memory")
+COLUMNS = ("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth", "loss")
+"""The values of a row, the first ones for narrow terminals too."""
+_HEADINGS = ("rate", "gap", "latency", "cpu", "memory", "bandwidth", "loss")
 _CELL = 11
 _LEAST_NAME = 24
 _MOST_ALERTS = 8
@@ -95,6 +96,9 @@ def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
 
 def _rows(parts: Iterable[SystemView], depth: int) -> Iterable[tuple[int, SystemView]]:
     for part in parts:
+        if part.kind == "process" and not part.counts:
+            # What a process uses is told of its nodes; alone it is worth a line where something is expected of it.
+            continue
         yield depth, part
         # A topic with one connection is told by that connection.
         yield from _rows(part.children if len(part.children) != 1 or part.kind != "topic" else (), depth + 1)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from roslens.live.agent.link import Channel, LinkError, read_frame, told_time
+from roslens.live.agent.link import Channel, LinkError, named_pids, read_frame, told_time
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
 
@@ -29,6 +29,7 @@ class _Line(msgspec.Struct, eq=False):
     heard: float
     sending: bytearray
     sender: str = ""
+    named: frozenset[int] | None = None
 
 
 class Listener:
@@ -48,6 +49,7 @@ class Listener:
         self._wall = wall
         self._steady = steady
         self._lines: dict[socket.socket, _Line] = {}
+        self._named: dict[str, frozenset[int]] = {}
         self._selector = selectors.DefaultSelector()
         self._socket = socket.create_server(address)
         self._socket.setblocking(False)
@@ -78,6 +80,12 @@ class Listener:
                 self._send(line)
         found += self._too_silent()
         return found
+
+    def name(self, host: str, pids: frozenset[int]) -> None:
+        """Tell the agent of a host which processes hold nodes, if that is news to it."""
+        self._named[host] = pids
+        for line in list(self._lines.values()):
+            self._tell_pids(line)
 
     def close(self) -> None:
         """Hang up on all and listen no more."""
@@ -128,6 +136,8 @@ class Listener:
             found.append(self._hang_up(line, str(error)))
             return found
         self._send(line)
+        if line.socket in self._lines:
+            self._tell_pids(line)
         return found
 
     def _send(self, line: _Line) -> None:
@@ -145,6 +155,13 @@ class Listener:
             return
         wanted = selectors.EVENT_READ | (selectors.EVENT_WRITE if line.sending else 0)
         self._selector.modify(line.socket, wanted)
+
+    def _tell_pids(self, line: _Line) -> None:
+        pids = self._named.get(line.sender.rpartition("/")[0])
+        if pids is not None and line.channel.ready and line.named != pids:
+            line.named = pids
+            line.sending += line.channel.message("P", named_pids(pids))
+            self._send(line)
 
     def _too_silent(self) -> list[Failure]:
         now = self._steady()

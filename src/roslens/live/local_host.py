@@ -58,6 +58,11 @@ class LocalHost:
         frame = Frame(VERSION, f"{self._name}/monitor", self._sequence, self._wall(), [], samples, events, graph)
         return [frame]
 
+    def name(self, host: str, pids: frozenset[int]) -> None:
+        """Watch these processes too, if it is of this host that they are said to be."""
+        if host == self._name:
+            self._processes.name(pids)
+
     def close(self) -> None:
         """Let all files go."""
         self._host.close()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Protocol
+from typing import Protocol, cast
 
 import msgspec
 
@@ -27,6 +27,13 @@ class Source(Protocol):
 
     def close(self) -> None:
         """Stop observing."""
+
+
+class ProcessWatcher(Protocol):
+    """A source that samples processes, and can be told which of them hold nodes."""
+
+    def name(self, host: str, pids: frozenset[int]) -> None:
+        """Watch these processes of a host."""
 
 
 class Step(msgspec.Struct, frozen=True):
@@ -62,6 +69,22 @@ class Session:
         self._events: list[Event] = []
         self._failures: list[Failure] = []
         self._told: set[tuple[str, str]] = set()
+        self._pids: dict[str, frozenset[int]] = {}
+
+    def name_processes(self, watchers: Iterable[ProcessWatcher]) -> None:
+        """Tell who samples processes which of them hold nodes, where that has changed."""
+        if not self._graph_changed:
+            return
+        pids: dict[str, set[int]] = {}
+        for node in self._graphs.whole().nodes:
+            if node.host and node.pid:
+                pids.setdefault(node.host, set()).add(node.pid)
+        for host, found in pids.items():
+            known = frozenset(found)
+            if self._pids.get(host) != known:
+                self._pids[host] = known
+                for watcher in watchers:
+                    watcher.name(host, known)
 
     def take(self, came: Iterable[Frame | Failure]) -> None:
         """Take what observers tell."""
@@ -138,11 +161,13 @@ def run(
 
     The sources are closed at the end, whatever happens.
     """
+    watchers = [cast("ProcessWatcher", source) for source in sources if hasattr(source, "name")]
     try:
         share = longest_wait_s / max(len(sources), 1)
         while not stopped(wall()):
             for source in sources:
                 session.take(source.poll(share))
+            session.name_processes(watchers)
             told(session.look(wall()))
     finally:
         for source in sources:

@@ -9,7 +9,9 @@ from roslens.live.agent.link import (
     Outbox,
     asked_time,
     frame_body,
+    named_pids,
     read_frame,
+    read_pids,
     read_times,
     told_time,
 )
@@ -101,6 +103,12 @@ def test_times():
         told_time(b"x", 1.0, 2.0)
     with pytest.raises(LinkError, match="expected 24"):
         read_times(b"x")
+
+
+def test_pids():
+    assert read_pids(named_pids({5, 3})) == [3, 5]
+    with pytest.raises(LinkError, match="no process ids"):
+        read_pids(b"\xc1")
 
 
 def test_an_outbox_is_bounded_and_says_what_it_gave_up():

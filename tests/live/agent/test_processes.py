@@ -78,6 +78,13 @@ def test_a_young_program_is_looked_at_again(machine, sampler):
     assert told(sampler.find(2.0)) == [("appeared", "process:base/10")]
 
 
+def test_what_is_known_to_hold_nodes_is_watched_whatever_it_looks_like(machine, sampler):
+    machine.start(10, "python3\0talker.py\0")
+    assert sampler.find(1.0) == []
+    sampler.name([10, 11])
+    assert told(sampler.find(2.0)) == [("appeared", "process:base/10")]
+
+
 def test_values(machine, sampler):
     machine.start(10, ticks=100)
     sampler.find(1.0)

@@ -8,6 +8,7 @@ A message is a length (4 bytes), a letter, a body and a code (16 bytes)::
 
     H  hello: version, nonce        A  answer: proof          F  frame (roslens.model.wire)
     T  ask for the time: t1         t  time: t1, t2, t3 (seconds, IEEE doubles)
+    P  pids that hold nodes, as the monitor knows from the graph (MessagePack array)
 """
 
 from __future__ import annotations
@@ -16,7 +17,9 @@ import hmac
 import secrets
 import struct
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+
+import msgspec
 
 from roslens.model.wire import MAX_FRAME_BYTES, VERSION, Frame, WireError, decode_frame, encode_frame
 
@@ -189,6 +192,23 @@ def read_times(body: bytes) -> tuple[float, float, float]:
     return asked, received, sent
 
 
+def named_pids(pids: Iterable[int]) -> bytes:
+    """Return the body of a ``P`` message."""
+    return msgspec.msgpack.encode(sorted(pids))
+
+
+def read_pids(body: bytes) -> list[int]:
+    """Return the process ids of a ``P`` message.
+
+    Raises:
+        LinkError: it holds anything else.
+    """
+    try:
+        return msgspec.msgpack.decode(body, type=list[int])
+    except (msgspec.DecodeError, RecursionError) as error:
+        raise LinkError(f"{len(body)} bytes that are no process ids: {error}") from None
+
+
 class Outbox:
     """Frames that wait for the line, the oldest given up when there are too many."""
 
@@ -207,8 +227,6 @@ class Outbox:
     def put(self, frame: Frame) -> None:
         """Add a frame; says in it how many records were given up before."""
         if self._shed:
-            import msgspec
-
             frame = msgspec.structs.replace(frame, shed=frame.shed + self._shed)
             self._shed = 0
         body = frame_body(frame)

@@ -73,6 +73,12 @@ class ProcessSampler:
         self._passed_over: set[int] = set()
         self._finds = 0
         self._sweep = 0
+        self._named: frozenset[int] = frozenset()
+
+    def name(self, pids: Iterable[int]) -> None:
+        """Watch these processes too, because somebody knows that nodes live in them; replaces those named before."""
+        self._named = frozenset(pids)
+        self._passed_over -= self._named
 
     def find(self, now: float) -> list[Event]:
         """Look for processes that came or went since the last call; returns what happened."""
@@ -133,7 +139,8 @@ class ProcessSampler:
     def _look_at(self, pid: int, ticks: int, now: float) -> list[Event]:
         folder = self._proc / str(pid)
         command = _bytes_of(folder / "cmdline")
-        if not _SAID.search(command) and not _MARKS.search(_bytes_of(folder / "maps")):
+        named = pid in self._named
+        if not named and not _SAID.search(command) and not _MARKS.search(_bytes_of(folder / "maps")):
             # A program may load its ROS libraries a moment after it began: young ones are looked at again.
             if self._age(ticks) > 10.0:
                 self._passed_over.add(pid)

@@ -11,7 +11,7 @@ import msgspec
 
 from roslens.live.agent.clock_offset import ClockOffset
 from roslens.live.agent.host import HostSampler
-from roslens.live.agent.link import Channel, LinkError, Outbox, asked_time, read_times
+from roslens.live.agent.link import Channel, LinkError, Outbox, asked_time, read_pids, read_times
 from roslens.live.agent.processes import ProcessSampler
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
@@ -197,6 +197,8 @@ class Agent:
             self._reason = "connected"
         elif letter == "t":
             self._offset.add(*read_times(body), self._wall())
+        elif letter == "P":
+            self._processes.name(read_pids(body))
 
     def _send(self, line: socket.socket) -> None:
         try:

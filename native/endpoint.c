@@ -4,7 +4,7 @@
 #include <string.h>
 #include <sys/mman.h>
 
-enum { PLACES = 2 * MOST_ENDPOINTS, PLACE_BITS = 13 };
+enum { PLACES = 2 * MOST_ENDPOINTS, PLACE_BITS = 12 };
 
 _Static_assert(1 << PLACE_BITS == PLACES, "the hash has as many bits");
 

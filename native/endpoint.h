@@ -13,7 +13,7 @@
 #include "sequence.h"
 #include "slot.h"
 
-enum { MOST_ENDPOINTS = 4096, CHAINS = 64, CALLS = 64 };
+enum { MOST_ENDPOINTS = 2048, CHAINS = 64, CALLS = 64 };
 
 typedef struct endpoint endpoint;
 

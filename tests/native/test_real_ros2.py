@@ -1,0 +1,139 @@
+"""The library in real nodes: what it counts is what the nodes counted."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from roslens.live.inside import slots
+from roslens.live.inside.counters import CounterReader, joined, snapshot
+from roslens.live.inside.slots import ASKED, HEARD, PUBLISHED, REPLIED, REQUESTED, TAKEN
+
+pytestmark = [pytest.mark.real, pytest.mark.slow]
+
+ROOT = Path(__file__).parents[2]
+PAIR = Path(__file__).with_name("ros2_pair.py")
+MESSAGES, CALLS = 400, 5
+
+
+@pytest.fixture(scope="module")
+def python():
+    """A Python with rclpy."""
+    found = os.environ.get("ROSLENS_ROS2_PYTHON") or str(ROOT / "build" / "ros2" / "bin" / "python")
+    plain = {"PATH": os.environ["PATH"]}
+    if not Path(found).exists():
+        pytest.skip(f"no {found}; run `make parts`, or name a Python with rclpy in ROSLENS_ROS2_PYTHON")
+    tried = subprocess.run([found, "-c", "import rclpy, std_msgs.msg"], env=plain, capture_output=True, text=True)
+    if tried.returncode:
+        pytest.skip(f"{found} has no rclpy: {tried.stderr.strip().splitlines()[-1]}")
+    return found
+
+
+class Pair:
+    """Talker and listener, until both have counted; then what the counters say, while both still run."""
+
+    def __init__(self, python, counters, environment, messages=MESSAGES, calls=CALLS):
+        self.counters = counters
+        plain = {
+            "PATH": os.environ["PATH"],
+            "HOME": os.environ.get("HOME", "/"),
+            "ROS_DOMAIN_ID": str(60 + os.getpid() % 40),
+            "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+            slots.VARIABLE: str(counters),
+            **environment,
+        }
+        self.nodes = {
+            role: subprocess.Popen(
+                [python, PAIR, role, str(messages), str(calls)],
+                env=plain, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            )
+            for role in ("listener", "talker")
+        }  # fmt: skip
+        self.told = {}
+        self.counted_by = {}
+
+    def __enter__(self):
+        for role, node in self.nodes.items():
+            line = node.stdout.readline()
+            assert line, node.stderr.read()
+            self.told[role] = json.loads(line)
+        return self
+
+    def __exit__(self, *_):
+        for node in self.nodes.values():
+            try:
+                node.communicate("", timeout=30)
+            finally:
+                node.kill()
+
+    def slots(self):
+        """The slots of both by kind, topic and node; topics every node has are left out."""
+        found = {}
+        for path in self.counters.glob(f"*{slots.SUFFIX}"):
+            raw = path.read_bytes()
+            (used,) = slots.struct.unpack_from("=I", raw, slots.USED_AT)
+            for number in range(used):
+                at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
+                one = snapshot(memoryview(raw)[at : at + slots.SLOT_BYTES])
+                self.counted_by[one.kind] = slots.HEADER.unpack_from(raw)[10].split(b":")[0]
+                if one.topic in ("/typed", "/raw", "/talker/get_parameters"):
+                    assert (one.kind, one.topic, one.node) not in found
+                    found[one.kind, one.topic, one.node] = one
+        return found
+
+
+def test_counts_are_those_of_the_nodes(built, python, tmp_path):
+    reader = CounterReader(str(tmp_path))
+    reader.read(0.0)
+    with Pair(python, tmp_path, {"LD_PRELOAD": str(built.hook)}) as pair:
+        found = pair.slots()
+        tallies = joined(reader.read(4e9), lambda gid: "/talker", "here")
+    talker, listener = pair.told["talker"], pair.told["listener"]
+    assert {key: one.messages for key, one in found.items()} == {
+        (PUBLISHED, "/typed", "/talker"): talker["typed"],
+        (PUBLISHED, "/raw", "/talker"): talker["raw"],
+        (TAKEN, "/typed", "/listener"): listener["typed"],
+        (TAKEN, "/raw", "/listener"): listener["raw"],
+        (REQUESTED, "/talker/get_parameters", "/listener"): listener["answers"],
+        (HEARD, "/talker/get_parameters", "/listener"): listener["answers"],
+        (ASKED, "/talker/get_parameters", "/talker"): listener["answers"],
+        (REPLIED, "/talker/get_parameters", "/talker"): listener["answers"],
+    }
+    assert (listener["typed"], listener["raw"], listener["answers"]) == (MESSAGES, MESSAGES // 2, CALLS)
+    for topic in ("/typed", "/raw"):
+        sent, taken = found[PUBLISHED, topic, "/talker"], found[TAKEN, topic, "/listener"]
+        assert sent.gid == taken.gid != bytes(24)
+        assert (taken.lost, taken.pending) == (0, 0)
+        count, total, _ = taken.moments[1]
+        assert count == taken.messages
+        assert 1e-6 < total / count < 0.1
+    assert found[TAKEN, "/raw", "/listener"].size == listener["size"]
+    assert found[PUBLISHED, "/raw", "/talker"].size == talker["size"]  # less than was taken: DDS fills up to four bytes
+    for kind, node in ((HEARD, "/listener"), (REPLIED, "/talker")):
+        count, total, _ = found[kind, "/talker/get_parameters", node].moments[3]
+        assert count == CALLS
+        assert 1e-6 < total / count < 5.0
+    by_ends = {(one.topic, one.publisher, one.subscriber): one for one in tallies}
+    assert by_ends["/typed", "/talker", "/listener"].count == MESSAGES
+    assert by_ends["/typed", "/talker", "/listener"].lost == 0
+    assert not any("get_parameters" in one.topic for one in tallies)
+    assert list(tmp_path.glob(f"*{slots.SUFFIX}")) == []
+
+
+def test_beside_the_hook_in_python_every_message_is_counted_once(built, python, tmp_path):
+    from roslens.live.inside.environment import PATH
+
+    with Pair(python, tmp_path, {"LD_PRELOAD": str(built.hook), "PYTHONPATH": PATH}) as pair:
+        files = len(list(tmp_path.glob(f"*{slots.SUFFIX}")))
+        found = pair.slots()
+    assert files == 4
+    assert {key[:2]: one.messages for key, one in found.items()} == {
+        (PUBLISHED, "/typed"): MESSAGES,
+        (PUBLISHED, "/raw"): MESSAGES // 2,
+        (TAKEN, "/typed"): MESSAGES,
+        (TAKEN, "/raw"): MESSAGES // 2,
+        **{(kind, "/talker/get_parameters"): CALLS for kind in (REQUESTED, HEARD, ASKED, REPLIED)},
+    }
+    assert (pair.counted_by[TAKEN], pair.counted_by[HEARD]) == (b"rclpy", b"preload")

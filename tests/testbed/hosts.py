@@ -26,6 +26,7 @@ from testbed.switch_control import SwitchControl
 HERE = Path(__file__).parent
 NETWORK = "10.77.0"
 INTERFACE = "eth0"
+END_LIMIT = 10.0
 Link = Literal["bulk", "shaped"]
 
 
@@ -73,14 +74,15 @@ class Host:
         """Ends all programs of the host at once."""
         if self._init is None:
             return
+        for process in self.processes:
+            process.kill()
         with contextlib.suppress(ProcessLookupError):
             os.kill(self.pid or self._init.pid, signal.SIGKILL)
         for pipe in (self._init.stdin, self._init.stdout):
             if pipe is not None:
                 pipe.close()
-        self._init.wait()
-        for process in self.processes:
-            process.kill()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._init.wait(END_LIMIT)
 
     def enter(self) -> list[str]:
         """The words to put before a command to run it in this host."""
@@ -101,21 +103,25 @@ class Host:
             BedError: It ended with another code than 0 (unless `check` is false) or took over `limit` seconds.
         """
         words = " ".join(command)
-        try:
-            done = subprocess.run(
-                [*self.enter(), *command],
-                env=self.environment(env),
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                text=True,
-                timeout=limit,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise BedError(f"`{words}` in host {self.name!r} took over {limit} s") from None
-        if check and done.returncode != 0:
-            raise BedError(f"`{words}` in host {self.name!r} ended with {done.returncode}: {done.stderr.strip()!r}")
-        return done
+        with subprocess.Popen(
+            [*self.enter(), *command],
+            env=self.environment(env),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        ) as running:
+            try:
+                out, err = running.communicate(timeout=limit)
+            except BaseException as error:
+                os.killpg(running.pid, signal.SIGKILL)
+                if isinstance(error, subprocess.TimeoutExpired):
+                    raise BedError(f"`{words}` in host {self.name!r} took over {limit} s") from None
+                raise
+        if check and running.returncode != 0:
+            raise BedError(f"`{words}` in host {self.name!r} ended with {running.returncode}: {err.strip()!r}")
+        return subprocess.CompletedProcess(command, running.returncode, out, err)
 
     def start(self, command: Sequence[str], env: Mapping[str, str] | None = None, *, name: str = "program") -> Process:
         """Starts a program in this host; it ends with the bed at the latest."""

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 START_LIMIT = 10.0
+BURIAL_LIMIT = 2.0
 STEP = 0.005
 
 
@@ -110,6 +111,10 @@ class Process:
     def kill(self) -> None:
         """Ends it at once, with whatever it has started."""
         self.send(signal.SIGKILL)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self.wait(
+                BURIAL_LIMIT
+            )  # nsenter has to bury it: a host cannot end with a dead process nobody has waited for
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self._entering.pid, signal.SIGKILL)
         self._entering.wait()

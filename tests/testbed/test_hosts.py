@@ -2,6 +2,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -20,12 +21,18 @@ from testbed.hosts import Bed
 with Bed(["one", "two"]) as bed:
     process = bed["one"].start(["sleep", "600"])
     print(bed.stem, process.pid, flush=True)
-    time.sleep(600)
+    while True:  # a signal just before one long sleep would be served after it
+        time.sleep(0.05)
 """
 
 
 def is_alive(pid: int) -> bool:
     return Path(f"/proc/{pid}").exists()
+
+
+def state_of_parent(pid: int) -> str:
+    parent = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1]
+    return Path(f"/proc/{parent}/stat").read_text().rpartition(")")[2]
 
 
 @pytest.fixture
@@ -114,6 +121,16 @@ def test_the_callers_ros_does_not_leak_in(bulk, monkeypatch):
     for name in ("ROS_MASTER_URI", "LD_LIBRARY_PATH", "_ROS_WHEELS_BOOTSTRAP_COMPLETE", "PYTHONPATH"):
         monkeypatch.setenv(name, "/nowhere")
     assert "/nowhere" not in bulk["here"].run(["env"], {"OWN": "1"}).stdout
+
+
+def test_a_frozen_program_does_not_hold_up_the_end(allowed):
+    with Bed(["one"]) as bed:
+        frozen = bed["one"].start(["sleep", "600"])
+        frozen.send(signal.SIGSTOP)
+        wait_until("nsenter has stopped too", lambda: " T " in state_of_parent(frozen.pid), 5)
+        began = time.monotonic()
+    assert time.monotonic() - began < 5
+    assert not is_alive(frozen.pid)
 
 
 def test_a_program_that_fails_says_so(bulk):

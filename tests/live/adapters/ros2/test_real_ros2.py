@@ -37,6 +37,15 @@ node.create_subscription(Header, 'chatter', lambda message: answers.publish(Stri
 node.create_subscription(Header, 'chatter', print, QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))
 """)  # fmt: skip
 
+MANAGED = """
+import rclpy, sys
+from rclpy.lifecycle import LifecycleNode
+rclpy.init()
+node = LifecycleNode('arm', namespace='/demo')
+node.trigger_configure()
+rclpy.spin(node)
+"""
+
 
 class Seen:
     """What the observer has told so far."""
@@ -81,7 +90,7 @@ class Seen:
 
 
 @contextmanager
-def robot(python, tmp_path, *words):
+def robot(python, tmp_path, *words, codes=(TALKER, LISTENER), names=("/demo/talker", "/demo/listener")):
     base = clean_environment(os.environ) | {
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
@@ -94,11 +103,11 @@ def robot(python, tmp_path, *words):
     nodes = []
     try:
         seen.poll()
-        for code in (TALKER, LISTENER):
+        for code in codes:
             nodes.append(
                 subprocess.Popen([python, "-c", code], env=hooked, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             )
-        seen.until(lambda: {"/demo/talker", "/demo/listener"} <= {n for n, node in seen.nodes().items() if node.pid})
+        seen.until(lambda: set(names) <= {n for n, node in seen.nodes().items() if node.pid})
         yield seen, nodes
     finally:
         for process in nodes:
@@ -154,6 +163,11 @@ def test_a_tap_counts_what_the_nodes_count(ros2_python, tmp_path):
         own, own_seconds, _ = steady(seen.tallies("/demo/talker", ""), 6)
         assert count / seconds == pytest.approx(own / own_seconds, rel=0.05)
         assert sum(tally.lost for tally in tapped.values()) == 0
+
+
+def test_a_managed_node_tells_its_state(ros2_python, tmp_path):
+    with robot(ros2_python, tmp_path, codes=[MANAGED], names=["/demo/arm"]) as (seen, _):
+        seen.until(lambda: seen.nodes()["/demo/arm"].lifecycle == "inactive")
 
 
 def test_the_python_is_found(ros2_python):

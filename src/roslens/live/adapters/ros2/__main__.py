@@ -17,6 +17,7 @@ import msgspec
 from roslens.live.adapters.ros2 import TOOL
 from roslens.live.adapters.ros2.graph import OWN, GraphReader
 from roslens.live.adapters.ros2.graph_event import GraphEvent
+from roslens.live.adapters.ros2.lifecycle import Lifecycles, StateClient
 from roslens.live.adapters.ros2.observation import Observation
 from roslens.live.adapters.ros2.process_ends import ProcessEnds
 from roslens.live.adapters.ros2.tap import DRAIN_S, Tap
@@ -106,7 +107,8 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
     counters = CounterReader(folder_of(os.environ))
     counters.read(time.time())
     tap = Tap(node, options.tap, options.tap_budget) if options.tap else None
-    observation = Observation(host, GraphReader(node, host), counters, tap)
+    lifecycles = Lifecycles(lambda service: StateClient(node, service))
+    observation = Observation(host, GraphReader(node, host, lifecycles=lifecycles), counters, tap)
     try:
         _Turns(observation, speaker, ends, wakes, tap, options.period, polled=event is None).run()
     finally:

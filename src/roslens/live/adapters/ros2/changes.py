@@ -42,6 +42,9 @@ class Changes:
                 yield from self._restarted(name, time, f"after {away:.1f} s; {_place(node.pid, node.host)}")
             elif node.pid and old[name].pid and node.pid != old[name].pid:
                 yield from self._restarted(name, time, f"process {old[name].pid} is now {node.pid}")
+            elif node.lifecycle != old[name].lifecycle and old[name].lifecycle:
+                detail = f"{old[name].lifecycle} is now {node.lifecycle or 'unknown'}"
+                yield Event(time, Change.CHANGED, f"node:{name}", detail)
 
     def _restarted(self, name: str, time: float, detail: str) -> Iterator[Event]:
         times = self._restarts.setdefault(name, deque(maxlen=FLAPS))

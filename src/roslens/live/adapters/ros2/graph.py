@@ -8,6 +8,7 @@ from itertools import islice
 from typing import Any
 
 from roslens.live.adapters.ros2.gid import host_bits, pid_bits, prefix, text_of
+from roslens.live.adapters.ros2.lifecycle import Lifecycles
 from roslens.live.adapters.ros2.local_process import Found, find_process
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 from roslens.model.qos import Qos
@@ -31,17 +32,23 @@ class GraphReader:
         node: of rclpy.
         host: the name of this host.
         find: finds a process by the bits that identifiers hold, and names of its nodes.
+        lifecycles: asks managed nodes for their states; None leaves them out.
 
     Attributes:
         unsettled: whether something was not known yet and must be asked again soon.
     """
 
     def __init__(
-        self, node: Any, host: str, find: Callable[[int, frozenset[str]], Found | None] = find_process
+        self,
+        node: Any,
+        host: str,
+        find: Callable[[int, frozenset[str]], Found | None] = find_process,
+        lifecycles: Lifecycles | None = None,
     ) -> None:
         self._node = node
         self._host = host
         self._find = find
+        self._lifecycles = lifecycles
         self._listed: Listed = {}
         self._ends: dict[str, tuple[Endpoint, ...]] = {}
         self._found: dict[str, Found] = {}
@@ -90,7 +97,8 @@ class GraphReader:
         before = [self._ends.get(topic) for topic in topics]
         for topic in topics:
             self._ask(topic)
-        return [self._ends.get(topic) for topic in topics] != before
+        moved = self._lifecycles is not None and self._lifecycles.turn()
+        return moved or [self._ends.get(topic) for topic in topics] != before
 
     def _list(self) -> Listed:
         node = self._node
@@ -158,6 +166,8 @@ class GraphReader:
             for role, topic, kind in has
             if role in (Role.SERVICE_SERVER, Role.SERVICE_CLIENT)
         ]
+        if self._lifecycles is not None:
+            self._lifecycles.follow(services)
         return Graph(
             "ros2",
             tuple(sorted(nodes)),
@@ -194,7 +204,8 @@ class GraphReader:
         local = any(host_bits(key) == self._own_host for key in prefixes)
         # A name that several processes bear has no process of its own.
         one = found.pop() if len(found) == 1 else None
-        return Node(name, self._host if local else "", one.pid if one else 0, one.proofs if one else ())
+        state = self._lifecycles.state(name) if self._lifecycles else ""
+        return Node(name, self._host if local else "", one.pid if one else 0, one.proofs if one else (), state)
 
 
 def _changed(before: Listed, after: Listed) -> Iterable[str]:

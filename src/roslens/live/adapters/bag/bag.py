@@ -89,9 +89,13 @@ class Bag:
             {number: Lane(channel.topic, channel.publisher) for number, channel in part.channels.items()}
             for part in self._parts
         ]
-        steps = Steps(self._start, round(step * _SECOND), {lane for each in lanes for lane in each.values()})
+        known = {lane for each in lanes for lane in each.values()}
+        begins = any(part.start <= part.end for part in self._parts)
+        steps = Steps(self._start, round(step * _SECOND), known)
         due = _BATCH
         for since, index, blocks in self._blocks(stamped):
+            if not begins:
+                begins, steps = True, Steps(max(since, 0), round(step * _SECOND), known)
             if steps.pending >= due:
                 yield from steps.until(since)
                 due = max(_BATCH, 2 * steps.pending)

@@ -20,6 +20,7 @@ from roslens.live.adapters.bag.stamp import stamps_of
 LOST = "Its messages are left out. The other parts of the recording are read."
 
 
+_INDEX_USED = "What the index tells of it is used, its messages are not."
 _SPARSE = 256
 
 
@@ -95,11 +96,19 @@ class ChunkedPart:
                 )
                 for entry, (starts, sizes) in zip(entries, found, strict=True)
             ]
-        if content is not None:
-            self._tell(chunk, "index entries that point at no message", "The chunk is read record by record.")
-            return self._read_records(chunk, stamped)
+        if content is not None and (blocks := self._instead_of_index(chunk, entries, stamped)) is not None:
+            return blocks
         sizes = _gaps_between(entries, chunk.size, self._layout.overhead)
         return [Block(entry.channel, entry.times, size) for entry, size in zip(entries, sizes, strict=True)]
+
+    def _instead_of_index(self, chunk: Chunk, entries: list[Entries], stamped: Collection[int]) -> list[Block] | None:
+        """Read the records of a chunk whose index points at no messages; None if the index is the better witness."""
+        blocks = self._read_records(chunk, stamped)
+        found, promised = (sum(len(each.times) for each in them) for them in (blocks, entries))
+        better = found >= promised
+        advice = "The chunk is read record by record." if better else _INDEX_USED
+        self._tell(chunk, f"{promised:,} index entries and {found:,} messages, and some entries point at none", advice)
+        return blocks if better else None
 
     def _read_records(self, chunk: Chunk, stamped: Collection[int]) -> list[Block]:
         content, walk = self._walk(chunk)
@@ -169,10 +178,10 @@ class ChunkedPart:
         try:
             content = decompress(self._source.read(chunk.at, chunk.packed), chunk.compression, chunk.size)
         except DamageError as damage:
-            self._tell(chunk, str(damage), "What the index tells of it is used, its messages are not.")
+            self._tell(chunk, str(damage), _INDEX_USED)
             return None
         if chunk.checksum and zlib.crc32(content) != chunk.checksum:
-            self._tell(chunk, "a checksum that is wrong", "What the index tells of it is used, its messages are not.")
+            self._tell(chunk, "a checksum that is wrong", _INDEX_USED)
             return None
         return np.frombuffer(content, np.uint8)
 

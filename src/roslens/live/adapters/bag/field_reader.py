@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 from roslens.live.adapters.bag.block import Message
@@ -88,23 +89,28 @@ def _follow(value: Any, steps: list[Step]) -> float | None:
 
 def _decoder(channel: Channel) -> Callable[[bytes], object]:
     """Return what decodes the messages of a channel."""
+    return _decoder_of(channel.type, channel.encoding, channel.language, channel.definition)
+
+
+@lru_cache(maxsize=64)
+def _decoder_of(kind: str, encoding: str, language: str, definition: str) -> Callable[[bytes], object]:
     from rosbags.typesys import Stores, get_types_from_idl, get_types_from_msg, get_typestore
     from rosbags.typesys.msg import normalize_msgtype
 
-    if channel.encoding not in {"ros1", "cdr"}:
-        raise DamageError(f'messages encoded as "{channel.encoding}", which is not known')
-    name = normalize_msgtype(channel.type)
+    if encoding not in {"ros1", "cdr"}:
+        raise DamageError(f'messages encoded as "{encoding}", which is not known')
+    name = normalize_msgtype(kind)
     try:
-        if channel.language:
+        if language:
             # A store for each type: recordings joined from several may hold two versions of a part.
             store = get_typestore(Stores.EMPTY)
-            types = get_types_from_idl(channel.definition) if channel.language == "idl" else None
-            store.register(types if types is not None else get_types_from_msg(channel.definition, name))
+            types = get_types_from_idl(definition) if language == "idl" else None
+            store.register(types if types is not None else get_types_from_msg(definition, name))
         else:
-            store = get_typestore(Stores.ROS1_NOETIC if channel.encoding == "ros1" else Stores.LATEST)
+            store = get_typestore(Stores.ROS1_NOETIC if encoding == "ros1" else Stores.LATEST)
         store.get_msgdef(name)
     except Exception as error:  # noqa: BLE001 - a definition is any text, and parsing it fails in many ways
-        raise DamageError(f'the type "{channel.type}", whose definition cannot be used: {error!r}') from None
-    if channel.encoding == "ros1":
+        raise DamageError(f'the type "{kind}", whose definition cannot be used: {error!r}') from None
+    if encoding == "ros1":
         return lambda content: store.deserialize_ros1(content, name)
     return lambda content: store.deserialize_cdr(content, name)

@@ -6,7 +6,7 @@ import sqlite3
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import closing
 from functools import partial
-from itertools import chain
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -54,12 +54,12 @@ class SqlitePart:
             self._tell(f"messages that cannot be counted: {error}")
 
     def _count(self, database: sqlite3.Connection) -> None:
+        first = database.execute("SELECT min(timestamp) FROM messages").fetchone()[0]
+        last = database.execute("SELECT max(timestamp) FROM messages").fetchone()[0]
+        if first is not None:
+            self.start, self.end = int(first), int(last)
         counted = database.execute("SELECT topic_id, count(*) FROM messages GROUP BY topic_id").fetchall()
         self.counts = {int(channel): count for channel, count in counted}
-        if counted:
-            first = database.execute("SELECT min(timestamp) FROM messages").fetchone()[0]
-            last = database.execute("SELECT max(timestamp) FROM messages").fetchone()[0]
-            self.start, self.end = int(first), int(last)
 
     def portions(self, stamped: Collection[int]) -> Iterator[Portion]:
         """Yield topics, times and lengths by time of receipt."""
@@ -80,13 +80,21 @@ class SqlitePart:
                 yield Load(found[0].time, partial(list, found))
 
     def _rows(self, query: str, arguments: list[int], size: int) -> Iterator[list[tuple[Any, ...]]]:
+        rows: list[tuple[Any, ...]] = []
         try:
             with closing(_connected(self.path)) as database:
                 cursor = database.execute(query, arguments)
-                while rows := cursor.fetchmany(size):
+                while True:
+                    rows = []
+                    # Unlike fetchmany, this keeps what came before an error.
+                    rows.extend(islice(cursor, size))
+                    if not rows:
+                        return
                     yield rows
         except _WRONG as error:
             self._tell(f"messages that cannot be read: {error}")
+        if rows:
+            yield rows
 
     def _table(self, rows: list[tuple[Any, ...]]) -> tuple[Ints, list[bytes]]:
         """Return topics, times and lengths as columns, and the first bytes of messages if they were asked for."""

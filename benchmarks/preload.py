@@ -95,7 +95,8 @@ def _real(python: str, library: Path, folder: str) -> None:
         bare, counted = used[role, False], used[role, True]
         print(
             f"{role:8} {min(bare):5.0f} to {max(bare):5.0f} us without,"
-            f" {min(counted):5.0f} to {max(counted):5.0f} us with; medians {median(bare):5.0f} and {median(counted):5.0f}, ratio {median(counted) / median(bare):.3f}"
+            f" {min(counted):5.0f} to {max(counted):5.0f} us with;"
+            f" medians {median(bare):5.0f} and {median(counted):5.0f}, ratio {median(counted) / median(bare):.3f}"
         )
 
 

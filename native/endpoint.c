@@ -89,6 +89,7 @@ endpoint * add_endpoint(const void * handle)
   endpoint * const found = reserve() ? unused() : NULL;
   if (found != NULL) {
     found->handle = handle;
+    found->filtered = false;
     found->tried = 0;
     unsigned at = hash(handle);
     for (;; at = (at + 1) % PLACES) {

@@ -42,6 +42,7 @@ struct endpoint {
   char name[NAME_BYTES];
   char node[NAME_BYTES];
   uint8_t gid[GID_BYTES];
+  bool filtered;  // whether messages are left out on purpose, so that missing numbers tell nothing
   int64_t tried;  // when it was last left without a slot, or to the hook in Python; 0 is never
   counter * chain[CHAINS];
   call calls[CALLS];

@@ -11,8 +11,10 @@
 #define WRAPPED_FUNCTIONS(X)                                                                                    \
   X(void *, create_publisher, (const rmw_node_t *, const void *, const char *, const void *, const void *))     \
   X(rmw_ret_t, destroy_publisher, (rmw_node_t *, void *))                                                       \
-  X(void *, create_subscription, (const rmw_node_t *, const void *, const char *, const void *, const void *))  \
+  X(void *, create_subscription,                                                                                \
+    (const rmw_node_t *, const void *, const char *, const void *, const rmw_subscription_options_t *))         \
   X(rmw_ret_t, destroy_subscription, (rmw_node_t *, void *))                                                    \
+  X(rmw_ret_t, subscription_set_content_filter, (void *, const void *))                                         \
   X(void *, create_client, (const rmw_node_t *, const void *, const char *, const void *))                      \
   X(rmw_ret_t, destroy_client, (rmw_node_t *, void *))                                                          \
   X(void *, create_service, (const rmw_node_t *, const void *, const char *, const void *))                     \

@@ -2,6 +2,7 @@
 //
 // Only beginnings of structs are declared; what lies behind them differs between distributions and is never touched:
 //   rmw_node_t             name, namespace_
+//   rmw_subscription_options_t   content_filter_options, whether there are any
 //   rmw_serialized_message_t   buffer_length
 //   rmw_message_info_t     source_timestamp, received_timestamp, publication_sequence_number, publisher_gid. Humble's
 //                          identifiers have 24 bytes, those of later ones 16, so elements of an array lie 72 or 64 bytes
@@ -34,6 +35,13 @@ typedef struct {
   const char * name;
   const char * namespace_;
 } rmw_node_t;
+
+typedef struct {
+  void * rmw_specific_subscription_payload;
+  bool ignore_local_publications;
+  int require_unique_network_flow_endpoints;
+  const void * content_filter_options;
+} rmw_subscription_options_t;
 
 typedef struct {
   uint8_t * buffer;
@@ -71,6 +79,7 @@ typedef struct {
 } rmw_service_info_t;
 
 _Static_assert(offsetof(rmw_message_info_t, gid) == 40, "as in rmw/types.h");
+_Static_assert(offsetof(rmw_subscription_options_t, content_filter_options) == 2 * sizeof(void *), "as in rmw/types.h");
 _Static_assert(sizeof(rmw_service_info_t) == 40, "as in rmw/types.h");
 
 #endif

@@ -80,10 +80,27 @@ EXPORT void * rmw_create_publisher(
   CREATE(create_publisher, node, name, learn_gid(handle), node, type, name, qos, options);
 }
 
-EXPORT void * rmw_create_subscription(
-  const rmw_node_t * node, const void * type, const char * name, const void * qos, const void * options)
+static void learn_filter(const void * subscription, bool filtered)
 {
-  CREATE(create_subscription, node, name, , node, type, name, qos, options);
+  endpoint * const of = filtered ? counted(subscription) : NULL;
+  if (of != NULL) {
+    COUNT(expect_gaps(of));
+  }
+}
+
+EXPORT void * rmw_create_subscription(
+  const rmw_node_t * node, const void * type, const char * name, const void * qos,
+  const rmw_subscription_options_t * options)
+{
+  const bool filtered = options != NULL && options->content_filter_options != NULL;
+  CREATE(create_subscription, node, name, learn_filter(handle, filtered), node, type, name, qos, options);
+}
+
+EXPORT rmw_ret_t rmw_subscription_set_content_filter(void * subscription, const void * options)
+{
+  ready(__builtin_return_address(0));
+  learn_filter(subscription, true);
+  return CALL(subscription_set_content_filter, subscription, options);
 }
 
 EXPORT void * rmw_create_client(const rmw_node_t * node, const void * type, const char * name, const void * qos)

@@ -87,7 +87,8 @@ static rmw_ret_t result(void)
   }
 CREATE(publisher, const rmw_node_t * node, const void * type, const char * name, const void * qos, const void * options)
 CREATE(
-  subscription, const rmw_node_t * node, const void * type, const char * name, const void * qos, const void * options)
+  subscription, const rmw_node_t * node, const void * type, const char * name, const void * qos,
+  const rmw_subscription_options_t * options)
 CREATE(client, const rmw_node_t * node, const void * type, const char * name, const void * qos)
 CREATE(service, const rmw_node_t * node, const void * type, const char * name, const void * qos)
 
@@ -102,6 +103,12 @@ DESTROY(publisher)
 DESTROY(subscription)
 DESTROY(client)
 DESTROY(service)
+
+EXPORT rmw_ret_t rmw_subscription_set_content_filter(void * subscription, const void * options);
+EXPORT rmw_ret_t rmw_subscription_set_content_filter(void * subscription, const void * options)
+{
+  return result();
+}
 
 EXPORT rmw_ret_t rmw_publish(const void * publisher, const void * message, void * allocation);
 EXPORT rmw_ret_t rmw_publish(const void * publisher, const void * message, void * allocation)

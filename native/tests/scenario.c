@@ -26,13 +26,14 @@ static int count;
 
 static const char * const KINDS[] = {"publisher", "subscription", "client", "service"};
 
-static void * create(const char * kind, const rmw_node_t * node, const char * name)
+static void * create(const char * kind, const rmw_node_t * node, const char * name, bool filtered)
 {
   if (strcmp(kind, "publisher") == 0) {
     return rmw_create_publisher(node, NULL, name, NULL, NULL);
   }
   if (strcmp(kind, "subscription") == 0) {
-    return rmw_create_subscription(node, NULL, name, NULL, NULL);
+    const rmw_subscription_options_t options = {.content_filter_options = filtered ? "x > 1" : NULL};
+    return rmw_create_subscription(node, NULL, name, NULL, &options);
   }
   if (strcmp(kind, "client") == 0) {
     return rmw_create_client(node, NULL, name, NULL);
@@ -208,7 +209,7 @@ __attribute__((visibility("default"))) int scenario(void (*set_time)(int64_t))
     for (int at = 0; at < 4; at++) {
       if (strcmp(verb, KINDS[at]) == 0) {
         const rmw_node_t node = {NULL, NULL, three, two};
-        void * const handle = create(KINDS[at], &node, one);
+        void * const handle = create(KINDS[at], &node, one, strcmp(four, "filtered") == 0);
         answer = handle != NULL ? count : -1;
         entities[count].kind = KINDS[at];
         entities[count++].handle = handle;
@@ -241,6 +242,8 @@ __attribute__((visibility("default"))) int scenario(void (*set_time)(int64_t))
       answer = two[0] != '\0' ? setenv(one, value, 1) : unsetenv(one);
     } else if (strcmp(verb, "threads") == 0) {
       threads(id, (work){entities[atoi(two)].handle, entities[atoi(three)].handle, atoi(four)});
+    } else if (strcmp(verb, "filter") == 0) {
+      answer = rmw_subscription_set_content_filter(entities[id].handle, NULL);
     } else if (strcmp(verb, "fork") == 0) {
       answer = fork_and_publish(entities[id].handle);
     } else if (strcmp(verb, "exit") == 0) {

@@ -127,6 +127,16 @@ def test_a_middleware_that_says_its_numbers_are_wrong_is_believed(node):
     assert (only(of).messages, only(of).lost) == (2, -1)
 
 
+@pytest.mark.parametrize("when", ["made", "later"])
+def test_what_a_content_filter_leaves_out_is_not_lost(either, when):
+    node = either()
+    node.say("subscription /scan / map filtered" if when == "made" else "subscription /scan / map")
+    if when == "later":
+        assert node.say("filter 0") == [0]
+    node.say(message(1), "take 0 info", message(9), "take 0 info")
+    assert (only(node).messages, only(node).lost, only(node).pending) == (2, -1, 0)
+
+
 @pytest.mark.parametrize(
     ("sent", "received"), [(0, START), (-5, START), (START, 0), (2**63 - 1, START), (1, START), (START, 2**63 - 1)]
 )

@@ -226,7 +226,7 @@ def test_no_mutated_recording_crashes_hangs_or_takes_memory(tmp_path, recording,
     victim = tmp_path / "victim"
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     read = 0
-    for case in range(FUZZED // 12):
+    for case in range(FUZZED // 12 + 1):
         victim.write_bytes(mutated(whole, chance))
         try:
             bag = open_bag(victim)

@@ -32,6 +32,7 @@ from roslens.model.tally import NOTHING, Moments, Observer, Tally
 from roslens.model.verdict import Verdict
 
 TICK_S = 0.1
+_SERIES = ("latency", "age", "processing")
 _TIMINGS = {"for": "lasting", "recover": "recovering", "margin": "margin", "grace": "grace", "window": "window"}
 
 
@@ -97,7 +98,7 @@ def tallies(row: dict[str, Any]) -> list[tuple[float, Tally]]:
         if not any(a <= at < b for a, b in skip):
             times.append(at)
         at += period
-    found, last, number = [], None, 0
+    found, last = [], None
     count = round((end - start) / report)
     for step in range(count):
         left, right = start + step * report, start + (step + 1) * report
@@ -107,8 +108,7 @@ def tallies(row: dict[str, Any]) -> list[tuple[float, Tally]]:
             if last is not None:
                 gaps.append(t - last)
             last = t
-        repeated = lambda key: moments([float(row[key])] * len(mine)) if key in row else NOTHING  # noqa: E731
-        number += 1
+        series = {key: moments([float(row[key])] * len(mine)) for key in _SERIES if key in row}
         tally = Tally(
             row["topic"],
             row.get("publisher", "/p"),
@@ -120,12 +120,12 @@ def tallies(row: dict[str, Any]) -> list[tuple[float, Tally]]:
             mine[0] + offset if mine else 0.0,
             mine[-1] + offset if mine else 0.0,
             moments(gaps),
-            repeated("latency"),
-            repeated("age"),
+            series.get("latency", NOTHING),
+            series.get("age", NOTHING),
             round(len(mine) * row["lost"] / (100 - row["lost"])) if "lost" in row else -1,
             Observer(row.get("observer", "inside")),
             row.get("host", ""),
-            repeated("processing"),
+            series.get("processing", NOTHING),
         )
         if mine or row.get("empty", True):
             found.append((right + delay, tally))

@@ -6,7 +6,7 @@ from roslens.live.connection_name import connection_id
 from roslens.live.measured import Measured
 from roslens.live.traffic import MEASURES, percentile_of
 from roslens.live.verdict_state import NEVER
-from roslens.live.window import RANK, Window
+from roslens.live.window import MAX_BUCKETS, RANK, Window
 from roslens.model.tally import Observer, Tally
 
 AUTOMATIC = (0.0,)
@@ -20,10 +20,21 @@ class Connection(Measured):
         publisher: empty where unknown.
         subscriber: empty of traffic seen at the publisher.
         host: on which its observer stands.
-        gone: whether the graph says that an end of it is gone.
+        gone: whether the graph lacks an end of it.
     """
 
-    __slots__ = ("_by_observer", "_lengths", "_order", "gone", "host", "publisher", "settled", "subscriber", "topic")
+    __slots__ = (
+        "_by_observer",
+        "_lengths",
+        "_most",
+        "_order",
+        "gone",
+        "host",
+        "publisher",
+        "settled",
+        "subscriber",
+        "topic",
+    )
 
     def __init__(self, topic: str, publisher: str, subscriber: str, now: float) -> None:
         super().__init__(connection_id(topic, publisher, subscriber), now)
@@ -35,6 +46,7 @@ class Connection(Measured):
         self.seen = True
         self.settled = -NEVER
         self._lengths: tuple[float, ...] = AUTOMATIC
+        self._most = MAX_BUCKETS
         self._by_observer: dict[Observer, list[Window]] = {}
         self._order: list[list[Window]] = []
 
@@ -48,15 +60,17 @@ class Connection(Measured):
         news = [window.add(tally, now) for window in windows]
         return any(news)
 
-    def resize(self, lengths: tuple[float, ...]) -> None:
-        """Keep a window of each of these lengths."""
-        if lengths == self._lengths:
+    def resize(self, lengths: tuple[float, ...], most: int) -> None:
+        """Keep a window of each of these lengths, of at most so many buckets."""
+        if (lengths, most) == (self._lengths, self._most):
             return
+        self._most = most
         for observer, windows in self._by_observer.items():
             by_length = dict(zip(self._lengths, windows, strict=True))
             kept = []
             for length in lengths:
                 window = by_length.get(length) or _copy(max(windows, key=lambda one: one.length), length)
+                window.most = most
                 kept.append(window)
             self._by_observer[observer] = kept
         self._lengths = lengths
@@ -131,6 +145,14 @@ class Connection(Measured):
         """The windows of the only observer; None where there are several."""
         return self._order[0] if len(self._order) == 1 else None
 
+    @property
+    def left(self) -> bool:
+        """Whether it ended: the graph lacks an end of it, and nothing comes any more."""
+        if not self.gone:
+            return False
+        window = self.best(0)
+        return window is None or not window.count or window.horizon > window.until
+
     def next_due(self, now: float) -> float:
         """Return when silence alone may change something."""
         due = NEVER
@@ -143,7 +165,7 @@ class Connection(Measured):
     def _observed(self, tally: Tally) -> list[Window]:
         if tally.host and not self.host:
             self.host = tally.host
-        windows = [Window(tally.observer, tally.host, length) for length in self._lengths]
+        windows = [Window(tally.observer, tally.host, length, self._most) for length in self._lengths]
         self._by_observer[tally.observer] = windows
         self._sort()
         return windows

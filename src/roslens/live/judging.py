@@ -32,7 +32,7 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
                     due = min(due, _gap_due(group, window, now))
                 continue
         value, seen = connection.value(group.key, group.at, group.percentile)
-        if connection.gone and seen is not None and seen.horizon > seen.until:
+        if seen is not None and connection.left:
             value, seen = None, None
             for judged in group.judged:
                 judged.evidence = "an end of it is gone from the graph"

@@ -94,10 +94,8 @@ class Monitor:
             if connection is None:
                 return
         if connection.add(kept, now):
-            if kept.count:
-                connection.gone = False
-                if self._held:
-                    self.clock_runs(now)
+            if self._held and kept.count:
+                self.clock_runs(now)
             if not connection.waiting:
                 connection.waiting = True
                 self._waiting.append(connection)
@@ -220,6 +218,7 @@ class Monitor:
 
     def standing(self) -> tuple[Verdict, ...]:
         """Return every verdict as it stands, sorted by entity and expectation."""
+        self._plan(self._waiting, self._clock.now)
         return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
 
     def next_due(self, now: float) -> float:
@@ -231,6 +230,7 @@ class Monitor:
 
     def tree(self, now: float) -> SystemView:
         """Return the system by host, node, topic and connection, with worst states and latest values."""
+        self._plan(self._waiting, self._clock.now)
         return view_of(self._world, self._standing(), now)
 
     def _entities(self) -> Iterator[Measured]:
@@ -355,15 +355,18 @@ class Monitor:
                 topics[one] = None
             else:
                 others[one] = None
-        for one in (*topics, *others):
-            if one.planless:
-                self._retire(plan(one, self._world, self._rules, now), now)
+        self._plan((*topics, *others), now)
         changed: list[Standing] = []
         for one in (*others, *topics):
             changed += self._judge_one(one, now)
             if one.due < one.planned:
                 self._queue.put(one)
         return changed
+
+    def _plan(self, entities: Iterable[Measured], now: float) -> None:
+        for one in entities:
+            if one.planless:
+                self._retire(plan(one, self._world, self._rules, now), now)
 
     def _judge_one(self, one: Measured, now: float) -> Iterable[Standing]:
         if isinstance(one, Sampled):

@@ -10,6 +10,7 @@ from roslens.live.rulebook import Rulebook
 from roslens.live.sampled import Sampled
 from roslens.live.sentence import Sentence, window_length
 from roslens.live.topic import Topic
+from roslens.live.window import MAX_BUCKETS, MAX_VALUES
 from roslens.live.world import World
 from roslens.model.entity import EntityKind
 
@@ -53,9 +54,10 @@ def _plan_connection(connection: Connection, world: World, rules: Rulebook, now:
         return dropped
     dropped += connection.adopt(_about(connection, world, rules), now)
     asked = _lengths(judged.sentence for judged in connection.judged)
-    if not asked <= set(topic.lengths):
+    percentile = any(judged.sentence.percentile for judged in connection.judged)
+    if not asked <= set(topic.lengths) or (percentile and topic.most == MAX_BUCKETS):
         return dropped + _plan_topic(topic, world, rules, now)
-    _place(connection, topic.lengths)
+    _place(connection, topic.lengths, topic.most)
     return dropped
 
 
@@ -72,17 +74,18 @@ def _plan_topic(topic: Topic, world: World, rules: Rulebook, now: float) -> list
             dropped += connection.adopt(_about(connection, world, rules), now)
     every = [judged.sentence for one in (topic, *connections) for judged in one.judged]
     usual = window_length(max((one.period for one in every if not one.timing.window), default=0.0))
+    topic.most = MAX_VALUES if any(one.percentile for one in every) else MAX_BUCKETS
     topic.lengths = (usual, *sorted(_lengths(every) - {usual}))
-    _place(topic, topic.lengths)
+    _place(topic, topic.lengths, topic.most)
     for connection in connections:
-        _place(connection, topic.lengths)
+        _place(connection, topic.lengths, topic.most)
     return dropped
 
 
-def _place(entity: Connection | Topic, lengths: tuple[float, ...]) -> None:
+def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) -> None:
     """Let each sentence of an entity take its window."""
     if isinstance(entity, Connection):
-        entity.resize(lengths)
+        entity.resize(lengths, most)
     for judged in entity.judged:
         window = judged.sentence.timing.window
         judged.at = lengths.index(window) if window else 0

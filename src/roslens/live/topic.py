@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import chain
+from bisect import insort
 
 from roslens.live.connection import Connection
 from roslens.live.measured import Measured
-from roslens.live.window import RANK, Window
+from roslens.live.window import MAX_BUCKETS, RANK, Window
 from roslens.model.entity import EntityId, EntityKind
 
 SUMMED = frozenset({"rate", "bandwidth"})
@@ -27,9 +27,21 @@ class Topic(Measured):
         types: of its messages.
         known: whether the graph has it.
         lengths: of the windows that its sentences need.
+        most: buckets that these keep.
     """
 
-    __slots__ = ("connections", "former", "known", "lengths", "name", "publishers", "subscribers", "types")
+    __slots__ = (
+        "_ordered",
+        "connections",
+        "former",
+        "known",
+        "lengths",
+        "most",
+        "name",
+        "publishers",
+        "subscribers",
+        "types",
+    )
 
     def __init__(self, name: str, now: float) -> None:
         super().__init__(EntityId(EntityKind.TOPIC, name), now)
@@ -40,24 +52,28 @@ class Topic(Measured):
         self.subscribers: frozenset[str] = frozenset()
         self.types: frozenset[str] = frozenset()
         self.known = False
+        self.most = MAX_BUCKETS
         self.lengths: tuple[float, ...] = ()
+        self._ordered: list[Connection] = []
 
     def add(self, connection: Connection) -> None:
         """Take a connection in."""
         self.connections.setdefault(connection.publisher, []).append(connection)
+        insort(self._ordered, connection, key=_ends)
         self.seen = True
 
     def remove(self, connection: Connection) -> None:
         """Let a connection go."""
         group = self.connections[connection.publisher]
         group.remove(connection)
+        self._ordered.remove(connection)
         if not group:
             del self.connections[connection.publisher]
 
     def all_connections(self) -> list[Connection]:
-        """Return every connection that is there, else every one."""
-        every = list(chain.from_iterable(self.connections.values()))
-        return [one for one in every if not one.gone] or every
+        """Return every connection that is there, else every one, in order."""
+        every = self._ordered
+        return [one for one in every if not one.left] or every
 
     def views(self, at: int) -> list[tuple[Connection, Window]]:
         """Return for each publisher where its traffic is seen best: subscribers of one publisher do not add up."""
@@ -67,13 +83,17 @@ class Topic(Measured):
             if len(group) == 1:
                 window = group[0].best(at)
                 return [(group[0], window)] if window else []
-        named = [group for publisher, group in groups.items() if publisher]
-        found = []
+        named = [group for publisher, group in sorted(groups.items()) if publisher]
+        found: list[tuple[Connection, Window]] = []
         for group in named or groups.values():
+            if len(group) == 1:
+                window = group[0].best(at)
+                found += [(group[0], window)] if window else []
+                continue
             seen = [(one, window) for one in group if (window := one.best(at))]
             if seen:
                 found.append(min(seen, key=_quality))
-        return [(one, window) for one, window in found if not one.gone or len(found) == 1] or found
+        return [(one, window) for one, window in found if len(found) == 1 or not one.left] or found
 
     def value(
         self, key: str, at: int, percentile: float = 0.0, views: list[tuple[Connection, Window]] | None = None
@@ -103,10 +123,14 @@ class Topic(Measured):
         return (float(len(names)) if names else None), None
 
 
+def _ends(connection: Connection) -> tuple[str, str]:
+    return connection.publisher, connection.subscriber
+
+
 def _quality(seen: tuple[Connection, Window]) -> tuple[bool, bool, int, bool, float]:
     connection, window = seen
     quiet = window.horizon > window.until
-    return connection.gone, quiet, RANK[window.observer], bool(connection.subscriber), -window.count
+    return connection.left, quiet, RANK[window.observer], bool(connection.subscriber), -window.count
 
 
 def _folded(key: str, told: list[tuple[float, Window | None]]) -> tuple[float, Window | None]:

@@ -11,8 +11,10 @@ from collections import deque
 from roslens.live.bucket import Bucket
 from roslens.model.tally import Observer, Tally
 
-MAX_BUCKETS = 48
+MAX_BUCKETS = 20
 """Neighbouring tallies are merged rather than to keep more than these."""
+MAX_VALUES = 200
+"""And more than these where percentiles of their values are asked for."""
 DEFAULT_S = 2.0
 """Length of a window of which nothing is known."""
 LONGEST_S = 60.0
@@ -32,6 +34,7 @@ class Window:
         observer: who saw it.
         host: on which the observer stands.
         length: seconds that are kept.
+        most: buckets that are kept.
         until: end of the newest tally, which only ever grows.
         last: when the last message came; 0 before the first.
         begun: start of the oldest tally since the observer appeared or its clock stepped.
@@ -54,6 +57,7 @@ class Window:
         "intervals",
         "last",
         "length",
+        "most",
         "news",
         "noticed",
         "observer",
@@ -65,8 +69,9 @@ class Window:
         "until",
     )
 
-    def __init__(self, observer: Observer, host: str, length: float = 0.0) -> None:
-        """Begin an empty window; a ``length`` of 0 lets it find one by the traffic it sees."""
+    def __init__(self, observer: Observer, host: str, length: float = 0.0, most: int = MAX_BUCKETS) -> None:
+        """Begin an empty window of at most ``most`` buckets; a ``length`` of 0 is found by the traffic."""
+        self.most = most
         self.observer = observer
         self.host = host
         self._automatic = not length
@@ -76,11 +81,6 @@ class Window:
         self.count = self.intervals = self.bytes = self.sized = 0
         self.news = self.stepped = False
         self._strange: list[Tally] = []
-
-    def resize(self, length: float) -> None:
-        """Keep another stretch of time from now on; 0 is found by the traffic."""
-        self._automatic = not length
-        self.length = length or max(DEFAULT_S, self.length)
 
     def add(self, tally: Tally, now: float) -> bool:
         """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it told anything new."""
@@ -162,9 +162,9 @@ class Window:
             self.last = bucket.end
         self._take_in(bucket)
         self.news = True
-        if len(self.buckets) > MAX_BUCKETS:
+        if len(self.buckets) > self.most:
             self._drop(self.until - self.length)
-            if len(self.buckets) > MAX_BUCKETS:
+            if len(self.buckets) > self.most:
                 self._merge()
 
     def _take_in(self, bucket: Bucket) -> None:

@@ -75,7 +75,8 @@ class World:
                 self.refused += 1
                 return None
             found = self.connections[key] = Connection(*key, now)
-            self.topic(tally.topic, now)
+            topic = self.topic(tally.topic, now)
+            found.gone = topic.known and _lacks_end(topic, found)
         return found
 
     def entity(self, entity: EntityId, now: float) -> Sampled | None:
@@ -251,9 +252,13 @@ def _take_ends(topic: Topic, publishers: frozenset[str], subscribers: frozenset[
     topic.known = known
     topic.seen |= known
     for one in chain.from_iterable(topic.connections.values()):
-        lost = one.publisher and one.publisher not in publishers
-        one.gone = bool(lost or (one.subscriber and one.subscriber not in subscribers))
+        one.gone = _lacks_end(topic, one)
     return True
+
+
+def _lacks_end(topic: Topic, connection: Connection) -> bool:
+    lost = connection.publisher and connection.publisher not in topic.publishers
+    return bool(lost or (connection.subscriber and connection.subscriber not in topic.subscribers))
 
 
 def _one(text: str) -> frozenset[str]:

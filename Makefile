@@ -1,16 +1,27 @@
-# The commands to learn: demo, test, quick, lint, docs, lock, bench.
+# The commands to learn: demo, demo-live, demo-ros2, test, quick, lint, docs, lock, bench, testbed.
 PYTHON ?= python3
 WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo testbed test slow quick lint parts docs lock lock-ros2 bench clean
+.PHONY: demo demo-live demo-ros2 testbed test slow quick lint parts docs lock lock-ros2 bench clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
 	$(BIN)/roslens check $(WS) --fail-on never || [ $$? -eq 3 ]
 	$(BIN)/roslens report $(WS) -o roslens-report
 	$(BIN)/roslens serve $(WS) --port $(PORT)
+
+# Watch a recording of a small robot that breaks three times.
+demo-live: .venv/stamp
+	mkdir -p build
+	$(BIN)/python examples/robot/record.py build/robot.bag
+	$(BIN)/roslens watch --bag build/robot.bag --reference examples/robot/rover.yaml --fail-on never
+
+# Start the nodes of the small robot with the ROS 2 wheels, and watch them until Ctrl-C.
+demo-ros2: .venv/stamp
+	sh .ci/ros2
+	ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST sh examples/robot/watch_ros2.sh $(BIN)/roslens build/ros2/bin/python
 
 # Three hosts on this machine with a robot on them, until Ctrl-C; says how to look into them and break them. As root.
 testbed: .venv/stamp

@@ -50,8 +50,11 @@ def watch_live(options: argparse.Namespace, reference: Reference, states: frozen
         on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None
         sinks.append(stack.enter_context(_screen(teller, session)) if on_screen else teller.tell)
         begun, ended = time.monotonic(), _when_stopped(stack)
+        last = time.time()
 
         def told(step: Step) -> None:
+            nonlocal last
+            last = step.time
             for sink in sinks:
                 sink(step)
 
@@ -60,11 +63,12 @@ def watch_live(options: argparse.Namespace, reference: Reference, states: frozen
 
         run(session, sources, wall=time.time, stopped=stopped, told=told)
     teller = Teller(argparse.Namespace(**{**vars(options), "output": None}), time_of_day) if on_screen else teller
-    return _ended(teller, session, states, begun)
+    return _ended(teller, session, states, begun, last)
 
 
-def _ended(teller: Teller, session: Session, states: frozenset[str], begun: float) -> int:
-    teller.end(session, time.time(), f"after {time.monotonic() - begun:.0f} s:")
+def _ended(teller: Teller, session: Session, states: frozenset[str], begun: float, last: float) -> int:
+    # As it was when it was last looked at: to end the observers takes a while, in which nothing is heard of anybody.
+    teller.end(session, last, f"after {time.monotonic() - begun:.0f} s:")
     return teller.code(states, nothing_seen=not session.records)
 
 

@@ -1,6 +1,7 @@
 """`roslens watch` and `roslens reference draft | test` over the recording of the example."""
 
 import json
+import platform
 import subprocess
 import sys
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
+from roslens.store.history import History
 
 ROBOT = Path(__file__).parents[2] / "examples" / "robot"
 ROVER = str(ROBOT / "rover.yaml")
@@ -74,16 +76,17 @@ def test_what_makes_no_sense_is_said(words, said, capsys):
     assert said in capsys.readouterr().err
 
 
-def test_this_host_for_a_moment(tmp_path, capsys):
+def test_this_host_for_a_moment_where_no_ros_is(tmp_path, capsys, monkeypatch):
+    for name in ("ROS_MASTER_URI", "ROSLENS_ROS2_PYTHON"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("roslens.live.adapters.child._unfit", lambda *_: "No module named 'rclpy'")
     history = tmp_path / "live.sqlite"
     words = ["watch", "--for", "1.5 s", "--history", str(history), "--format", "json"]
-    assert main(words) == 0
-    assert capsys.readouterr().out.count("\n") >= 0
-    from roslens.store.history import History
-
+    assert main(words) == 3
+    (line,) = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert line["is"] == "failure"
+    assert line["what"].startswith("no ROS was found: no $ROS_MASTER_URI and no Python with rclpy")
     with History.open(history) as kept:
-        import platform
-
         assert kept.points(f"host:{platform.node()}", "memory", 0, 4e9, most=10**9)
 
 

@@ -12,6 +12,8 @@ lines cheap:
 from __future__ import annotations
 
 import re
+from itertools import compress, count, repeat
+from operator import contains, itemgetter
 
 LINE_BREAK_IN_STRING = 0xFF
 """Stands for a line break inside a string; the byte never occurs in UTF-8."""
@@ -48,10 +50,14 @@ MANY_STARS = 100_000
 _CPP = (
     rb"""//[^\n]*|%s|"[^"\n]*"?|'(?:[^'\n]{1,12}')?|#[ \t]{0,40}include[ \t]{0,40}(?:<[^>\n]{1,200}>|"[^"\n]{1,200}")"""
 )
-_RAW_STRING = rb'R"([^()\s"]{0,16})\(.*?\)\1"|'
-_CPP_PARTS = re.compile(_CPP % _BLOCK_COMMENT, re.DOTALL)
-_CPP_PARTS_WITH_RAW = re.compile(_RAW_STRING + _CPP % _BLOCK_COMMENT, re.DOTALL)
-_CPP_PARTS_OF_MANY_STARS = re.compile(_CPP % _BLOCK_COMMENT_OF_MANY_STARS, re.DOTALL)
+_RAW_STRING = rb'R"([^()\s"]{0,16})\(.*?\)\2"|'
+_CPP_PARTS = re.compile(b"(" + _CPP % _BLOCK_COMMENT + b")", re.DOTALL)
+_CPP_PARTS_WITH_RAW = re.compile(b"(" + _RAW_STRING + _CPP % _BLOCK_COMMENT + b")", re.DOTALL)
+_CPP_PARTS_OF_MANY_STARS = re.compile(b"(" + _CPP % _BLOCK_COMMENT_OF_MANY_STARS + b")", re.DOTALL)
+_SLASH, _LINE_END = ord("/"), ord("\n")
+_IN_PART = [_IN_COMMENT if byte == _SLASH else _IN_STRING for byte in range(256)]
+"""What becomes of a comment or string, by its first byte."""
+_IS_STRING = bytes(byte != _SLASH for byte in range(256))
 _RAW_SEARCH_LIMIT = 50_000_000
 """Raw strings opened and never closed make the search quadratic: starts times bytes beyond which it is left out."""
 _DIGIT_SEPARATOR = re.compile(rb"'(?<=[0-9A-F]')(?<!u8')(?=[0-9A-F])")
@@ -62,6 +68,7 @@ _PYTHON_PARTS = re.compile(
 """One class of first bytes, told apart behind it: the search for the next part is what takes the time."""
 _TRIPLE_QUOTES = (b'"""', b"'''")
 _NOTHING_FOLLOWS = re.compile(rb"[ \t]*(?:[\n#]|\Z)")
+_REST_OF_LINE = re.compile(rb"[ \t]*(\n|\Z)")
 _WIDEST_INDENT = 400
 
 
@@ -72,14 +79,54 @@ def blank_comments(content: bytes, syntax: str) -> bytes:
         content: the bytes of a file, in any encoding that has ASCII in it.
         syntax: ``cpp`` (also C) or ``python``.
     """
-    text = _without_escapes(content)
-    if syntax == "python":
-        text = b"".join(_python_parts(_PYTHON_PARTS.split(text)))
-    else:
-        if b"'" in text:
-            text = _DIGIT_SEPARATOR.sub(b"_", text)
-        text = _cpp_parts(text).sub(_cpp_part, text)
+    if syntax == "cpp":
+        return blank_cpp(content)[0]
+    text = b"".join(_python_parts(_PYTHON_PARTS.split(_without_escapes(content))))
     return text.translate(_OUTSIDE)
+
+
+def blank_cpp(content: bytes) -> tuple[bytes, bool]:
+    """Return ``content`` of C or C++ with comments blanked and strings made words, and whether it is *plain*.
+
+    Of a plain file the lines that still hold something are as many as are left when comments are cut out by somebody
+    who knows no strings: no string holds the sign of a comment, nothing stands behind a comment of several lines, no
+    line is continued, no escape stands outside strings, and there are no control characters.
+    """
+    text = _without_escapes(content)
+    if b"'" in text:
+        text = _DIGIT_SEPARATOR.sub(b"_", text)
+    pattern = _cpp_parts(text)
+    found = pattern.split(text)
+    if pattern.groups > 1:
+        del found[2 :: pattern.groups + 1]
+    parts = found[1::2]
+    firsts = bytes(map(itemgetter(0), parts))
+    found[1::2] = map(bytes.translate, parts, map(_IN_PART.__getitem__, firsts))
+    text = b"".join(found)
+    code = text.translate(_OUTSIDE)
+    return code, pattern.groups == 1 and code == text and _has_plain_bytes(content) and _is_plain(parts, firsts, found)
+
+
+def _has_plain_bytes(content: bytes) -> bool:
+    """Tell whether no line is continued, not even when a comment goes, and there are no control characters."""
+    if content.translate(_CLEANED) != content:
+        return False
+    first = content.find(b"\\")
+    return first < 0 or (content.find(b"\\\n", first) < 0 and content.find(b"\\/", first) < 0)
+
+
+def _is_plain(parts: list[bytes], firsts: bytes, found: list[bytes]) -> bool:
+    """Tell whether every comment is one for those who know no strings, and ends its line if it has several."""
+    if parts and parts[-1].startswith(b"/*") and not (parts[-1].endswith(b"*/") and len(parts[-1]) > len(b"/*/")):
+        return False
+    strings = b"".join(compress(parts, firsts.translate(_IS_STRING)))
+    if b"//" in strings or b"/*" in strings:
+        return False
+    for place in compress(count(), map(contains, parts, repeat(_LINE_END))):
+        rest = _REST_OF_LINE.match(found[2 * place + 2])
+        if rest is None or (place + 1 < len(parts) and not rest[1]):
+            return False
+    return True
 
 
 def _cpp_parts(text: bytes) -> re.Pattern[bytes]:
@@ -103,11 +150,6 @@ def _without_escapes(content: bytes) -> bytes:
         .replace(b"\\'", _ESCAPED_APOSTROPHE)
         .replace(b"\\\n", _CONTINUATION)
     )
-
-
-def _cpp_part(match: re.Match[bytes]) -> bytes:
-    text = match[0]
-    return text.translate(_IN_COMMENT if text.startswith(b"/") else _IN_STRING)
 
 
 def _python_parts(parts: list[bytes]) -> list[bytes]:

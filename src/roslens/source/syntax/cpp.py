@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from tree_sitter import Tree
 
-from roslens.source.syntax.comments import blank_comments
+from roslens.source.syntax.comments import blank_cpp
 from roslens.source.syntax.cpp_assembly import Assembly
 from roslens.source.syntax.cpp_lines import LineMap
 from roslens.source.syntax.cpp_names import text_of
@@ -16,9 +16,9 @@ from roslens.source.syntax.cpp_query import Captures, fault_nodes, parse_tree
 from roslens.source.syntax.cpp_repair import repaired
 from roslens.source.syntax.cpp_walk import Walk
 from roslens.source.syntax.facts import FileFacts, SyntaxFault
-from roslens.source.syntax.lines import count_lines
+from roslens.source.syntax.lines import BYTE_ORDER_MARKS, count_lines
 from roslens.source.syntax.macros import MacroPreset
-from roslens.source.syntax.tokens import hashes_of, token_text
+from roslens.source.syntax.tokens import hashes_of, squeezed_lines, token_text
 
 _LONGEST_QUOTE = 60
 
@@ -39,25 +39,24 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
     if tree.root_node.has_error:
         source, tree = repaired(source, tree, macros)
     captures = Captures(tree)
-    code = blank_comments(content, "cpp")
+    code, plain = blank_cpp(content)
     walk = Walk(source, code, captures)
-    hashes, numbers = hashes_of(code)
-    lines = LineMap(content, hashes, numbers)
-    lines.leave_out(code, captures.not_executed, captures.statements)
+    lines = LineMap(content, squeezed_lines(code))
+    lines.leave_out(captures.not_executed, captures.statements)
     if source is not blanked:
-        lines.leave_only(hashes_of(blank_comments(source, "cpp"))[1])
+        lines.leave_only(hashes_of(blank_cpp(source)[0])[1])
     faults = _faults(source, tree, lines)
     assembly = Assembly(source, token_text(code, "cpp"), lines, captures, walk, faults)
     return FileFacts(
         syntax="cpp",
-        lines=count_lines(content, "cpp"),
+        lines=lines.whole() if plain and not content.startswith(BYTE_ORDER_MARKS) else count_lines(content, "cpp"),
         halstead=assembly.halstead(),
         functions=tuple(map(assembly.function, walk.functions)),
         classes=tuple(map(assembly.of_class, walk.classes)),
         top_level=assembly.counts(),
         includes=tuple((text_of(source[start:end]), lines.number(start)) for start, end in captures.includes),
-        line_hashes=hashes,
-        line_numbers=numbers,
+        line_hashes=lines.hashes,
+        line_numbers=lines.numbers,
         faults=faults,
     )
 

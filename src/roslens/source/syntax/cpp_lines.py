@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from itertools import accumulate, compress, count, product
@@ -14,8 +13,8 @@ from roslens.source.syntax.facts import Lines
 _BRACES = tuple("".join(marks) for length in (1, 2, 3) for marks in product("{}();", repeat=length))
 _WORDS = tuple(f"{left}{word}{right}" for word in ("else", "do", "try") for left in ("", "}") for right in ("", "{"))
 _NOT_EXECUTED = frozenset(crc32(text.encode()) for text in (*_BRACES, *_WORDS))
-_DIRECTIVE = re.compile(rb"[#\xa3]")
-"""A directive, or an ``#include`` that is one word since its comments were blanked."""
+_DIRECTIVE = b"#\xa3"
+"""What begins a directive, or an ``#include`` that is one word since its comments were blanked."""
 
 
 class LineMap:
@@ -25,23 +24,27 @@ class LineMap:
     three braces, parentheses and semicolons alone, ``else``, ``do`` and ``try`` alone, labels of ``goto``,
     preprocessor directives, comments, and declarations without an initialiser are not executed. The headers of
     control statements and ``case`` labels are. This follows STXLN of the static analyser QAC.
+
+    Attributes:
+        hashes: of the lines that hold code, see :func:`~roslens.source.syntax.tokens.line_hashes`.
+        numbers: of these lines.
     """
 
-    def __init__(self, source: bytes, hashes: Sequence[int], numbers: Sequence[int]) -> None:
-        """Find the line starts of ``source``; the hashes of its code lines and their numbers tell what is on them."""
+    def __init__(self, source: bytes, squeezed: Sequence[bytes]) -> None:
+        """Find the line starts of ``source``; of the same with its comments blanked, ``squeezed`` are the lines."""
+        code = list(filter(None, squeezed))
+        self.hashes = tuple(map(crc32, code))
+        self.numbers = numbers = tuple(compress(count(1), squeezed))
         lines = source.split(b"\n")
         self._starts: list[int] = [0, *map(add, accumulate(map(len, lines)), count(1))]
-        self._numbers = numbers
-        self._filled = list(compress(count(1), map(bytes.strip, lines)))
-        self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in hashes]))
+        self._physical = len(lines) if lines[-1] else len(lines) - 1
+        self._filled = [number for number, line in enumerate(lines, 1) if line and not line.isspace()]
+        self._executed = list(compress(numbers, [one not in _NOT_EXECUTED for one in self.hashes]))
+        self._directives = {number for number, line in zip(numbers, code, strict=True) if line[0] in _DIRECTIVE}
 
-    def leave_out(self, code: bytes, spans: Sequence[tuple[int, int]], statements: Sequence[int]) -> None:
-        """Leave out the directives of ``code`` and the lines of ``spans``, unless a statement begins on them."""
-        left_out = set()
-        for match in _DIRECTIVE.finditer(code):
-            line = self.number(match.start())
-            if not code[self.start(line) : match.start()].strip():
-                left_out.add(line)
+    def leave_out(self, spans: Sequence[tuple[int, int]], statements: Sequence[int]) -> None:
+        """Leave out the directives and the lines of ``spans``, unless a statement begins on them."""
+        left_out = set(self._directives)
         for start, end in spans:
             first, last = self.number(start), self.number(end - 1)
             left_out.update(range(first, last + 1) if last > first else (first,))
@@ -75,8 +78,13 @@ class LineMap:
         """Return how many of the lines from ``first`` to ``last`` are executed."""
         return bisect_right(self._executed, last) - bisect_left(self._executed, first)
 
+    def whole(self) -> Lines:
+        """Return what the lines of the source hold."""
+        filled, code = len(self._filled), len(self.numbers)
+        return Lines(self._physical, code, filled - code, self._physical - filled)
+
     def lines(self, first: int, last: int) -> Lines:
         """Return what the lines from ``first`` to ``last`` hold."""
         filled = bisect_right(self._filled, last) - bisect_left(self._filled, first)
-        code = bisect_right(self._numbers, last) - bisect_left(self._numbers, first)
+        code = bisect_right(self.numbers, last) - bisect_left(self.numbers, first)
         return Lines(last - first + 1, code, max(0, filled - code), last - first + 1 - max(filled, code))

@@ -19,11 +19,12 @@ import re
 from roslens.source.syntax.comments import MANY_STARS
 from roslens.source.syntax.facts import Lines
 
-_BYTE_ORDER_MARKS = (
+BYTE_ORDER_MARKS = (
     b"\xfe\xff", b"\xff\xfe", b"\xef\xbb\xbf", b"\xf7\x64\x4c", b"\x0e\xfe\xff", b"\xfb\xee\x28",
     b"\x00\x00\xfe\xff", b"\x2b\x2f\x76\x38", b"\x2b\x2f\x76\x39", b"\x2b\x2f\x76\x2b", b"\x2b\x2f\x76\x2f",
     b"\xdd\x73\x66\x73", b"\x84\x31\x95\x33",
 )  # fmt: skip
+"""Bytes that are no part of the first line."""
 
 _WHITE = b" \t\r\v\f"
 _CPP_COMMENT = re.compile(rb"/(?:/[^\n]*|\*[^*]*(?:\*(?!/)[^*]*)*\*/)")
@@ -68,7 +69,7 @@ def _normalised(content: bytes) -> bytes:
     """Return ``content`` without byte order mark and carriage returns, its last line ended."""
     if content and not content.endswith(b"\n"):
         content += b"\n"
-    for mark in _BYTE_ORDER_MARKS:
+    for mark in BYTE_ORDER_MARKS:
         if content.startswith(mark):
             content = content[len(mark) :]
             break

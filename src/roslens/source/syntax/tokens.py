@@ -42,9 +42,9 @@ def _is_word(byte: int) -> bool:
 _WORDS = bytes(byte if _is_word(byte) else 0x20 for byte in range(256))
 _MARKS = bytes(0x20 if _is_word(byte) or byte in b"\n\\" else byte for byte in range(256))
 _POINT_IN_NUMBER = re.compile(rb"\.(?:(?=[0-9])|(?<=[^\w][0-9]\.)|(?<=[^\w][0-9]{2}\.))")
-_SIGN_IN_NUMBER = re.compile(rb"[-+](?<=[0-9\xae][eE][-+])(?=[0-9])")
+_MINUS_IN_NUMBER = re.compile(rb"-(?<=[0-9\xae][eE]-)(?=[0-9])")
+_PLUS_IN_NUMBER = re.compile(rb"\+(?<=[0-9\xae][eE]\+)(?=[0-9])")
 _POINT, _SIGN = b"\xae", b"\xad"
-_EXPONENTS = (b"e-", b"e+", b"E-", b"E+")
 
 _CPP_KEYWORDS = frozenset(
     b"""alignas alignof and and_eq asm auto bitand bitor break case catch class co_await co_return co_yield compl
@@ -89,8 +89,9 @@ class TokenText(msgspec.Struct, frozen=True):
 def token_text(code: bytes, syntax: str) -> TokenText:
     """Prepare counting; ``code`` comes from :func:`~roslens.source.syntax.comments.blank_comments`."""
     numbers = _POINT_IN_NUMBER.sub(_POINT, code)
-    if any(exponent in code for exponent in _EXPONENTS):
-        numbers = _SIGN_IN_NUMBER.sub(_SIGN, numbers)
+    numbers = _MINUS_IN_NUMBER.sub(_SIGN, numbers)
+    if b"e+" in code or b"E+" in code:
+        numbers = _PLUS_IN_NUMBER.sub(_SIGN, numbers)
     return TokenText(code, numbers.translate(_WORDS), numbers.translate(_MARKS), syntax)
 
 
@@ -151,5 +152,10 @@ def line_hashes(content: bytes, syntax: str) -> tuple[tuple[int, ...], tuple[int
 
 def hashes_of(code: bytes) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """Do what :func:`line_hashes` does for source whose comments are blanked already."""
-    lines = code.translate(_LINES, _WHITE).split(b"\n")
+    lines = squeezed_lines(code)
     return tuple(map(crc32, filter(None, lines))), tuple(compress(count(1), lines))
+
+
+def squeezed_lines(code: bytes) -> list[bytes]:
+    """Return the lines of source whose comments are blanked already, without their white space."""
+    return code.translate(_LINES, _WHITE).split(b"\n")

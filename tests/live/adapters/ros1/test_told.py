@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from roslens.live.adapters.ros1.place import is_local
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.told import ToldServer, answer_to
 from roslens.live.adapters.ros1.xml_rpc import Caller
@@ -55,3 +56,13 @@ def test_a_length_that_is_none_is_refused(told, length):
 def test_no_bytes_make_it_fall_over(body):
     values, _ = xmlrpc.client.loads(answer_to(body, {}))
     assert values[0][0] == -1
+
+
+@pytest.mark.skipif(not is_local("::1"), reason="no IPv6 on this host")
+def test_it_listens_on_ipv6():
+    server = ToldServer("::1", "::1", "http://m:1", lambda *update: None)
+    assert server.uri.startswith("http://[::1]:")
+    caller = Caller(server.uri, Resolver())
+    assert caller.call("getPid", "/x")[0] == 1
+    caller.close()
+    server.close()

@@ -226,3 +226,29 @@ def test_threads_can_use_a_resolver_together():
         thread.join()
     assert found == ["10.0.0.1"] * 8
     assert len(asked) == 1
+
+
+TEXT = st.text(st.characters(codec="utf-8", exclude_categories=["Cc", "Cs"]), max_size=6)
+VALUES = st.recursive(
+    st.booleans() | st.integers(-(2**31), 2**31 - 1) | st.floats(allow_nan=False, allow_infinity=False) | TEXT,
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(TEXT, inner, max_size=3),
+    max_leaves=20,
+)
+
+
+@given(VALUES)
+def test_every_value_is_read_as_the_standard_library_reads_it(value):
+    body = xmlrpc.client.dumps((value,), methodresponse=True).encode()
+    try:
+        expected = read_message(body, "this")[0][0]
+    except CallError:  # characters that XML cannot carry
+        return
+    assert read_answer(body, "x") == expected
+
+
+def test_depth_has_an_end():
+    deep = b"<value>" + b"<array><data><value>" * 50_000 + b"</value></data></array>" * 50_000 + b"</value>"
+    with pytest.raises(CallError, match="nested more than 32"):
+        read_answer(b"<methodResponse><params><param>" + deep + b"</param></params></methodResponse>", "x")
+    with pytest.raises(CallError, match="type 'matrix'"):
+        read_answer(ANSWER.replace(b"<string>text</string>", b"<matrix/>"), "x")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import queue
+import re
 import signal
 import socket
 import sys
@@ -19,7 +20,7 @@ from roslens.live.adapters.ros1.follow import Follower
 from roslens.live.adapters.ros1.listening import Listening
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.observation import Observation
-from roslens.live.adapters.ros1.place import own_address
+from roslens.live.adapters.ros1.place import is_local, own_address
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
 from roslens.live.adapters.ros1.speak import Speaker
 from roslens.live.adapters.ros1.told import ToldServer
@@ -84,13 +85,18 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     """Observe until stopped."""
     resolver = Resolver()
     host, port = split_uri(options.master)
-    caller = f"/roslens_{socket.gethostname().replace('-', '_').replace('.', '_')}_{os.getpid()}"
+    caller = f"/roslens_{re.sub('[^A-Za-z0-9_]', '_', socket.gethostname())}_{os.getpid()}"
     wakes: queue.SimpleQueue[Wake] = queue.SimpleQueue()
     towards = host
     with suppress(UnresolvedError):
         towards = resolver.address(host)
     own = own_address(os.environ, towards, port)
-    told = ToldServer("", own, options.master, lambda topic, uris: wakes.put(("told", topic, uris)))
+    at = ""
+    with suppress(UnresolvedError):
+        at = resolver.address(own)
+    told = ToldServer(
+        at if is_local(at) else "", own, options.master, lambda topic, uris: wakes.put(("told", topic, uris))
+    )
     ends = Ends(lambda name: wakes.put(("ended", name, ())))
     follower = Follower(Master(options.master, caller, resolver), caller, told.uri)
     observation = Observation(follower, caller, resolver, socket.gethostname(), time.time, ends)

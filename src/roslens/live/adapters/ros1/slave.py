@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.live.adapters.ros1.names import MOST_ENTRIES, Oddities, sound_name
 from roslens.live.adapters.ros1.resolve import Resolver
-from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, Trouble, unwrap
+from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, Trouble, read_answer, unwrap
 from roslens.model.failure import Failure
 
 FRAMING = 4
@@ -141,6 +141,8 @@ class Slave:
 
     def __init__(self, uri: str, caller: str, resolver: Resolver, wait_s: float = 1.0) -> None:
         self.uri = uri
+        self._body = b""
+        self._stats = BusStats()
         self._caller = caller
         self._line = Caller(uri, resolver, wait_s)
 
@@ -169,7 +171,11 @@ class Slave:
         Raises:
             CallError: the node does not tell.
         """
-        return read_stats(self._line.call("getBusStats", self._caller), self.uri)
+        body = self._line.ask("getBusStats", self._caller)
+        if body != self._body:  # that of an idle node need not be read again
+            self._stats = read_stats(read_answer(body, "getBusStats"), self.uri)
+            self._body = body
+        return self._stats
 
     def request(self, topic: str) -> tuple[str, int]:
         """Return host and port at which a topic is to be had over TCPROS.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import socket
 import threading
 import xmlrpc.client
 from collections.abc import Callable
@@ -21,7 +22,7 @@ class ToldServer:
     """Answers as a node would and passes ``publisherUpdate`` on.
 
     Args:
-        address: to listen at; a port of its own is chosen.
+        address: to listen at, empty for all of this host; a port of its own is chosen.
         host: by which others reach that address.
         master_uri: told to who asks.
         told: called with topic and URIs of all its publishers, in a thread of the server.
@@ -41,8 +42,9 @@ class ToldServer:
             "requestTopic": lambda _: [0, "an observer publishes nothing", 0],
         }
         self._told = told
-        self._server = ThreadingHTTPServer((address, 0), _handler(answers))
-        self._server.daemon_threads = True
+        family = socket.AF_INET6 if ":" in address else socket.AF_INET
+        server = type("Server", (ThreadingHTTPServer,), {"address_family": family, "daemon_threads": True})
+        self._server: ThreadingHTTPServer = server((address, 0), _handler(answers))
         bracketed = f"[{host}]" if ":" in host else host
         self.uri = f"http://{bracketed}:{self._server.server_address[1]}/"
         self._thread = threading.Thread(

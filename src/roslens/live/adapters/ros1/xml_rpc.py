@@ -6,10 +6,12 @@ import re
 import socket
 import time
 import xmlrpc.client
+from collections.abc import Callable
 from contextlib import suppress
 from enum import Enum
 from typing import Any
 from urllib.parse import urlsplit
+from xml.etree.ElementTree import Element, ParseError, fromstring
 from xml.parsers.expat import ExpatError
 
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
@@ -23,6 +25,13 @@ _UNREADABLE = (
     ExpatError, xmlrpc.client.ResponseError, ValueError, TypeError, KeyError, IndexError, LookupError, AttributeError,
     OverflowError, AssertionError,
 )  # fmt: skip
+
+
+_DEEPEST = 32
+_SIMPLE: dict[str, Callable[[str], Any]] = {
+    "string": str, "int": int, "i4": int, "i8": int, "double": float, "boolean": lambda text: text.strip() == "1",
+    "nil": lambda _: None, "dateTime.iso8601": str, "base64": str,
+}  # fmt: skip
 
 
 class Trouble(str, Enum):
@@ -223,13 +232,49 @@ def read_message(body: bytes, what: str) -> tuple[tuple[Any, ...], str]:
 def read_answer(body: bytes, method: str) -> Any:
     """Return the value in the body of an answer.
 
+    The parser of the standard library's client is Python for every tag; this one asks the parser in C for the tree and
+    takes about half the time, which is most of what observing by protocol costs.
+
     Raises:
         CallError: it is an answer that says that the method failed, or none.
     """
-    values, _ = read_message(body, f"the answer to {method}")
-    if len(values) != 1:
-        raise CallError(Trouble.GARBLED, f"the answer to {method} holds {len(values)} values, expected 1")
+    if b"<!DOCTYPE" in body or b"<!ENTITY" in body:
+        raise CallError(Trouble.GARBLED, f"the answer to {method} defines entities, which XML-RPC does not know")
+    try:
+        root = fromstring(body)  # noqa: S314 - entities were refused above
+        fault = root.find("fault/value")
+        places = [fault] if fault is not None else root.findall("params/param/value")
+        values = [_value(place, 0) for place in places if place is not None]
+    except (ParseError, ValueError, LookupError, OverflowError) as error:
+        raise CallError(Trouble.GARBLED, f"the answer to {method} is no XML-RPC: {str(error)[:200]}") from None
+    if root.tag != "methodResponse" or len(values) != 1:
+        what = f"the answer to {method} is {root.tag[:40]!r} with {len(values)} values, expected methodResponse with 1"
+        raise CallError(Trouble.GARBLED, what)
+    if fault is not None:
+        said = values[0].get("faultString", "") if isinstance(values[0], dict) else values[0]
+        raise CallError(Trouble.DENIED, f"the answer to {method}: failed there: {str(said)[:300]}")
     return values[0]
+
+
+def _value(place: Element, depth: int) -> Any:
+    """Return what a ``value`` holds; text where no type is given."""
+    if depth > _DEEPEST:
+        raise ValueError(f"values nested more than {_DEEPEST} deep")
+    if not len(place):
+        return place.text or ""
+    typed = place[0]
+    if typed.tag == "array":
+        return [_value(inner, depth + 1) for data in typed for inner in data]
+    if typed.tag == "struct":
+        return {
+            member.findtext("name", ""): _value(inner, depth + 1)
+            for member in typed.iterfind("member")
+            if (inner := member.find("value")) is not None
+        }
+    read = _SIMPLE.get(typed.tag)
+    if read is None:
+        raise ValueError(f"a value of the type {typed.tag[:40]!r}")
+    return read(typed.text or "")
 
 
 def unwrap(answer: Any, method: str) -> Any:

@@ -83,7 +83,7 @@ class McapLayout:
                     raise DamageError(f"an index of {size:,} bytes in a record of {length:,}")
                 table = np.frombuffer(region, "<i8", size // 8, at + 6)
                 if size:
-                    found.append(Entries(channel, table[0::2].astype(np.int64), table[1::2].astype(np.int64)))
+                    found.append(Entries(channel, table[0::2], table[1::2]))
             at += length
         return found
 

@@ -101,7 +101,7 @@ class Ros1Layout:
 
     def entries(self, region: bytes) -> list[Entries]:
         """Read the index records behind a chunk."""
-        found = []
+        pieces = []
         at = 0
         while at < len(region):
             fields, start, length = split(region, at)
@@ -111,10 +111,19 @@ class Ros1Layout:
             count = number(fields, "count", 4)
             if count * 12 > length:
                 raise DamageError(f"an index of {count:,} messages in a record of {length:,} bytes")
-            table = np.frombuffer(region, "<u4", count * 3, start).reshape(-1, 3)
             if count:
-                times = table[:, 0].astype(np.int64) * _SECOND + table[:, 1]
-                found.append(Entries(number(fields, "conn", 4), times, table[:, 2].astype(np.int64)))
+                pieces.append((number(fields, "conn", 4), np.frombuffer(region, "<u4", count * 3, start)))
+        if not pieces:
+            return []
+        table = np.concatenate([piece for _, piece in pieces]).reshape(-1, 3)
+        times = table[:, 0].astype(np.int64) * _SECOND + table[:, 1]
+        offsets = table[:, 2].astype(np.int64)
+        found = []
+        begin = 0
+        for channel, piece in pieces:
+            end = begin + len(piece) // 3
+            found.append(Entries(channel, times[begin:end], offsets[begin:end]))
+            begin = end
         return found
 
     def locate(self, content: Bytes, offsets: Ints) -> tuple[Ints, Ints] | None:

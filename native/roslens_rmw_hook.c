@@ -44,7 +44,7 @@ static inline endpoint * counted(const void * handle)
   return endpoint_of(handle);
 }
 
-// Count, also from within: a signal handler that publishes must not wait for the thread it interrupts.
+// Count as if within a wrapped function: a signal handler that publishes must not wait for the thread it interrupts.
 #define COUNT(call) (within = true, call, within = false)
 
 static void made(const void * handle, const rmw_node_t * node, const char * name)

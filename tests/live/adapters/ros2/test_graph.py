@@ -3,7 +3,9 @@ from types import SimpleNamespace
 from roslens.live.adapters.ros2.graph import GraphReader
 from roslens.live.adapters.ros2.local_process import Found
 from roslens.live.adapters.ros2.observation import Observation
+from roslens.live.inside.counters import Counted as CountedSlot
 from roslens.model.graph import Change, Role
+from roslens.model.tally import Tally
 
 HERE = "78fd"
 
@@ -202,3 +204,28 @@ def test_frames_tell_changes_once_and_a_misfit_again_when_it_is_back():
     assert observation._name_of(gid(7, 1).hex()) == "/ns/talker"
     frame, stale = observation.period(7.0, 1.0)
     assert (frame.tallies, frame.graph, stale) == ([], None, False)
+
+
+class Counted:
+    def __init__(self, *counted):
+        self.counted = counted
+
+    def read(self, now):
+        return [CountedSlot(7, "", tally, "") for tally in self.counted]
+
+    def failures(self):
+        return []
+
+
+def test_silence_is_told_of_what_is_there_only():
+    node = FakeNode()
+    node.add("talker", "p", "/t", 7)
+    counters = Counted(
+        Tally("/t", "/ns/talker", "", 0.0, 1.0),
+        Tally("/old", "/ns/talker", "", 0.0, 1.0),
+        Tally("/last", "/ns/talker", "", 0.0, 1.0, count=1),
+    )
+    observation = Observation("robot", reader(node), counters)
+    observation.changed(1.0)
+    frame, _ = observation.period(2.0, 1.0)
+    assert [tally.topic for tally in frame.tallies] == ["/last", "/t"]

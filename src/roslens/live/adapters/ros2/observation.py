@@ -64,6 +64,7 @@ class Observation:
         self._taps = taps
         self._changes = Changes()
         self._graph: Graph | None = None
+        self._there: set[tuple[str, str]] = set()
         self._told: set[Failure] = set()
         self._left: dict[str, tuple[str, float]] = {}
 
@@ -83,6 +84,7 @@ class Observation:
             return None
         self._remember_names(graph, now)
         self._graph = graph
+        self._there = {(end.node, end.name) for end in graph.endpoints}
         found = set(misfits(graph.endpoints))
         fresh = found - self._told
         # What is mended and breaks again is told again.
@@ -99,7 +101,8 @@ class Observation:
 
     def period(self, now: float, seconds: float) -> tuple[Frame, bool]:
         """Return what was counted since the last period, and whether the graph had changed unnoticed."""
-        tallies = joined(self._counters.read(now), self._name_of, self._host)
+        counted = joined(self._counters.read(now), self._name_of, self._host)
+        tallies = [tally for tally in counted if tally.count or self._stands(tally)]
         failures = self._counters.failures()
         shed = 0
         if self._taps is not None:
@@ -108,6 +111,10 @@ class Observation:
             shed = self._taps.shed()
         stale = self._graphs.sweep(max(1, round(SWEEP_PER_S * seconds)))
         return self._frame(now, tallies=tallies, failures=failures, shed=shed), stale
+
+    def _stands(self, tally: Tally) -> bool:
+        """Tell whether a connection is still there: what was taken apart is silent, and that is no news."""
+        return all((name, tally.topic) in self._there for name in (tally.publisher, tally.subscriber) if name)
 
     def _name_of(self, gid: str) -> str | None:
         name = self._graphs.node_of(gid)

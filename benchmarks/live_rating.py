@@ -106,6 +106,14 @@ def run(frames: list[tuple[float, bytes]], monitor: Monitor) -> tuple[float, int
     return time.process_time() - begun, tallies, changes
 
 
+def turn_ns() -> float:
+    """Return what a turn of an empty loop costs at this moment: a busy machine shows here first."""
+    begun = time.process_time()
+    for _ in range(1_000_000):
+        pass
+    return (time.process_time() - begun) * 1000
+
+
 def main() -> None:
     """Measure both and print them."""
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 10.0
@@ -115,6 +123,7 @@ def main() -> None:
     run(begin, monitor)
     spent, tallies, changes = run(frames[len(begin) :], monitor)
     judged = monitor.standing()
+    print(f"a turn of an empty loop takes {turn_ns():.0f} ns on this machine now")
     print(f"connections {CONNECTIONS}, verdicts {len(judged)}, not ok {sum(v.state.value != 'ok' for v in judged)}")
     print(f"steady: {tallies / seconds:,.0f} tallies/s, {TICKS} ticks/s: {100 * spent / seconds:.1f} % of a core")
     print(f"        {spent / tallies * 1e6:.1f} us a tally, {changes} changes")

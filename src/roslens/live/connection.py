@@ -76,6 +76,15 @@ class Connection(Measured):
         self._lengths = lengths
         self._sort()
 
+    @property
+    def speaks(self) -> bool:
+        """Whether the newest tally of every observer has messages."""
+        for windows in self._order:
+            buckets = windows[0].buckets
+            if not buckets or not buckets[-1].count:
+                return False
+        return True
+
     def notice(self, now: float) -> None:
         """Note when news came, without looking at it yet."""
         for windows in self._order:
@@ -108,7 +117,12 @@ class Connection(Measured):
             return None, None
         if len(self._order) == 1 and not percentile:
             window = self._order[0][at]
-            return (measure(window), window) if window.spacing else (None, None)
+            if not window.spacing:
+                return None, None
+            # A topic asks for what its connections were just asked for.
+            if key not in window.cache:
+                window.cache[key] = measure(window)
+            return window.cache[key], window
         stale: tuple[float | None, Window | None] = (None, None)
         for windows in self._order:
             window = windows[at]

@@ -25,7 +25,7 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     for group in connection.groups:
         if alone is not None and group.calm and group.measure is not None and not group.percentile:
             window = alone[group.at]
-            value = group.measure(window)
+            value = window.cache[group.key] = group.measure(window)
             if value is not None and group.low <= value <= group.high:
                 group.value, group.window = value, window
                 if group.key == "largest_gap":

@@ -33,8 +33,8 @@ from roslens.model.tally import Tally
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
-PACE_S = 0.28
-"""How often, at most, what is fine is looked at."""
+PACE_S = 0.35
+"""Seconds after which what is fine is looked at again, unless it fell silent."""
 _CHAINS_S = 0.2
 _SWEEP_S = 30.0
 _KEPT_FAILURES = 100
@@ -377,11 +377,14 @@ class Monitor:
         if self._suspended:
             return ()
         if one.calm and 0 <= now - one.looked < PACE_S and one.due > now:
-            # What is fine is looked at less often: a window forgets its oldest tally early enough for that.
-            if isinstance(one, Connection):
+            if not isinstance(one, Connection):
+                one.due = one.looked + PACE_S
+                return ()
+            if one.speaks:
                 one.notice(now)
-            one.due = one.looked + PACE_S
-            return ()
+                one.due = one.looked + PACE_S
+                return ()
+            self._world.topics[one.topic].calm = False
         if isinstance(one, Connection):
             return judge_connection(one, now)
         if isinstance(one, Topic) and one.judged:

@@ -42,6 +42,7 @@ class Window:
         spacing: seconds from one tally to the next.
         horizon: up to when the window reaches, on the observer's clock.
         quiet: seconds up to the horizon since the last message, or since the beginning where there was none.
+        cache: signals by key, since the window was last brought to an instant.
         stepped: whether the observer's clock did, since somebody last asked.
     """
 
@@ -51,6 +52,7 @@ class Window:
         "begun",
         "buckets",
         "bytes",
+        "cache",
         "count",
         "horizon",
         "host",
@@ -80,6 +82,7 @@ class Window:
         self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = self.quiet = 0.0
         self.count = self.intervals = self.bytes = self.sized = 0
         self.news = self.stepped = False
+        self.cache: dict[str, float | None] = {}
         self._strange: list[Tally] = []
 
     def add(self, tally: Tally, now: float) -> bool:
@@ -125,6 +128,8 @@ class Window:
         else:
             waited = now - self.noticed
             self.horizon = self.until + (waited if waited > self.patience else 0.0)
+        if self.cache:
+            self.cache = {}
         horizon = self.horizon
         self.quiet = max(horizon - (self.last or self.begun), 0.0)
         if self.buckets and self.buckets[0].start < horizon - self.length - _EPSILON:
@@ -143,6 +148,7 @@ class Window:
     def clear(self) -> None:
         """Forget everything: time itself broke."""
         self.buckets.clear()
+        self.cache = {}
         self._strange.clear()
         self.count = self.intervals = self.bytes = self.sized = 0
         self.until = self.last = self.begun = self.spacing = self.span = 0.0

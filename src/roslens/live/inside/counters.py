@@ -317,9 +317,7 @@ class CounterReader:
             if baseline:
                 continue
             tally = difference(before, after, min(start, now), now, told)
-            yield Counted(
-                file.pid, after.gid[:16].hex() if after.kind == slots.TAKEN else "", tally, after.other
-            )
+            yield Counted(file.pid, after.gid[:16].hex() if after.kind == slots.TAKEN else "", tally, after.other)
 
     def _watch(self, file: _File) -> None:
         trouble = file.trouble()

@@ -64,10 +64,10 @@ def _built(folder: Path) -> tuple[Path, Path]:
         raise SystemExit(problem)
     compiler = [*build.compiler(), *build.FLAGS]
     tests = NATIVE / "tests"
-    fake, program = folder / "libfake_rmw.so", folder / "cost"
+    fake, program = folder / "librmw_fake.so", folder / "cost"
     subprocess.run([*compiler, "-shared", "-o", fake, tests / "fake_rmw.c"], check=True)
     subprocess.run(
-        [*compiler, "-o", program, tests / "cost.c", f"-L{folder}", "-lfake_rmw", "-Wl,-rpath,$ORIGIN"], check=True
+        [*compiler, "-o", program, tests / "cost.c", f"-L{folder}", "-lrmw_fake", "-Wl,-rpath,$ORIGIN"], check=True
     )
     return library, program
 

@@ -40,14 +40,14 @@ class Built:
         self.sanitized = self._program(
             "sanitized", "-rdynamic", *SANITIZED, self._test("drive.c"), *sources, "-ldl"
         )  # the library is part of the program, as the sanitizers want to be there first
-        self.cost = self._program("cost", self._test("cost.c"), f"-L{folder}", "-lfake_rmw", "-Wl,-rpath,$ORIGIN")
+        self.cost = self._program("cost", self._test("cost.c"), f"-L{folder}", "-lrmw_fake", "-Wl,-rpath,$ORIGIN")
 
     def _middleware(self, folder, flags):
         folder.mkdir(exist_ok=True)
-        self._run("-shared", *flags, "-o", folder / "libfake_rmw.so", self._test("fake_rmw.c"))
+        self._run("-shared", *flags, "-o", folder / "librmw_fake.so", self._test("fake_rmw.c"))
         self._run(
             "-shared", "-o", folder / "libscenario.so", self._test("scenario.c"),
-            f"-L{folder}", "-lfake_rmw", "-Wl,-rpath,$ORIGIN",
+            f"-L{folder}", "-lrmw_fake", "-Wl,-rpath,$ORIGIN",
         )  # fmt: skip
 
     def _test(self, name):

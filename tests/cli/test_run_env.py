@@ -55,3 +55,21 @@ def test_env_speaks_fish(monkeypatch, capsys):
     monkeypatch.delenv("PYTHONPATH")
     assert main(["env", "--shell", "fish", "--undo"]) == 0
     assert capsys.readouterr().out == "set -e PYTHONPATH;\nset -e ROSLENS_COUNTERS;\n"
+
+
+@pytest.mark.parametrize("undo", [[], ["--undo"]])
+def test_env_says_what_is_not_counted_without_the_library(undo, monkeypatch, capsys):
+    monkeypatch.setattr(preload, "_found", lambda: None)
+    assert main(["env", *undo]) == 0
+    said = capsys.readouterr()
+    assert "LD_PRELOAD" not in said.out
+    assert ("Nodes in C++ are not counted" in said.err) is not bool(undo)
+
+
+def test_run_says_so_too(monkeypatch, capsys):
+    monkeypatch.setattr(preload, "_found", lambda: None)
+    started = []
+    monkeypatch.setattr(os, "execvpe", lambda *arguments: started.append(arguments))
+    main(["run", "--", "true"])
+    assert "Nodes in C++ are not counted" in capsys.readouterr().err
+    assert started[0][0] == "true"

@@ -84,6 +84,17 @@ class Pair:
         return found
 
 
+def test_structs_are_laid_out_as_declared(build, python):
+    includes = Path(python).parents[1] / "include"
+    if not (includes / "rmw").is_dir():
+        pytest.skip(f"no headers of ROS 2 in {includes}")
+    folders = [f"-I{folder}" for folder in sorted(includes.iterdir()) if folder.is_dir()]
+    source = ROOT / "native" / "tests" / "rmw_abi.c"
+    checked = [*build.compiler(), "-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", *folders, str(source)]
+    done = subprocess.run(checked, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
 def test_counts_are_those_of_the_nodes(built, python, tmp_path):
     reader = CounterReader(str(tmp_path))
     reader.read(0.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-TEXT = "Print what a shell must set so that the Python nodes started from it count what they publish and take."
+TEXT = "Print what a shell must set so that the nodes started from it count what they publish and take."
 EXAMPLES = """\
   eval "$(roslens env)"            from now on, in this shell
   eval "$(roslens env --undo)"     no longer
@@ -20,11 +20,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print one line per variable."""
     import os
+    import sys
 
     from roslens.live.inside.environment import environment, undone
+    from roslens.live.inside.preload import why_no_library
 
     variables: dict[str, str | None] = {}
     variables.update(undone(os.environ) if options.undo else environment(os.environ))
+    if not options.undo and (missing := why_no_library()):
+        print(missing, file=sys.stderr)
     for name, value in sorted(variables.items()):
         print(_line(options.shell, name, value))
     return 0

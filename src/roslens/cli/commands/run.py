@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-TEXT = "Run a command so that the Python nodes it starts count what they publish and take; their code stays as it is."
+TEXT = "Run a command so that the nodes it starts count what they publish and take; their code stays as it is."
 EXAMPLES = """\
   roslens run -- ros2 launch demo robot.launch.py
   roslens run -- python3 talker.py"""
@@ -25,12 +25,16 @@ def run(options: argparse.Namespace) -> int:
     import sys
 
     from roslens.live.inside.environment import environment
+    from roslens.live.inside.preload import why_no_library
     from roslens.model.errors import UsageError
 
     command = options.command[1:] if options.command[:1] == ["--"] else options.command
     if not command:
         raise UsageError("no command", expected="one after --", advice="roslens run -- python3 talker.py")
+    if missing := why_no_library():
+        print(missing, file=sys.stderr)
     sys.stdout.flush()
+    sys.stderr.flush()
     try:
         os.execvpe(command[0], command, {**os.environ, **environment(os.environ)})  # noqa: S606 - what the user asked for
     except OSError as error:

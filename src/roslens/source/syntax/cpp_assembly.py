@@ -104,8 +104,8 @@ class Assembly:
         self._names = _Names()
         self._walk = walk
         self._source = source
-        called = sorted([*captures.callees, *walk.macro_calls])
-        written = [source[max(start, end - _LONGEST_NAME) : end] for start, end in called]
+        called = sorted([*captures.callees, *walk.macro_calls]) if walk.macro_calls else captures.callees
+        written = [source[start if end - start < _LONGEST_NAME else end - _LONGEST_NAME : end] for start, end in called]
         self._written = _Places([start for start, _ in called], written)
         self._called = _Places(self._written.starts, list(map(_Callees().__getitem__, written)))
         typed = _outside(captures.types, walk.macro_headers)

@@ -53,7 +53,9 @@ def without_arguments(name: str) -> str:
 @lru_cache(maxsize=4096)
 def split_name(written: str) -> tuple[str, str]:
     """Return the scope and the name of a function as it is written before its parameters."""
-    operator = _OPERATOR.search(written)
+    if written.isidentifier():
+        return "", written
+    operator = _OPERATOR.search(written) if "operator" in written else None
     head, tail = (written[: operator.start()], written[operator.start() :]) if operator else (written, "")
     plain = without_arguments(head)
     if tail:
@@ -144,13 +146,20 @@ def _type_of(parameter: Node, source: bytes) -> str:
     return _parameter_type(source[start : min(middle, start + _LONGEST)], source[middle : min(end, middle + _LONGEST)])
 
 
-@lru_cache(maxsize=4096)
 def _parameter_type(before: bytes, declarator: bytes) -> str:
     """Return the type of a parameter, given what stands before its declarator and the declarator."""
-    text = text_of(before)
-    if declarator:
-        text += " " + _NAME_IN_DECLARATOR.sub("", text_of(declarator), count=1)
-    return squeezed(text.rstrip("= \t\r\n"))
+    return _type_text(before, _without_name(declarator))
+
+
+@lru_cache(maxsize=4096)
+def _without_name(declarator: bytes) -> str:
+    return _NAME_IN_DECLARATOR.sub("", text_of(declarator), count=1)
+
+
+@lru_cache(maxsize=4096)
+def _type_text(before: bytes, behind: str) -> str:
+    """Return a type from what stands before and behind the name: there are far fewer types than names."""
+    return squeezed(f"{text_of(before)} {behind}".rstrip("= \t\r\n"))
 
 
 def base_names(definition: Node, source: bytes) -> tuple[str, ...]:

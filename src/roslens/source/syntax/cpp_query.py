@@ -2,7 +2,8 @@
 
 The name of a capture says what the node is for; its place in :data:`KINDS` is the number the walk dispatches on
 and decides which of two nodes with the same extent comes first. One query and one look at each position is what
-makes the walk cheap: reading attributes of nodes costs more than everything else.
+makes the walk cheap: reading attributes of nodes costs more than everything else. Only the bodies of functions and
+classes are asked for one by one: a pattern with them takes long to compile, and that at every start.
 """
 
 from __future__ import annotations
@@ -27,13 +28,11 @@ KINDS = tuple(_KIND_WORDS.split())
 
 _QUERY = """
 (namespace_definition) @namespace
-[(class_specifier body: (_)) (struct_specifier body: (_)) (union_specifier body: (_))] @class
-(function_definition body: (_) @function_body) @function
-(function_definition . (function_declarator) . (try_statement) @function_body) @function
+[(class_specifier) (struct_specifier) (union_specifier)] @class
+(function_definition) @function
 (field_declaration_list [(field_declaration) (declaration)] @field)
 (field_declaration_list (template_declaration (declaration) @field))
 (field_declaration_list (_ [(field_declaration) (declaration)] @field))
-(function_definition [(default_method_clause) (delete_method_clause) (pure_virtual_clause)]) @field
 (friend_declaration) @friend
 (access_specifier) @access
 (if_statement consequence: (_) @part_body) @if
@@ -128,25 +127,29 @@ class Captures:
         not_executed: extents of local declarations without an initialiser, and where labels stand.
         operators: extents of logical expressions to those of their operators.
         else_ifs: extents of the ``if`` of an ``else if``; ``else_of_ifs`` those of its ``else``.
-        definitions: the nodes of functions, classes, namespaces and members by their kind and extent.
+        definitions: the nodes of functions, classes, namespaces and members by their kind, then by their extent.
     """
 
     def __init__(self, tree: Tree) -> None:
         """Run the query over ``tree``."""
         captured = QueryCursor(_COMPILED).captures(tree.root_node)
 
+        captured["class"] = [node for node in captured.get("class", ()) if node.child_by_field_name("body") is not None]
+        _tell_functions(captured)
+
         def spans(name: str) -> list[Span]:
             return list(map(_EXTENT, captured.pop(name, ())))
 
         self.operators: dict[Span, Span] = {}
+        self.definitions: dict[str, dict[Span, Node]] = {}
         self.else_ifs = set(spans("else_if"))
         self.else_of_ifs = set(spans("else_of_if"))
         self.callees = sorted(spans("callee"))
         self.types = sorted(spans("type"))
         self.includes = sorted(spans("include"))
-        starts = {start for start, _ in spans("statement")}
+        starts = set(map(_START, captured.pop("statement", ())))
         labels = list(map(_EXTENT, captured.get("label", ())))
-        initialised = sorted(start for start, _ in spans("initialised"))
+        initialised = sorted(map(_START, captured.pop("initialised", ())))
         self.not_executed: list[Span] = [(start, start + 1) for start, _ in labels]
         in_header = set(spans("in_header"))
         self._sort_declarations([one for one in spans("declaration") if one not in in_header], initialised, starts)
@@ -157,15 +160,12 @@ class Captures:
             extents = list(map(_EXTENT, nodes))
             events += [(start, -end, kind) for start, end in extents]
             if kind in _JUMPS:
-                starts.update(start for start, _ in extents)
+                starts.update([start for start, _ in extents])
+            elif name in _DEFINITIONS:
+                self.definitions[name] = dict(zip(extents, nodes, strict=True))
         events.sort()
         self.events = events
         self.statements = sorted(starts)
-        self.definitions: dict[tuple[str, int, int], Node] = {
-            (name, *node.byte_range): node
-            for name in ("function", "class", "namespace", "field", "friend")
-            for node in captured.get(name, ())
-        }
 
     def _logical(self, nodes: Iterable[Node], left_out: Sequence[Span]) -> list[Event]:
         """Return the events of those binary expressions that are logical and stand outside the spans ``left_out``.
@@ -192,10 +192,35 @@ class Captures:
 
 
 _EXTENT: Callable[[Node], Span] = attrgetter("byte_range")
+_START: Callable[[Node], int] = attrgetter("start_byte")
 _LOGICAL = {
     word: _KIND_NUMBERS[kind] for kind, words in (("and", ("&&", "and")), ("or", ("||", "or"))) for word in words
 }
 _JUMPS = frozenset(_KIND_NUMBERS[name] for name in ("return", "throw", "break", "continue", "goto", "yield"))
+_DEFINITIONS = frozenset({"function", "class", "namespace", "field", "friend"})
+
+
+def _tell_functions(captured: dict[str, list[Node]]) -> None:
+    """Leave those with a body among the functions; those that are defaulted, deleted or pure are fields."""
+    functions, bodies = [], []
+    for node in captured.get("function", ()):
+        body = node.child_by_field_name("body")
+        if body is None:
+            inner = node.named_children
+            kinds = [child.type for child in inner]
+            if not _NO_BODIES.isdisjoint(kinds):
+                captured.setdefault("field", []).append(node)
+            if kinds[:2] != _TRIED:
+                continue
+            body = inner[1]
+        functions.append(node)
+        bodies.append(body)
+    captured["function"], captured["function_body"] = functions, bodies
+
+
+_NO_BODIES = frozenset({"default_method_clause", "delete_method_clause", "pure_virtual_clause"})
+_TRIED = ["function_declarator", "try_statement"]
+"""What a constructor is made of whose body is ``try : member(1) { }``."""
 
 
 def _within(position: int, spans: Sequence[Span]) -> bool:

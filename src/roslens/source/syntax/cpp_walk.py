@@ -276,7 +276,7 @@ class Walk:
 
     def _on_namespace(self, role: str, start: int, end: int) -> Frame:
         frame = Frame(role, end, self._top)
-        node = self._captures.definitions["namespace", start, end].child_by_field_name("name")
+        node = self._captures.definitions["namespace"][start, end].child_by_field_name("name")
         if node is not None:
             name = without_arguments(self._text(node.start_byte, node.end_byte))
             frame.prefix = f"{frame.prefix}::{name}" if frame.prefix else name
@@ -284,7 +284,7 @@ class Walk:
 
     def _on_class(self, role: str, start: int, end: int) -> Frame:
         top = self._top
-        node = self._captures.definitions["class", start, end]
+        node = self._captures.definitions["class"][start, end]
         name_node = node.child_by_field_name("name") or _typedef_name(node)
         name = without_arguments(self._text(name_node.start_byte, name_node.end_byte)) if name_node else ""
         name = name or "(anonymous)"
@@ -310,7 +310,7 @@ class Walk:
 
     def _on_function(self, role: str, start: int, end: int) -> Frame:
         top = self._top
-        node = self._captures.definitions["function", start, end]
+        node = self._captures.definitions["function"][start, end]
         declarator = read_declarator(node, self._source)
         if declarator.macro:
             self.macro_headers.append((declarator.start, declarator.end))
@@ -357,7 +357,7 @@ class Walk:
         """Note a friend; a function defined there is no member of the class."""
         top = self._top
         if top.owner is not None:
-            node = self._captures.definitions["friend", start, end]
+            node = self._captures.definitions["friend"][start, end]
             name = friend_name(node, self._source)
             if name:
                 top.owner.friends.append(name)
@@ -367,7 +367,7 @@ class Walk:
         owner = self._top.owner
         if owner is None:
             return
-        node = self._captures.definitions["field", start, end]
+        node = self._captures.definitions["field"][start, end]
         member = Member(owner.access, (start, end))
         if self._top.role == "friend":
             return

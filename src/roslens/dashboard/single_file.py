@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -19,6 +18,7 @@ from roslens.dashboard.section import compact, fold_into_file, with_live_links
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Limits, Request
 from roslens.model.errors import UsageError
+from roslens.report.whole_file import whole_file
 
 LARGEST = 4_800_000
 """Bytes that the file may have: what a mail server takes, with room for its encoding left out."""
@@ -80,14 +80,9 @@ def single_file(site: Site, out: Path) -> None:
         UsageError: ``out`` cannot be written.
     """
     text = single_page(site)
-    partial = out.with_name(f".{out.name}.{os.getpid()}.partial")
     try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            partial.write_text(text, encoding="utf-8", newline="\n")
-            partial.replace(out)
-        finally:
-            partial.unlink(missing_ok=True)
+        with whole_file(out) as stream:
+            stream.write(text)
     except OSError as error:
         raise UsageError(
             f"cannot write {str(out)!r}: {error.strerror or error}",

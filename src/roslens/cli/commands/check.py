@@ -140,16 +140,10 @@ def _write(options: argparse.Namespace, view: RunView, tags: TagFilter) -> None:
         write_folder(view, Path(options.output), tags)
         return
     if options.output:
-        path = Path(options.output)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        # Written beside and moved: a full disk or an interrupt never leaves half a report behind.
-        part = path.with_name(path.name + ".part")
-        try:
-            with part.open("w", encoding="utf-8", newline="") as stream:
-                _write_to(options, view, tags, stream)
-            part.replace(path)
-        finally:
-            part.unlink(missing_ok=True)
+        from roslens.report.whole_file import whole_file
+
+        with whole_file(Path(options.output)) as stream:
+            _write_to(options, view, tags, stream)
         return
     _write_to(options, view, tags, sys.stdout)
 

@@ -7,12 +7,12 @@ import contextlib
 import os
 import platform
 import shutil
-import signal
 import sys
 import time
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_screen import screen, time_of_day
 from roslens.live.session import Session, Source, run
@@ -47,9 +47,15 @@ def watch_live(options: argparse.Namespace, reference: Reference, states: frozen
         sinks: list[Callable[[Step], None]] = [_keep(session, history)] if history is not None else []
         if options.prometheus is not None:
             stack.callback(_serve(options.prometheus, session).close)
+        page = None
+        if options.serve is not None:
+            from roslens.cli.watch_serve import address_of, page_beside
+
+            page, shown = page_beside(stack, session, platform.node(), address_of(options.serve), time_of_day)
+            sinks.append(shown)
         on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None
-        sinks.append(stack.enter_context(_screen(teller, session)) if on_screen else teller.tell)
-        begun, ended = time.monotonic(), _when_stopped(stack)
+        sinks.append(stack.enter_context(_screen(teller, session, page)) if on_screen else teller.tell)
+        begun, ended = time.monotonic(), when_stopped(stack)
         last = time.time()
 
         def told(step: Step) -> None:
@@ -208,7 +214,7 @@ def _serve(port: int, session: Session) -> Endpoint:
 
 
 @contextlib.contextmanager
-def _screen(teller: Teller, session: Session) -> Iterator[Callable[[Step], None]]:
+def _screen(teller: Teller, session: Session, page: str | None) -> Iterator[Callable[[Step], None]]:
     """Take the terminal for a table that is drawn again every second; it is given back at the end."""
     begun, cpu = time.monotonic(), time.process_time()
     drawn = 0.0
@@ -223,7 +229,7 @@ def _screen(teller: Teller, session: Session) -> Iterator[Callable[[Step], None]
             return
         drawn = passed
         share = 100 * (time.process_time() - cpu) / max(passed, 0.001)
-        title = f"roslens watch  {passed:.0f} s, costs {share:.1f} % of a core"
+        title = f"roslens watch  {passed:.0f} s, costs {share:.1f} % of a core{f'  {page}' if page else ''}"
         height = shutil.get_terminal_size((100, 24)).lines
         lines = screen(
             teller.terminal,
@@ -243,12 +249,3 @@ def _screen(teller: Teller, session: Session) -> Iterator[Callable[[Step], None]
     finally:
         sys.stdout.write(_LEAVE)
         sys.stdout.flush()
-
-
-def _when_stopped(stack: contextlib.ExitStack) -> list[int]:
-    """Return a list that holds something once a signal asked to end."""
-    ended: list[int] = []
-    for number in (signal.SIGINT, signal.SIGTERM):
-        before = signal.signal(number, lambda number, _: ended.append(number))
-        stack.callback(signal.signal, number, before)
-    return ended

@@ -30,9 +30,12 @@ class Guard:
     rebinding). Numeric addresses cannot be rebound, so they pass.
     """
 
-    def __init__(self, app: ASGIApp, names: frozenset[str] = frozenset()) -> None:
-        """``names`` are further host names to answer to, in lower case."""
+    def __init__(
+        self, app: ASGIApp, names: frozenset[str] = frozenset(), advice: str = "start `roslens serve` with --host"
+    ) -> None:
+        """``names`` are further host names to answer to, in lower case; ``advice`` says how to add one."""
         self._app = app
+        self._advice = advice
         self._names = names | {"localhost", socket.gethostname().lower()}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -51,8 +54,8 @@ class Guard:
         given = next((value.decode("latin-1") for name, value in scope["headers"] if name == b"host"), "")
         if not self.allows(given):
             refusal = PlainTextResponse(
-                f"The host name {given[:80]!r} is not one of this server. Expected localhost or an address; start "
-                "`roslens serve` with --host to answer to another name.\n",
+                f"The host name {given[:80]!r} is not one of this server. Expected localhost or an address; "
+                f"{self._advice} to answer to another name.\n",
                 status_code=421,
             )
             await refusal(scope, receive, send_guarded)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import socket
 from collections.abc import Callable, Mapping
 from contextlib import closing
 
@@ -15,12 +14,13 @@ from starlette.staticfiles import StaticFiles
 
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.guard import Guard
+from roslens.dashboard.listener import address_shown, listen
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import to_csv
 from roslens.dashboard.view import Query, Request, View
-from roslens.model.errors import StoreError, UsageError
+from roslens.model.errors import StoreError
 
 _MEDIA: Mapping[str, str] = {"json": "application/json", "csv": "text/csv; charset=utf-8"}
 
@@ -97,39 +97,15 @@ def serve(
     import uvicorn
 
     app = create_app(site, frozenset({host.lower()}))
-    with closing(_listen(host, port)) as listener:
-        address = listener.getsockname()
-        shown = f"[{address[0]}]" if ":" in address[0] else address[0]
-        ready(f"http://{shown}:{address[1]}/")
+    local, free = (
+        "Leave --host out to listen on this machine only",
+        "Give another one with --port, or 0 for any free one",
+    )
+    with closing(listen(host, port, local=local, free=free)) as listener:
+        ready(address_shown(listener))
         config = uvicorn.Config(app, log_level="error", access_log=False, lifespan="off", server_header=False)
         try:
             uvicorn.Server(config).run(sockets=[listener])
         except KeyboardInterrupt:
             # Ctrl-C is how a reader ends it, not an error.
             return
-
-
-def _listen(host: str, port: int) -> socket.socket:
-    if not 0 <= port <= 65535:
-        raise UsageError(f"port {port}", expected="a number from 0 to 65535")
-    try:
-        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
-    except OSError as error:
-        raise UsageError(
-            f"cannot listen on {host!r}: {error.strerror or error}",
-            expected="a name or address of this machine",
-            advice="Leave --host out to listen on this machine only",
-        ) from error
-    listener = socket.socket(family, kind, protocol)
-    try:
-        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind(address)
-        listener.listen(64)
-    except OSError as error:
-        listener.close()
-        raise UsageError(
-            f"cannot listen on {host}:{port}: {error.strerror}",
-            expected="a free port",
-            advice="Give another one with --port, or --port 0 for any free one",
-        ) from error
-    return listener

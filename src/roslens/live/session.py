@@ -14,7 +14,7 @@ from roslens.live.node_processes import NodeProcesses
 from roslens.live.tree import SystemView
 from roslens.model.entity import EntityId
 from roslens.model.failure import Failure
-from roslens.model.graph import Event
+from roslens.model.graph import Event, Graph
 from roslens.model.verdict import Verdict
 from roslens.model.wire import Frame
 
@@ -115,6 +115,10 @@ class Session:
                 found[part.id] = part.values
             waiting += part.children
         return [(EntityId.parse(entity), values) for entity, values in sorted(found.items())]
+
+    def graph(self) -> Graph:
+        """Return what is there now, as far as any observer knows."""
+        return self._graphs.whole()
 
     def tree(self, now: float) -> SystemView:
         """Return the system with its worst states and latest values."""

@@ -10,7 +10,11 @@ from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from roslens.cli.watch_serve import PageAfter
     from roslens.judge.expectation import Reference
+    from roslens.live.session import Step
 
 TEXT = "Watch a running ROS system, or a recording, and say what is not as the reference expects."
 EXAMPLES = """\
@@ -19,7 +23,8 @@ EXAMPLES = """\
   roslens watch --ros1 --for 60s --fail-on low,high,absent  a system test: exit code 1 when something is wrong
   roslens watch --bag drive.mcap                            without a reference: what is there, how fast
   roslens watch --listen 0.0.0.0:7411 --key-file key        agents on other hosts report to this one
-  roslens watch --prometheus 9411                           values and states for Prometheus"""
+  roslens watch --prometheus 9411                           values and states for Prometheus
+  roslens watch --serve 8080                                a page that shows it: http://127.0.0.1:8080/"""
 
 _BAD = ("low", "high", "absent")
 
@@ -54,6 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--format", choices=("text", "json"), default="text", help="json: a line for each change")
     parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the result there")
     parser.add_argument("--prometheus", type=int, metavar="PORT", help="serve values for Prometheus on this machine")
+    parser.add_argument("--serve", metavar="[HOST:]PORT", help="show it in a browser (a port alone: on this machine)")
     parser.add_argument("--history", type=Path, metavar="FILE", help="keep series and verdicts in this file (SQLite)")
     add_stream_arguments(parser)
 
@@ -98,8 +104,24 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
             option = "for" if name == "length" else name
             raise UsageError(f"--{option} with --bag", expected="one of them", advice="A recording is read to its end")
     bag = open_bag(options.bag)
-    with Teller(options, since_start(bag.start)) as teller:
-        session = replay(bag, reference, told=teller.tell)
-        shown = ", ".join(str(path) for path in options.bag)
-        teller.end(session, bag.end, f"{shown}: {bag.messages:,} messages in {bag.end - bag.start:.1f} s; at its end:")
+    shown, clock = ", ".join(str(path) for path in options.bag), since_start(bag.start)
+    page = _page(options.serve, shown, clock) if options.serve is not None else None
+    with Teller(options, clock) as teller:
+
+        def told(step: Step) -> None:
+            teller.tell(step)
+            if page is not None:
+                page.take(step)
+
+        session = replay(bag, reference, told=told)
+        amount = f"{bag.messages:,} messages in {bag.end - bag.start:.1f} s"
+        teller.end(session, bag.end, f"{shown}: {amount}; at its end:")
+    if page is not None:
+        page.show(session, bag.end, f"{amount}, read to the end")
     return teller.code(states, nothing_seen=not bag.messages)
+
+
+def _page(address: str, title: str, clock: Callable[[float], str]) -> PageAfter:
+    from roslens.cli.watch_serve import PageAfter, address_of
+
+    return PageAfter(title, address_of(address), clock)

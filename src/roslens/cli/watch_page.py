@@ -1,0 +1,221 @@
+"""What `roslens watch --serve` shows: a session as the document of the live page."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import lru_cache
+from hashlib import blake2b
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.cli.watch_graph import GraphPicture, encodable
+from roslens.cli.watch_screen import value_text
+from roslens.dashboard.live.snapshot import VERSION, Alert, Happening, Row, Snapshot
+from roslens.live.connection_name import connection_ends
+from roslens.live.publish.diagnostics import sentence
+from roslens.live.signals import BY_KEY
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.verdict import Verdict
+
+if TYPE_CHECKING:
+    from roslens.live.session import Session, Step
+    from roslens.live.tree import SystemView
+
+COLUMNS = (
+    ("rate", "Rate"),
+    ("largest_gap", "Gap"),
+    ("latency", "Latency"),
+    ("loss", "Loss"),
+    ("bandwidth", "Bandwidth"),
+    ("cpu", "CPU"),
+    ("memory", "Memory"),
+)
+_PACE_S = 1.0
+_IDLE_PACE_S = 5.0
+_WANTED_S = 5.0
+_KEPT = 50
+_LONGEST_NAME = 200
+_LONGEST_TEXT = 600
+
+
+class PageSource:
+    """Makes a snapshot of a session when one is due, and hands it to the page as bytes.
+
+    Snapshots are made by who runs the session; :meth:`newest` may be called from any thread. While nobody asks for
+    them they are made less often.
+    """
+
+    def __init__(self, title: str, *, clock: Callable[[float], str], live: bool, steady: Callable[[], float]) -> None:
+        """Show what is called ``title``; ``clock`` writes times, ``steady`` tells how long ago something was."""
+        self._title = title
+        self._clock = clock
+        self._live = live
+        self._steady = steady
+        self._picture = GraphPicture(shown_name)
+        self._happened: deque[Happening] = deque(maxlen=_KEPT)
+        self._failures: deque[str] = deque(maxlen=_KEPT)
+        self._asked = -math.inf
+        self._made = -math.inf
+        self._newest = b""
+
+    def newest(self) -> bytes:
+        """Return the newest snapshot; the same object while there is no newer one."""
+        self._asked = self._steady()
+        return self._newest
+
+    def take(self, step: Step) -> None:
+        """Remember what happened in a step."""
+        self._happened.extend(self._of_step(step))
+        self._failures.extend(shown_text(str(failure)) for failure in step.failures)
+
+    def due(self) -> bool:
+        """Return whether it is time for a new snapshot."""
+        now = self._steady()
+        return now - self._made >= (_PACE_S if now - self._asked < _WANTED_S else _IDLE_PACE_S)
+
+    def make(self, session: Session, now: float, cost: str) -> None:
+        """Make the snapshot of ``now``."""
+        self._made = self._steady()
+        # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
+        self._newest = msgspec.json.encode(self.snapshot(session, now, cost))
+
+    def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
+        """Return how the system stands at ``now``; ``cost`` says what watching it costs."""
+        view = session.tree(now)
+        rows = tuple(_rows(view.children, 0, ""))
+        return Snapshot(
+            version=VERSION,
+            time=now,
+            when=self._clock(now),
+            title=shown_name(self._title),
+            live=self._live,
+            state=view.state.value,
+            counts=view.counts,
+            cost=cost,
+            columns=tuple(column for column in COLUMNS if any(column[0] in row.shown for row in rows)),
+            rows=rows,
+            alerts=_alerts(session.monitor.standing(), self._clock),
+            picture=self._picture.of(session.graph(), rows),
+            happened=tuple(reversed(self._happened)),
+            failures=tuple(reversed(self._failures)),
+        )
+
+    def _of_step(self, step: Step) -> Iterator[Happening]:
+        for event in step.events:
+            text = shown_text(event.entity)
+            what, detail = event.change.value, shown_text(event.detail)
+            yield Happening(event.time, self._clock(event.time), what, text, text.partition(":")[2], "", detail)
+        for one in step.changes:
+            entity = shown_text(str(one.entity))
+            detail = shown_text(sentence(one)) if one.state.bad else _title(one.quantity)
+            name = shown_name(one.entity.name)
+            when = self._clock(one.since)
+            yield Happening(one.since, when, f"is {one.state.value}", entity, name, one.state.value, detail)
+
+
+def shown_name(name: str) -> str:
+    """Return a name from outside as text that can be encoded, and short enough to show."""
+    return _cut(name, _LONGEST_NAME)
+
+
+def shown_text(text: str) -> str:
+    """Return a text from outside as text that can be encoded, and short enough to show."""
+    return _cut(text, _LONGEST_TEXT)
+
+
+def _cut(text: str, longest: int) -> str:
+    if len(text) > longest:
+        text = f"{text[: longest * 2 // 3]}…{text[-(longest // 3) :]}"
+    return encodable(text)
+
+
+def _rows(parts: Iterable[SystemView], depth: int, above: str) -> Iterator[Row]:
+    for part in parts:
+        if part.kind == "process" and not part.counts:
+            # What a process uses is told of its nodes.
+            continue
+        key = _key(above, part.id)
+        values = {name: value for name, value in part.values.items() if math.isfinite(value)}
+        shown = {name: _shown(name, float(f"{values[name]:.3g}")) for name, _ in COLUMNS if name in values}
+        yield Row(
+            key,
+            encodable(part.id),
+            _name(part),
+            part.kind,
+            depth,
+            part.state.value,
+            part.counts,
+            values,
+            shown,
+            part.observer,
+        )
+        # What is sent to nobody in particular is told by its topic.
+        only = part.children[0] if part.kind == "topic" and len(part.children) == 1 else None
+        if only is None or connection_ends(EntityId.parse(only.id))[2]:
+            yield from _rows(part.children, depth + 1, key)
+
+
+@lru_cache(maxsize=65536)
+def _key(above: str, entity: str) -> str:
+    return blake2b(f"{above}\0{entity}".encode("utf-8", "replace"), digest_size=6).hexdigest()
+
+
+@lru_cache(maxsize=65536)
+def _shown(key: str, value: float) -> str:
+    return value_text(key, value)
+
+
+def _name(part: SystemView) -> str:
+    if not part.name:
+        return "(host unknown)" if part.kind == "host" else "(publisher unknown)"
+    if part.kind == "connection":
+        _, _, subscriber = connection_ends(EntityId.parse(part.id))
+        return f"→ {shown_name(subscriber) or 'anybody'}"
+    return shown_name(part.name)
+
+
+def _title(quantity: str) -> str:
+    signal = BY_KEY.get(quantity)
+    return signal.title.lower() if signal else quantity
+
+
+def _alerts(verdicts: Sequence[Verdict], clock: Callable[[float], str]) -> tuple[Alert, ...]:
+    """Return the first causes, latest last, each with what follows from it."""
+    bad = sorted((one for one in verdicts if one.state.bad), key=lambda one: (one.since, one.entity, one.expectation))
+    causes = {str(one.entity): place for place, one in reversed(list(enumerate(bad))) if not one.cause}
+    followers: dict[int, list[Alert]] = {}
+    firsts = []
+    for place, one in enumerate(bad):
+        cause = causes.get(one.cause) if one.cause else None
+        if cause is None:
+            firsts.append(place)
+        else:
+            followers.setdefault(cause, []).append(_alert(one, clock, ()))
+    return tuple(_alert(bad[place], clock, tuple(followers.get(place, ()))) for place in firsts)
+
+
+def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ...]) -> Alert:
+    entity = str(one.entity)
+    name = one.entity.name
+    if one.entity.kind is EntityKind.CONNECTION:
+        topic, publisher, subscriber = connection_ends(one.entity)
+        name = f"{publisher or '?'} → {topic} → {subscriber or 'anybody'}"
+    return Alert(
+        key=_key(entity, one.expectation),
+        entity=encodable(entity),
+        name=shown_name(name),
+        kind=one.entity.kind.value,
+        state=one.state.value,
+        severity=one.severity.value,
+        sentence=shown_text(sentence(msgspec.structs.replace(one, cause=""))),
+        since=one.since,
+        when=clock(one.since),
+        cause=encodable(one.cause),
+        group=shown_name(one.group),
+        where=shown_text(one.where),
+        evidence=shown_text(one.evidence),
+        follows=follows,
+    )

@@ -1,0 +1,98 @@
+"""`roslens watch --serve`: the live page beside a watch, or after a recording was read."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from roslens.cli.until_stopped import when_stopped
+from roslens.cli.watch_page import PageSource
+from roslens.dashboard.live.serving import LivePage
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.live.session import Session, Step
+
+_LOOK_S = 0.1
+
+
+def address_of(text: str) -> tuple[str, int]:
+    """Read ``PORT``, ``HOST:PORT`` or ``[IPv6]:PORT`` of ``--serve``; a port alone is of this machine.
+
+    Raises:
+        UsageError: it is none of these.
+    """
+    host, separator, port = text.rpartition(":")
+    bracketed = host.startswith("[") and host.endswith("]")
+    if not separator:
+        host = "127.0.0.1"
+    elif bracketed:
+        host = host[1:-1]
+    bad_host = not host or (":" in host and not bracketed)
+    if bad_host or not (port.isascii() and port.isdigit()) or len(port) > 5 or int(port) > 65535:
+        raise UsageError(f"--serve {text!r}", expected="PORT or HOST:PORT, such as `8080` or `0.0.0.0:8080`")
+    return host, int(port)
+
+
+def serve(source: PageSource, address: tuple[str, int]) -> LivePage:
+    """Start to serve what ``source`` has, and say where.
+
+    Raises:
+        UsageError: the address cannot be listened on.
+    """
+    page = LivePage(source.newest, host=address[0], port=address[1])
+    print(f"roslens: {page.url}", file=sys.stderr, flush=True)
+    return page
+
+
+def page_beside(
+    stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int], clock: Callable[[float], str]
+) -> tuple[str, Callable[[Step], None]]:
+    """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
+
+    Raises:
+        UsageError: the address cannot be listened on.
+    """
+    source = PageSource(title, clock=clock, live=True, steady=time.monotonic)
+    begun, cpu = time.monotonic(), time.process_time()
+
+    def make(now: float) -> None:
+        share = 100 * (time.process_time() - cpu) / max(time.monotonic() - begun, 1.0)
+        source.make(session, now, f"{share:.1f} % of a core, {session.records:,} records")
+
+    def told(step: Step) -> None:
+        source.take(step)
+        if source.due():
+            make(step.time)
+
+    make(time.time())
+    return stack.enter_context(serve(source, address)).url, told
+
+
+class PageAfter:
+    """Shows how a recording ended, once it was read."""
+
+    def __init__(self, title: str, address: tuple[str, int], clock: Callable[[float], str]) -> None:
+        """Show what is called ``title`` at ``address``."""
+        self._source = PageSource(title, clock=clock, live=False, steady=time.monotonic)
+        self._address = address
+
+    def take(self, step: Step) -> None:
+        """Remember what happened in a step."""
+        self._source.take(step)
+
+    def show(self, session: Session, end: float, cost: str) -> None:
+        """Serve how it was at ``end``, until Ctrl-C or a request to end.
+
+        Raises:
+            UsageError: the address cannot be listened on.
+        """
+        self._source.make(session, end, cost)
+        with contextlib.ExitStack() as stack:
+            ended = when_stopped(stack)
+            stack.enter_context(serve(self._source, self._address))
+            while not ended:
+                time.sleep(_LOOK_S)

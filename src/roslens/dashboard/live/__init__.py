@@ -1,0 +1,1 @@
+"""The page that shows a running system in a browser, second by second."""

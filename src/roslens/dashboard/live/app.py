@@ -1,0 +1,154 @@
+"""The live page over HTTP: the page, the snapshot it shows, and a stream of snapshots."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from pathlib import Path
+
+import msgspec
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, PlainTextResponse, Response, StreamingResponse
+from starlette.routing import Mount, Route
+from starlette.staticfiles import StaticFiles
+
+import roslens
+from roslens.dashboard.guard import Guard
+from roslens.dashboard.live.snapshot import Snapshot
+from roslens.dashboard.render import TEMPLATES, WEB
+
+HERE = Path(__file__).parent
+MOST_READERS = 32
+"""Streams at a time; each reader holds a connection."""
+_LOOK_S = 0.1
+_BEAT_S = 1.0
+_BEAT = b"event: beat\ndata:\n\n"
+_KEYS = (
+    ("j k", "next and previous row"),
+    ("← →", "close and open a row"),
+    ("Enter", "show the row in the graph"),
+    ("/", "filter"),
+    ("w", "only what is worse than ok"),
+    ("+ - 0", "zoom the graph, all of it"),
+    ("Esc", "clear the selection"),
+    ("d", "light or dark"),
+    ("?", "this help"),
+)
+
+
+class Facts(msgspec.Struct, frozen=True):
+    """What the application is told of the server it runs in.
+
+    Attributes:
+        names: further host names that it answers to, in lower case.
+        advice: how to make it answer to another name.
+        pace_s: least time between two snapshots of a stream.
+    """
+
+    names: frozenset[str] = frozenset()
+    advice: str = "start `roslens watch` with --serve HOST:PORT"
+    pace_s: float = 1.0
+
+
+def create_live_app(
+    snapshot: Callable[[], bytes], facts: Facts | None = None, *, stopped: Callable[[], bool] = lambda: False
+) -> Starlette:
+    """Return the application.
+
+    Args:
+        snapshot: returns the newest snapshot as JSON; the same object while nothing is new. Called from the server's
+            thread.
+        facts: of the server.
+        stopped: whether streams should end.
+    """
+    facts = facts or Facts()
+    page = _template()
+    streams = _Streams(snapshot, facts.pace_s, stopped)
+
+    async def show(_: Request) -> Response:
+        text = snapshot()
+        shown = msgspec.json.decode(text, type=Snapshot)
+        return HTMLResponse(page(shown, _embeddable(text)))
+
+    async def twin(request: Request) -> Response:
+        return _foreign(request) or Response(snapshot(), media_type="application/json")
+
+    async def events(request: Request) -> Response:
+        if refusal := _foreign(request):
+            return refusal
+        if streams.readers >= MOST_READERS:
+            return PlainTextResponse(f"{MOST_READERS} readers are served already.\n", status_code=503)
+        return StreamingResponse(
+            streams.read(),
+            media_type="text/event-stream",
+            headers={"cache-control": "no-store", "x-accel-buffering": "no"},
+        )
+
+    return Starlette(
+        routes=[
+            Route("/", show),
+            Route("/snapshot.json", twin),
+            Route("/events", events),
+            Mount("/web/live", StaticFiles(directory=HERE / "web")),
+            Mount("/web", StaticFiles(directory=WEB)),
+        ],
+        middleware=[Middleware(Guard, names=facts.names, advice=facts.advice)],
+    )
+
+
+class _Streams:
+    """Hands snapshots to readers; who reads slowly gets the newest when it is ready for it, and misses the others."""
+
+    def __init__(self, snapshot: Callable[[], bytes], pace_s: float, stopped: Callable[[], bool]) -> None:
+        self._snapshot = snapshot
+        self._pace_s = pace_s
+        self._stopped = stopped
+        self.readers = 0
+
+    async def read(self) -> AsyncIterator[bytes]:
+        """Yield a snapshot when there is a new one, and a beat each second in which there is none."""
+        clock = asyncio.get_running_loop().time
+        last, sent_at = b"", clock() - self._pace_s
+        self.readers += 1
+        try:
+            yield b"retry: 1000\n\n"
+            while not self._stopped():
+                newest, now = self._snapshot(), clock()
+                if newest is not last and newest != last and now - sent_at >= self._pace_s - _LOOK_S / 2:
+                    last, sent_at = newest, now
+                    yield b"event: snapshot\ndata: " + newest + b"\n\n"
+                elif now - sent_at >= _BEAT_S:
+                    sent_at = now
+                    yield _BEAT
+                await asyncio.sleep(min(_LOOK_S, self._pace_s))
+        finally:
+            self.readers -= 1
+
+
+def _foreign(request: Request) -> Response | None:
+    """Refuse what a page of another origin asked for; browsers say so themselves."""
+    if request.headers.get("sec-fetch-site", "none") in ("same-origin", "none"):
+        return None
+    return PlainTextResponse("Only pages of this server may read this.\n", status_code=403)
+
+
+def _embeddable(text: bytes) -> Markup:
+    """Return JSON that may stand inside a script element: nothing in it can end the element."""
+    safe = text.decode().replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+    return Markup(safe)  # noqa: S704 - escaped
+
+
+def _template() -> Callable[[Snapshot, Markup], str]:
+    environment = Environment(
+        loader=FileSystemLoader([HERE / "templates", TEMPLATES]),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=StrictUndefined,
+    )
+    template = environment.get_template("live.html")
+    return lambda shown, text: template.render(snapshot=shown, text=text, keys=_KEYS, version=roslens.__version__)

@@ -1,0 +1,58 @@
+"""Serves the live page from a thread of its own, beside who watches."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from threading import Event, Thread
+
+import uvicorn
+
+from roslens.dashboard.listener import address_shown, listen
+from roslens.dashboard.live.app import Facts, create_live_app
+
+_ADVICE = "Give --serve another port, or 0 for any free one"
+_GRACE_S = 2
+
+
+class LivePage:
+    """The page of one watch; a context manager that ends with it."""
+
+    def __init__(self, snapshot: Callable[[], bytes], *, host: str = "127.0.0.1", port: int = 0) -> None:
+        """Serve what ``snapshot`` returns, which is called from the server's thread.
+
+        Raises:
+            UsageError: the host is unknown, or the port is taken or not allowed.
+        """
+        local = "Give --serve a port alone to serve on this machine only"
+        self._listener = listen(host, port, local=local, free=_ADVICE)
+        self.url = address_shown(self._listener)
+        self._stopping = Event()
+        facts = Facts(frozenset({host.lower()}))
+        self._server = uvicorn.Server(
+            uvicorn.Config(
+                create_live_app(snapshot, facts, stopped=self._stopping.is_set),
+                log_level="error",
+                access_log=False,
+                lifespan="off",
+                server_header=False,
+                ws="none",
+                timeout_graceful_shutdown=_GRACE_S,
+            )
+        )
+        self._thread = Thread(target=self._server.run, args=([self._listener],), name="live page", daemon=True)
+        self._thread.start()
+
+    def __enter__(self) -> LivePage:
+        """Return itself."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Serve no more."""
+        self.close()
+
+    def close(self) -> None:
+        """End the streams and then the server."""
+        self._stopping.set()
+        self._server.should_exit = True
+        self._thread.join(2 * _GRACE_S + 1)
+        self._listener.close()

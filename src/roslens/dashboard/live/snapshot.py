@@ -1,0 +1,162 @@
+"""What the live page shows at one instant: the document between who watches and who looks.
+
+Who watches makes it once a second; the page, its scripts and anybody else read it from ``/snapshot.json``.
+"""
+
+from __future__ import annotations
+
+import msgspec
+
+VERSION = 1
+"""Of the document; it rises when something in it changes its meaning or goes away."""
+
+
+class Row(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A line of the tree; lines stand in order, each after the one it is part of.
+
+    Attributes:
+        key: of the line, the same in every snapshot; a topic with two publishers has two lines.
+        entity: text form of the id of the entity.
+        name: to show.
+        kind: ``host``, ``node``, ``process``, ``topic`` or ``connection``.
+        depth: 0 of a host, one more for each level below.
+        state: worst state of it and everything below.
+        counts: how many verdicts of it and everything below are in which state.
+        values: latest values by key of the signal, in the unit of the signal.
+        shown: the same values as people read them.
+        observer: how these were observed.
+    """
+
+    key: str
+    entity: str
+    name: str
+    kind: str
+    depth: int
+    state: str
+    counts: dict[str, int] = {}
+    values: dict[str, float] = {}
+    shown: dict[str, str] = {}
+    observer: str = ""
+
+
+class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Something that is wrong now.
+
+    Attributes:
+        key: of the alert, the same in every snapshot while it lasts.
+        entity: text form of the id of the entity.
+        name: of the entity, to show.
+        kind: of the entity.
+        state: ``low``, ``high`` or ``absent``.
+        severity: ``note``, ``warning`` or ``error``.
+        sentence: what is wrong, in one line.
+        since: when it began, in seconds on the monitor's clock.
+        when: the same as people read it.
+        cause: text form of the id of the entity whose fault explains this one; empty for a first cause.
+        group: under which operators see it.
+        where: ``file:line`` of what is expected.
+        evidence: what shows it.
+        follows: what this one explains.
+    """
+
+    key: str
+    entity: str
+    name: str
+    kind: str
+    state: str
+    severity: str
+    sentence: str
+    since: float
+    when: str
+    cause: str = ""
+    group: str = ""
+    where: str = ""
+    evidence: str = ""
+    follows: tuple[Alert, ...] = ()
+
+
+class Item(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A node or a topic in the picture of the graph; ``x`` and ``y`` are its middle, in pixels.
+
+    ``also`` are ids of further topics that stand here because they join the same nodes.
+    """
+
+    entity: str
+    name: str
+    kind: str
+    x: float
+    y: float
+    state: str = "ok"
+    also: tuple[str, ...] = ()
+
+
+class Link(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A line of the picture, from one item to another, both by their place in the list of items."""
+
+    start: int
+    end: int
+    state: str = "ok"
+    rate: str = ""
+    latency: str = ""
+
+
+class Picture(msgspec.Struct, frozen=True, omit_defaults=True):
+    """The graph with the places of its parts; ``version`` changes when a place does.
+
+    ``left_out`` says what is not in it.
+    """
+
+    version: int = 0
+    width: float = 0.0
+    height: float = 0.0
+    items: tuple[Item, ...] = ()
+    links: tuple[Link, ...] = ()
+    left_out: str = ""
+
+
+class Happening(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Something that happened: a change of the graph, or of what is held of it."""
+
+    time: float
+    when: str
+    what: str
+    entity: str
+    name: str
+    state: str = ""
+    detail: str = ""
+
+
+class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A system at one instant.
+
+    Attributes:
+        version: of the form of this document.
+        time: of the instant, in seconds on the monitor's clock.
+        when: the same as people read it.
+        title: what is watched.
+        live: whether more will come; false of a recording that was read to its end.
+        state: worst state of all.
+        counts: how many verdicts are in which state.
+        cost: what watching costs, in words.
+        columns: key and heading of the values in the tree, in order.
+        rows: the tree.
+        alerts: what is wrong, first causes only; what follows from them is in them.
+        picture: the graph.
+        happened: the latest changes, newest first.
+        failures: what could not be observed, newest first.
+    """
+
+    version: int
+    time: float
+    when: str
+    title: str
+    live: bool
+    state: str
+    counts: dict[str, int]
+    cost: str
+    columns: tuple[tuple[str, str], ...]
+    rows: tuple[Row, ...]
+    alerts: tuple[Alert, ...]
+    picture: Picture
+    happened: tuple[Happening, ...]
+    failures: tuple[str, ...]

@@ -1,0 +1,125 @@
+// Follows the system: each snapshot is written into the page that the server sent.
+
+import { parameters, setParameters } from "../address.js";
+import { make, settled } from "../dom.js";
+import { onKey, startKeys } from "../keys.js";
+import { startShell } from "../shell.js";
+import { Alerts } from "./alerts.js";
+import { Happened } from "./happened.js";
+import { Picture } from "./picture.js";
+import { sign } from "./states.js";
+import { listen } from "./stream.js";
+import { Tree } from "./tree.js";
+
+const by = (id) => document.getElementById(id);
+const search = by("q");
+const worse = by("worse");
+
+const tree = new Tree(by("tree"), { count: by("tree-count"), empty: by("empty") }, (entity) => choose(entity, "tree"));
+const picture = new Picture(by("canvas"), { svg: by("picture"), scene: by("scene"), layers: { lines: by("lines"), items: by("items") }, leftOut: by("left-out") },
+  (entity) => choose(entity, "picture"));
+const alerts = new Alerts(by("alerts"), by("said"), (entity) => choose(entity, "alerts"));
+const happened = new Happened(by("happened"), by("failures"), [by("happened-none"), by("failures-none")]);
+
+/** Show an entity everywhere. */
+function choose(entity, from) {
+  if (from !== "tree") {
+    if (entity && !tree.show(entity) && (search.value || worse.checked)) {
+      // It was filtered away.
+      search.value = "";
+      worse.checked = false;
+      filter();
+      tree.show(entity);
+    } else if (!entity) tree.choose("", false);
+  }
+  picture.select(entity, from !== "picture");
+  setParameters({ at: entity });
+}
+
+function filter() {
+  tree.filter(search.value, worse.checked);
+  setParameters({ q: search.value.trim(), worse: worse.checked ? "1" : "" });
+}
+
+function headline(snapshot) {
+  const wrong = snapshot.alerts.length;
+  const judged = Object.values(snapshot.counts).some(Boolean);
+  const follow = snapshot.alerts.reduce((sum, alert) => sum + (alert.follows?.length || 0), 0);
+  const words = wrong ? `${wrong} wrong${follow ? `, ${follow} more follow from ${wrong === 1 ? "it" : "them"}` : ""}` : judged ? "Nothing is wrong" : "Nothing is judged: no reference says what is expected";
+  by("headline").replaceChildren(sign(judged ? snapshot.state : "unknown"), make("span", { text: words }));
+  by("counts").replaceChildren(...Object.entries(snapshot.counts).filter(([, count]) => count)
+    .map(([state, count]) => make("li", { class: "mark" }, sign(state), `${count.toLocaleString("en-US")} ${state}`)));
+  document.title = `${wrong ? `(${wrong}) ` : ""}${snapshot.title} · roslens watch`;
+}
+
+let summed = "";
+
+function show(snapshot) {
+  const begun = performance.now();
+  const sum = JSON.stringify([snapshot.counts, snapshot.state, snapshot.alerts.map((alert) => alert.follows?.length || 0)]);
+  if (sum !== summed) headline(snapshot);
+  summed = sum;
+  by("when").textContent = snapshot.when.trim();
+  by("cost").textContent = snapshot.live ? `costs ${snapshot.cost}` : snapshot.cost;
+  alerts.update(snapshot);
+  tree.update(snapshot);
+  picture.update(snapshot);
+  happened.update(snapshot);
+  performance.clearMeasures("snapshot");
+  performance.measure("snapshot", { start: begun, end: performance.now() });
+}
+
+const first = JSON.parse(by("first").textContent);
+by("first").remove();
+const pulse = by("pulse");
+const lost = by("lost");
+
+function heard(state, seconds) {
+  const calm = first.live ? "live" : "over";
+  const is = state === "live" ? calm : state === "unsure" ? "unsure" : "lost";
+  if (pulse.dataset.is !== is) {
+    pulse.dataset.is = is;
+    by("pulse-word").textContent = { live: "live", over: "recording", unsure: "connecting", lost: "lost" }[is];
+    document.documentElement.classList.toggle("is-lost", is === "lost");
+    lost.hidden = is !== "lost";
+  }
+  if (is !== "lost") return;
+  const silent = state === "stuck" ? `The monitor has told nothing new for ${Math.floor(seconds)} s.` : `Nothing heard from the monitor for ${Math.floor(seconds)} s.`;
+  const text = `${silent} Below is how it was at ${by("when").textContent}.`;
+  if (lost.textContent !== text) lost.textContent = text;
+}
+
+startShell();
+startKeys();
+search.value = parameters().get("q") || "";
+worse.checked = parameters().get("worse") === "1";
+tree.filter(search.value, worse.checked);
+show(first);
+const at = parameters().get("at");
+if (at) {
+  tree.show(at);
+  picture.select(at, true);
+}
+listen(show, heard);
+
+search.addEventListener("input", settled(filter, 80));
+search.addEventListener("keydown", (event) => event.key === "Escape" && (search.value ? (search.value = "", filter()) : search.blur()));
+worse.addEventListener("change", filter);
+by("filters").addEventListener("submit", (event) => event.preventDefault());
+for (const button of document.querySelectorAll("[data-zoom]")) {
+  button.addEventListener("click", () => (button.dataset.zoom === "fit" ? picture.fit() : picture.zoom(Number(button.dataset.zoom))));
+}
+const inTree = (action) => (event) => (event.target.closest("#tree") ? action(event) : false);
+onKey("j", () => tree.step(1));
+onKey("k", () => tree.step(-1));
+onKey("ArrowDown", inTree(() => tree.step(1)));
+onKey("ArrowUp", inTree(() => tree.step(-1)));
+onKey("ArrowRight", inTree(() => tree.turn(true)));
+onKey("ArrowLeft", inTree(() => tree.turn(false)));
+onKey("Enter", inTree((event) => choose(event.target.closest("tr")?.dataset.entity || "", "alerts")));
+onKey("/", () => search.focus());
+onKey("w", () => { worse.checked = !worse.checked; filter(); });
+onKey("+", () => picture.zoom(1.4));
+onKey("-", () => picture.zoom(1 / 1.4));
+onKey("0", () => picture.fit());
+onKey("Escape", () => choose("", "keys"));

@@ -37,7 +37,7 @@ slow: lint parts
 
 # An answer in two minutes: no real tools, no browser, nothing slow.
 quick: lint
-	$(BIN)/pytest -n auto -m "not slow and not real and not browser"
+	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not real and not browser"
 
 lint: .venv/stamp
 	$(BIN)/ruff check

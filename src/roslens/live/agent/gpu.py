@@ -22,12 +22,13 @@ def gpu_reader(load: Callable[[str], Any] = importlib.import_module) -> Callable
 def _read(nvml: Any, gpus: list[Any]) -> dict[str, float]:
     """Return the greatest of each value; what a GPU does not tell is left out."""
     found: dict[str, float] = {}
+    questions: dict[str, Callable[[Any], float]] = {
+        "gpu": lambda one: float(nvml.nvmlDeviceGetUtilizationRates(one).gpu),
+        "gpu_memory_share": lambda one: _share(nvml.nvmlDeviceGetMemoryInfo(one)),
+        "gpu_temperature": lambda one: float(nvml.nvmlDeviceGetTemperature(one, nvml.NVML_TEMPERATURE_GPU)),
+    }
     for gpu in gpus:
-        for key, ask in (
-            ("gpu", lambda one: float(nvml.nvmlDeviceGetUtilizationRates(one).gpu)),
-            ("gpu_memory_share", lambda one: _share(nvml.nvmlDeviceGetMemoryInfo(one))),
-            ("gpu_temperature", lambda one: float(nvml.nvmlDeviceGetTemperature(one, nvml.NVML_TEMPERATURE_GPU))),
-        ):
+        for key, ask in questions.items():
             # Not every GPU tells everything, and what it raises then is the driver's affair.
             with contextlib.suppress(Exception):
                 value = ask(gpu)

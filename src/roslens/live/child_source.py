@@ -25,6 +25,11 @@ class ChildSource:
         select.select([file] if file is not None else [], [], [], seconds)
         return self._child.poll(self._steady())
 
+    def descriptors(self) -> list[int]:
+        """Return what becomes readable with the next frame."""
+        file = self._child.fileno()
+        return [] if file is None else [file]
+
     def close(self) -> None:
         """End the process."""
         self._child.close()

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from roslens.live.places import Places
 from roslens.model.graph import Endpoint, Graph, Node
 
 
 class GraphUnion:
-    """The latest graph of each observer."""
+    """The latest graph of each observer.
+
+    Attributes:
+        places: of nodes, by what several of them know.
+    """
 
     def __init__(self) -> None:
         self._graphs: dict[str, Graph] = {}
+        self.places = Places()
 
     def put(self, sender: str, graph: Graph) -> None:
         """Take what ``sender`` sees now."""
@@ -29,7 +35,7 @@ class GraphUnion:
             for name, values in graph.parameters.items():
                 parameters.setdefault(name, {}).update(values)
         generations = {graph.generation for graph in graphs if graph.generation}
-        return Graph(
+        whole = Graph(
             "+".join(sorted(generations)),
             tuple(nodes[name] for name in sorted(nodes)),
             tuple(sorted({one for graph in graphs for one in graph.endpoints}, key=_order)),
@@ -37,6 +43,7 @@ class GraphUnion:
             tuple(sorted({process for graph in graphs for process in graph.processes})),
             parameters,
         )
+        return self.places.place(whole)
 
 
 def _known(node: Node) -> int:

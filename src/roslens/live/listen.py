@@ -64,6 +64,15 @@ class Listener:
         """Return who is connected, by the name they gave."""
         return tuple(sorted(line.sender for line in self._lines.values() if line.sender))
 
+    def hosts(self) -> dict[str, str]:
+        """Return the names of the hosts of agents by their address."""
+        lines = (line for line in self._lines.values() if line.sender)
+        return {line.peer.rpartition(":")[0]: line.sender.rpartition("/")[0] for line in lines}
+
+    def descriptors(self) -> list[int]:
+        """Return what becomes readable when an agent says something."""
+        return [self._selector.fileno()]
+
     def poll(self, seconds: float = 0.0) -> list[Frame | Failure]:
         """Wait at most so long and return what came: frames, and what went wrong with a line."""
         found: list[Frame | Failure] = []

@@ -5,10 +5,17 @@ from __future__ import annotations
 import select
 from collections.abc import Callable
 
+import msgspec
+
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
 from roslens.model.graph import Graph
+from roslens.model.sample import Sample
 from roslens.model.wire import VERSION, Frame
+
+
+def _own_clock(sample: Sample) -> Sample:
+    return msgspec.structs.replace(sample, values={**sample.values, "clock_offset": 0.0, "clock_bound": 0.0})
 
 
 class LocalHost:
@@ -50,13 +57,17 @@ class LocalHost:
             wall = self._wall()
             if self._sequence % 2 == 0:
                 events += self._processes.find(wall)
-            samples = [self._host.sample(wall), *self._processes.sample(wall)]
+            samples = [_own_clock(self._host.sample(wall)), *self._processes.sample(wall)]
         if not events and not samples:
             return []
         graph = Graph("", hosts=(self._name,), processes=self._processes.processes())
         self._sequence += 1
         frame = Frame(VERSION, f"{self._name}/monitor", self._sequence, self._wall(), [], samples, events, graph)
         return [frame]
+
+    def descriptors(self) -> list[int]:
+        """Return what becomes readable when a process ends."""
+        return list(self._processes.handles())
 
     def name(self, host: str, pids: frozenset[int]) -> None:
         """Watch these processes too, if it is of this host that they are said to be."""

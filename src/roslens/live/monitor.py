@@ -14,6 +14,7 @@ from roslens.live.due_queue import DueQueue
 from roslens.live.existence import Existence
 from roslens.live.explained import Explained
 from roslens.live.field_check import FieldChecks
+from roslens.live.host_clocks import USUAL_TOLERANCE_S
 from roslens.live.judging import judge_connection, judge_sampled, judge_topic
 from roslens.live.measured import Measured
 from roslens.live.plans import plan, required
@@ -38,6 +39,7 @@ PACE_S = 0.35
 _CHAINS_S = 0.2
 _SWEEP_S = 30.0
 _KEPT_FAILURES = 100
+_TIMES = frozenset({"latency", "latency_max", "age", "age_max"})
 _MACHINES = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS)
 
 
@@ -220,6 +222,15 @@ class Monitor:
         """Return every verdict as it stands, sorted by entity and expectation."""
         self._plan(self._waiting, self._clock.now)
         return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
+
+    def tolerance(self, tally: Tally) -> float:
+        """Return how wrong times of a tally may be so that sentences about them can be judged: half of what is fine."""
+        connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
+        entities = filter(None, (connection, self._world.topics.get(tally.topic)))
+        highest = [
+            one.sentence.bounds.high for entity in entities for one in entity.judged if one.sentence.key in _TIMES
+        ]
+        return min(highest) / 2 if highest else USUAL_TOLERANCE_S
 
     def next_due(self, now: float) -> float:
         """Return when a tick could change something if nothing comes; infinity where only news can."""

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Protocol, cast
 
 import msgspec
 
 from roslens.judge.expectation import Reference
 from roslens.live.graph_union import GraphUnion
+from roslens.live.host_clocks import HostClocks
 from roslens.live.monitor import Monitor
 from roslens.live.node_processes import NodeProcesses
 from roslens.live.tree import SystemView
+from roslens.live.waiting import Waiting
 from roslens.model.entity import EntityId
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
+from roslens.model.tally import Tally
 from roslens.model.verdict import Verdict
 from roslens.model.wire import Frame
 
@@ -34,6 +37,13 @@ class ProcessWatcher(Protocol):
 
     def name(self, host: str, pids: frozenset[int]) -> None:
         """Watch these processes of a host."""
+
+
+class HostFinder(Protocol):
+    """A source that knows the addresses of hosts."""
+
+    def hosts(self) -> Mapping[str, str]:
+        """Return names of hosts by address."""
 
 
 class Step(msgspec.Struct, frozen=True):
@@ -66,6 +76,8 @@ class Session:
         self._processes = NodeProcesses()
         self._graphs = GraphUnion()
         self._graph_changed = False
+        self._clocks = HostClocks()
+        self._hosts: dict[str, str] = {}
         self._events: list[Event] = []
         self._failures: list[Failure] = []
         self._told: set[tuple[str, str]] = set()
@@ -86,6 +98,10 @@ class Session:
                 for watcher in watchers:
                     watcher.name(host, known)
 
+    def know_hosts(self, hosts: Mapping[str, str]) -> None:
+        """Take which host has which address."""
+        self._graph_changed |= self._graphs.places.know(hosts)
+
     def take(self, came: Iterable[Frame | Failure]) -> None:
         """Take what observers tell."""
         for one in came:
@@ -97,7 +113,10 @@ class Session:
     def look(self, now: float) -> Step:
         """Rate what came and return what is new."""
         if self._graph_changed:
-            self.monitor.add_graph(self._graphs.whole(), now)
+            whole = self._graphs.whole()
+            self._hosts = {node.name: node.host for node in whole.nodes if node.host}
+            self._processes.add_graph("", whole)
+            self.monitor.add_graph(whole, now)
             self._graph_changed = False
         changes = self.monitor.tick(now)
         step = Step(now, changes, tuple(self._events), tuple(self._failures))
@@ -127,12 +146,13 @@ class Session:
     def _frame(self, frame: Frame) -> None:
         self.records += len(frame.tallies) + len(frame.samples)
         for tally in frame.tallies:
-            self.monitor.add_tally(tally)
+            self.monitor.add_tally(self._by_one_clock(tally) if self._clocks.several else tally)
         if frame.graph is not None:
             self._graphs.put(frame.sender, frame.graph)
-            self._processes.add_graph(frame.sender, frame.graph)
             self._graph_changed = True
+        self._graph_changed |= self._graphs.places.happened(frame.events)
         for sample in frame.samples:
+            self._clocks.take(sample)
             self.monitor.add_sample(sample)
             for of_node in self._processes.of(sample):
                 self.monitor.add_sample(of_node)
@@ -142,6 +162,11 @@ class Session:
         for failure in frame.failures:
             self._fail(failure)
         self.monitor.shed += max(frame.shed, 0)
+
+    def _by_one_clock(self, tally: Tally) -> Tally:
+        sender = self._hosts.get(tally.publisher, "")
+        receiver = self._hosts.get(tally.subscriber, "") or tally.host
+        return self._clocks.corrected(tally, sender, receiver, self.monitor.tolerance(tally))
 
     def _fail(self, failure: Failure) -> None:
         """Keep a failure; what is said again and again is told once."""
@@ -166,11 +191,15 @@ def run(
     The sources are closed at the end, whatever happens.
     """
     watchers = [cast("ProcessWatcher", source) for source in sources if hasattr(source, "name")]
+    finders = [cast("HostFinder", source) for source in sources if hasattr(source, "hosts")]
+    waiting = Waiting(sources, longest_wait_s)
     try:
-        share = longest_wait_s / max(len(sources), 1)
         while not stopped(wall()):
+            share = waiting.wait()
             for source in sources:
                 session.take(source.poll(share))
+            for finder in finders:
+                session.know_hosts(finder.hosts())
             session.name_processes(watchers)
             told(session.look(wall()))
     finally:

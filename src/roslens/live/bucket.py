@@ -19,6 +19,7 @@ class Bucket(msgspec.Struct, gc=False):
         intervals: times between messages that ended here.
         span: their sum in seconds.
         gap: the longest of them; -1 where unknown.
+        gap_at: when that began, as well as it is known.
         bytes: of the messages whose size is known.
         sized: how many messages those are.
         lost: messages known to be lost.
@@ -38,6 +39,7 @@ class Bucket(msgspec.Struct, gc=False):
     intervals: int
     span: float
     gap: float
+    gap_at: float
     bytes: int
     sized: int
     lost: int
@@ -53,7 +55,11 @@ class Bucket(msgspec.Struct, gc=False):
         """Take a tally; ``previous`` is when the last message before it came, 0 where unknown."""
         period, count, first = tally.period, tally.count, tally.first
         intervals, span = period.count, period.total
-        gap = period.greatest if intervals else -1.0
+        gap, gap_at = -1.0, tally.start
+        if intervals:
+            gap, gap_at = period.greatest, tally.longest_at
+            if not gap_at:
+                gap_at = _begun(tally, gap, previous)
         if intervals < count and first:
             # The observer did not count every time between messages: first and last tell some of them.
             if not intervals and count > 1:
@@ -62,10 +68,11 @@ class Bucket(msgspec.Struct, gc=False):
             if previous and first > previous and intervals < count:
                 intervals += 1
                 span += first - previous
-                gap = max(gap, first - previous)
+                if first - previous > gap:
+                    gap, gap_at = first - previous, previous
         size, lost = tally.bytes, tally.lost
         return cls(
-            tally.start, tally.end, count, first, tally.last, intervals, span, gap,
+            tally.start, tally.end, count, first, tally.last, intervals, span, gap, gap_at,
             max(size, 0), count if size >= 0 else 0, max(lost, 0), count if lost >= 0 else 0, lost >= 0,
             period, tally.latency, tally.age, tally.processing,
         )  # fmt: skip
@@ -78,7 +85,8 @@ class Bucket(msgspec.Struct, gc=False):
         self.count += later.count
         self.intervals += later.intervals
         self.span += later.span
-        self.gap = max(self.gap, later.gap)
+        if later.gap > self.gap:
+            self.gap, self.gap_at = later.gap, later.gap_at
         self.bytes += later.bytes
         self.sized += later.sized
         self.lost += later.lost
@@ -88,6 +96,13 @@ class Bucket(msgspec.Struct, gc=False):
         self.latency = joined(self.latency, later.latency)
         self.age = joined(self.age, later.age)
         self.processing = joined(self.processing, later.processing)
+
+
+def _begun(tally: Tally, gap: float, previous: float) -> float:
+    """Return when the longest time between messages may have begun: in the middle of where it fits."""
+    earliest = previous or tally.first or tally.start
+    latest = max((tally.last or tally.end) - gap, earliest)
+    return (earliest + latest) / 2
 
 
 def joined(one: Moments, other: Moments) -> Moments:

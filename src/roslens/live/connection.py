@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from copy import copy
+
 from roslens.live.connection_name import connection_id
 from roslens.live.measured import Measured
 from roslens.live.traffic import MEASURES, percentile_of
@@ -215,5 +217,6 @@ def _copy(source: Window, length: float) -> Window:
         "horizon",
     ):
         setattr(window, name, getattr(source, name))
-    window.buckets.extend(source.buckets)
+    # Each window merges its own.
+    window.buckets.extend(copy(bucket) for bucket in source.buckets)
     return window

@@ -6,6 +6,7 @@ from roslens.live.connection import Connection
 from roslens.live.measured import Group, Judged
 from roslens.live.sampled import Sampled
 from roslens.live.topic import Topic
+from roslens.live.traffic import longest_gap
 from roslens.live.verdict_state import NEVER
 from roslens.live.window import Window
 from roslens.model.verdict import State
@@ -125,7 +126,9 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
         return state.step(now, raw, value, firm=sentence.bounds.firm(value, state.state))
     began = NEVER
     silent = window is not None and (not window.intervals or window.quiet * window.intervals > 2 * window.span)
-    if silent and window is not None and raw is not State.UNKNOWN:
+    if raw is State.HIGH and judged.quantity == "largest_gap" and window is not None:
+        began = now - longest_gap(window)[1]
+    elif silent and window is not None and raw is not State.UNKNOWN:
         began = now - window.quiet
     if raw is State.LOW and value == 0.0 and sentence.silence:
         raw = State.ABSENT

@@ -73,7 +73,7 @@ def _plan_topic(topic: Topic, world: World, rules: Rulebook, now: float) -> list
         if connection.planless:
             dropped += connection.adopt(_about(connection, world, rules), now)
     every = [judged.sentence for one in (topic, *connections) for judged in one.judged]
-    usual = window_length(max((one.period for one in every if not one.timing.window), default=0.0))
+    usual = window_length(max((one.period for one in every if not one.window), default=0.0))
     topic.most = MAX_VALUES if any(one.percentile for one in every) else MAX_BUCKETS
     topic.lengths = (usual, *sorted(_lengths(every) - {usual}))
     _place(topic, topic.lengths, topic.most)
@@ -87,7 +87,7 @@ def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) ->
     if isinstance(entity, Connection):
         entity.resize(lengths, most)
     for judged in entity.judged:
-        window = judged.sentence.timing.window
+        window = judged.sentence.window
         judged.at = lengths.index(window) if window else 0
     entity.gather()
 
@@ -97,7 +97,7 @@ def _about(connection: Connection, world: World, rules: Rulebook) -> tuple[Sente
 
 
 def _lengths(sentences: Iterable[Sentence]) -> set[float]:
-    return {one.timing.window for one in sentences if one.timing.window}
+    return {one.window for one in sentences if one.window}
 
 
 def _with(sentences: tuple[Sentence, ...], more: Iterable[Sentence]) -> tuple[Sentence, ...]:

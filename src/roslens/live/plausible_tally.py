@@ -20,7 +20,16 @@ def plausible_tally(tally: Tally) -> Tally | None:
     """
     period, latency, age, processing = tally.period, tally.latency, tally.age, tally.processing
     # One sum tells whether all are finite, at a tenth of the price of asking each.
-    total = tally.start + tally.end + tally.first + tally.last + period.total + period.squares + period.greatest
+    total = (
+        tally.start
+        + tally.end
+        + tally.first
+        + tally.last
+        + tally.longest_at
+        + period.total
+        + period.squares
+        + period.greatest
+    )
     if latency.count:
         total += latency.total + latency.squares + latency.least + latency.greatest
     if age.count:
@@ -60,6 +69,7 @@ def _cleaned(tally: Tally) -> Tally | None:
         latency=_moments(tally.latency),
         age=_moments(tally.age),
         processing=_moments(tally.processing, least=0.0),
+        longest_at=tally.longest_at if math.isfinite(tally.longest_at) else 0.0,
     )
 
 

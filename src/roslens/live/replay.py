@@ -18,6 +18,7 @@ from roslens.model.wire import VERSION, Frame
 
 STEP_S = 0.5
 """What happens within a step is told at its end; when it began is known better."""
+SHORTEST_STEP_S = 0.1
 
 _OF_STAMPS = frozenset({"age", "age_max"})
 
@@ -64,11 +65,12 @@ class Recording(Protocol):
 
 
 def replay(
-    recording: Recording, reference: Reference, *, step_s: float = STEP_S, told: Callable[[Step], None]
+    recording: Recording, reference: Reference, *, step_s: float | None = None, told: Callable[[Step], None]
 ) -> Session:
     """Rate a recording and tell each step; returns the session as it was at the end.
 
-    Stamps and fields are read only of topics for which the reference has a sentence about them.
+    Stamps and fields are read only of topics for which the reference has a sentence about them. A step is by default
+    half as long as the tightest bound on gaps, or gaps shortly after one another could not be told apart.
 
     Raises:
         UsageError: the recording does not have what it says.
@@ -78,7 +80,8 @@ def replay(
     names = {topic.name for topic in recording.topics}
     fields = recording.fields(wanted_fields(reference, names))
     waiting = next(fields, None)
-    for step, tallies in recording.tallies(step_s, stamps=wanted_stamps(reference, recording.topics)):
+    length = step_s or usual_step(reference)
+    for step, tallies in recording.tallies(length, stamps=wanted_stamps(reference, recording.topics)):
         # Nobody knows what came after the last message: the last step ends with it.
         end = min(step, recording.end)
         tallies = (
@@ -91,6 +94,13 @@ def replay(
         told(session.look(end))
     session.take(recording.failures)
     return session
+
+
+def usual_step(reference: Reference) -> float:
+    """Return how many seconds of a recording are looked at together."""
+    bounds = [one.range.maximum for one in reference.expectations if one.quantity == "largest_gap"]
+    tightest = min((one for one in bounds if one is not None), default=2 * STEP_S)
+    return min(max(round(tightest / 2, 2), SHORTEST_STEP_S), STEP_S)
 
 
 def wanted_stamps(reference: Reference, topics: Iterable[RecordedTopic]) -> list[str]:

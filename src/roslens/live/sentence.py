@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from roslens.judge.expectation import Expectation, Timing, Told
 from roslens.judge.range import Range
-from roslens.live.window import PERIODS
+from roslens.live.window import LONGEST_S, PERIODS
 from roslens.model.entity import EntityKind
 from roslens.model.verdict import State
 
 SHORTEST_S = 1.0
 """No window that roslens sizes is shorter."""
+_GAPS = 2
+"""How many of the longest gaps that are fine a window holds, where a sentence is about gaps."""
 _SILENT = frozenset({"rate", "bandwidth"})
 
 
@@ -51,11 +53,24 @@ class Sentence:
         written: the range, as people read it.
         percentile: 0 for the value of the window itself.
         period: longest time between messages that is fine, 0 where the sentence says nothing of it.
+        window: seconds of it that the sentence asks for; 0 for what is usual of the entity.
         silence: whether a value of 0 means that there was silence where something should be.
         literal: the only name it is about, where it has no wildcards.
     """
 
-    __slots__ = ("bounds", "key", "literal", "percentile", "period", "silence", "source", "timing", "told", "written")
+    __slots__ = (
+        "bounds",
+        "key",
+        "literal",
+        "percentile",
+        "period",
+        "silence",
+        "source",
+        "timing",
+        "told",
+        "window",
+        "written",
+    )
 
     def __init__(self, source: Expectation, literal: str | None) -> None:
         self.source = source
@@ -72,6 +87,10 @@ class Sentence:
             self.period = 1 / low
         elif self.key == "period" and high is not None and high > 0:
             self.period = high
+        self.window = self.timing.window
+        if not self.window and self.key == "largest_gap" and high is not None and high > 0 and not self.percentile:
+            # It need only hold the gap, or gaps shortly after one another become one alarm.
+            self.window = min(_GAPS * high, LONGEST_S)
         self.silence = self.key in _SILENT and low is not None and low > 0
 
     @property

@@ -63,6 +63,15 @@ def longest_interval(window: Window) -> float:
     return longest
 
 
+def longest_gap(window: Window) -> tuple[float, float]:
+    """Return the longest time without a message, and how many seconds before the horizon it began."""
+    gap, began = -1.0, 0.0
+    for bucket in window.buckets:
+        if bucket.gap > gap:
+            gap, began = bucket.gap, bucket.gap_at
+    return (window.quiet, window.quiet) if window.quiet > gap else (gap, max(window.horizon - began, 0.0))
+
+
 def largest_gap(window: Window) -> float | None:
     """Return the longest time without a message, the one that goes on included."""
     gap = longest_interval(window)

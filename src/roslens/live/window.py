@@ -21,6 +21,8 @@ LONGEST_S = 60.0
 """To which a window grows by itself where the traffic is slow."""
 PERIODS = 5
 """How many expected periods a window has to hold."""
+BRIEF_S = 1.0
+"""A window that is shorter holds two tallies at least, and those that reach into it as a whole."""
 _EPSILON = 1e-6
 _SLACK_S = 1.0
 _STRANGE = 3
@@ -48,6 +50,7 @@ class Window:
 
     __slots__ = (
         "_automatic",
+        "_least",
         "_strange",
         "begun",
         "buckets",
@@ -77,6 +80,7 @@ class Window:
         self.observer = observer
         self.host = host
         self._automatic = not length
+        self._least = 2 if 0 < length < BRIEF_S else 1
         self.length = length or DEFAULT_S
         self.buckets: deque[Bucket] = deque()
         self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = self.quiet = 0.0
@@ -190,9 +194,12 @@ class Window:
     def _drop(self, before: float) -> None:
         buckets = self.buckets
         before -= _EPSILON
-        while buckets and buckets[0].start < before and (len(buckets) > 1 or buckets[0].end <= before):
-            gone = buckets.popleft()
-            self._take_out(gone)
+        while buckets and buckets[0].start < before:
+            if buckets[0].end > before and (self._least > 1 or len(buckets) == 1):
+                break
+            if len(buckets) <= self._least and self.horizon == self.until:
+                break
+            self._take_out(buckets.popleft())
         if not buckets:
             self.span = 0.0
 
@@ -279,6 +286,7 @@ def _cut(tally: Tally, start: float, count: int, share: float) -> Tally:
         tally.observer,
         tally.host,
         tally.processing,
+        tally.longest_at,
     )
 
 

@@ -92,6 +92,7 @@ class Tally(msgspec.Struct, frozen=True, array_like=True, gc=False):
         observer: how it was observed.
         host: on which the observer stands; empty where that is unknown.
         processing: moments of the times from receipt to the message that answers it, in seconds.
+        longest_at: when the longest of the times between messages began; 0 where unknown.
     """
 
     topic: str
@@ -110,3 +111,4 @@ class Tally(msgspec.Struct, frozen=True, array_like=True, gc=False):
     observer: Observer = Observer.SCRIPTED
     host: str = ""
     processing: Moments = NOTHING
+    longest_at: float = 0.0

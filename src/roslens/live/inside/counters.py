@@ -377,6 +377,7 @@ def _merged(one: Tally, other: Tally) -> Tally:
         first=min(firsts, default=0.0),
         last=max(one.last, other.last),
         period=one.period.merged(other.period),
+        longest_at=(other if other.period.greatest > one.period.greatest else one).longest_at,
         latency=one.latency.merged(other.latency),
         age=one.age.merged(other.age),
         lost=_added(one.lost, other.lost),

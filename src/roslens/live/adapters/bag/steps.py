@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from roslens.live.adapters.bag.block import NO_STAMP, Ints
-from roslens.live.adapters.bag.moments_by_step import edges_of, moments_by_step
+from roslens.live.adapters.bag.moments_by_step import edges_of, greatest_by_step, moments_by_step
 from roslens.model.tally import NOTHING, Observer, Tally
 
 LONGEST_QUIET = 3600
@@ -128,7 +128,10 @@ class Steps:
         edges = edges_of(numbers)
         ends = np.append(edges[1:], len(times)) - 1
         gaps = np.diff(times) if last is None else np.diff(times, prepend=last)
-        periods = moments_by_step(numbers[len(times) - len(gaps) :], gaps * _NANO)
+        of_gaps = numbers[len(times) - len(gaps) :]
+        periods = moments_by_step(of_gaps, gaps * _NANO)
+        begun = (times[len(times) - len(gaps) :] - gaps) / _SECOND
+        longest = {step: float(begun[place]) for step, place in greatest_by_step(of_gaps, gaps).items()}
         ages = {}
         if stamps is not None:
             stamped = stamps != NO_STAMP
@@ -148,6 +151,7 @@ class Steps:
                 periods.get(number, NOTHING),
                 age=ages.get(number, NOTHING),
                 observer=Observer.RECORDING,
+                longest_at=longest.get(number, 0.0),
             )
             for number, count, size, first, final in zip(*(column.tolist() for column in columns), strict=True)
         }

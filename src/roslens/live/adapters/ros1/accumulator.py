@@ -61,7 +61,7 @@ class Accumulator:
     def _begin(self, start: float) -> None:
         self._start = start
         self._count = self._bytes = self._lost = 0
-        self._first = self._last = 0.0
+        self._first = self._last = self._longest_at = 0.0
         self._period = Spread()
         self._age = Spread()
 
@@ -70,7 +70,10 @@ class Accumulator:
         self._count += 1
         self._bytes += size
         if self._newest:
-            self._period.add(max(time - self._newest, 0.0))
+            gap = max(time - self._newest, 0.0)
+            if gap > self._period.greatest:
+                self._longest_at = self._newest
+            self._period.add(gap)
         self._first = self._first or time
         self._last = self._newest = time
         if self._stamped and len(head) >= _HEAD.size:
@@ -90,6 +93,7 @@ class Accumulator:
             self._topic, self._publisher, "", self._start, max(now, self._start), self._count, self._bytes,
             self._first, self._last, self._period.moments(), age=self._age.moments(),
             lost=self._lost if self._counts_up else -1, observer=Observer.TAP, host=host,
+            longest_at=self._longest_at,
         )  # fmt: skip
         self._begin(max(now, self._start))
         return tally

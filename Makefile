@@ -35,9 +35,10 @@ test: lint parts
 slow: lint parts
 	$(BIN)/pytest -m slow
 
-# An answer in two minutes: no real tools, no browser, nothing slow.
+# An answer in two minutes: no real tools, no browser, no whole runs, nothing slow, and fewer examples.
 quick: lint
-	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not real and not browser"
+	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not real and not browser" \
+		--ignore=tests/scenarios --ignore=tests/native
 
 lint: .venv/stamp
 	$(BIN)/ruff check

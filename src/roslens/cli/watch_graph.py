@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache
 
 import msgspec
 
 from roslens.dashboard.live.places import Places
 from roslens.dashboard.live.snapshot import Item, Link, Picture, Row
 from roslens.live.connection_name import connection_ends
-from roslens.model.entity import EntityId
+from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Role
-from roslens.model.verdict import State
+from roslens.model.verdict import State, Verdict
 
 PLUMBING = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 """Topics that join every node to every other and say nothing of the system."""
@@ -25,6 +26,12 @@ _PUBLISHES, _SUBSCRIBES = Role.PUBLISHER, Role.SUBSCRIPTION
 def encodable(text: str) -> str:
     """Return a text that can be written as UTF-8: what cannot is replaced."""
     return text if text.isascii() else text.encode("utf-8", "replace").decode()
+
+
+@lru_cache(maxsize=65536)
+def ends_of(connection: str) -> tuple[str, str, str]:
+    """Return topic, publisher and subscriber of the text form of the id of a connection; unknown ones are empty."""
+    return connection_ends(EntityId.parse(connection))
 
 
 class _Line(msgspec.Struct):
@@ -41,9 +48,9 @@ class GraphPicture:
         self._short = short
         self._places = Places()
 
-    def of(self, graph: Graph, rows: Sequence[Row]) -> Picture:
-        """Return the picture of what the graph and the tree know."""
-        states = _states(rows)
+    def of(self, graph: Graph, rows: Sequence[Row], verdicts: Iterable[Verdict] = ()) -> Picture:
+        """Return the picture of what the graph and the tree know; nodes are shown as they are judged themselves."""
+        states = _states(graph, rows, verdicts)
         lines = _lines(graph, rows)
         topics, left_out = _topics(rows, lines)
         nodes = _nodes(graph, rows, lines)
@@ -55,8 +62,13 @@ class GraphPicture:
         links = _links(lines, place_of)
         columns = {first: int(first.startswith("topic:")) for first, _ in items}
         places = self._places.of(columns, ((items[one.start][0], items[one.end][0]) for one in links))
+        links = [self._led(link, items[link.start][0], items[link.end][0]) for link in links]
         drawn = tuple(self._item(members, places[first], states) for first, members in items)
         return Picture(self._places.version, self._places.width, self._places.height, drawn, tuple(links), left_out)
+
+    def _led(self, link: Link, start: str, end: str) -> Link:
+        via = self._places.ways.get((start, end))
+        return msgspec.structs.replace(link, via=via) if via else link
 
     def _item(self, members: Sequence[str], place: tuple[float, float], states: dict[str, str]) -> Item:
         first = members[0]
@@ -65,10 +77,19 @@ class GraphPicture:
         return Item(first, self._short(name), kind, *place, state, tuple(members[1:]))
 
 
-def _states(rows: Iterable[Row]) -> dict[str, str]:
+def _states(graph: Graph, rows: Iterable[Row], verdicts: Iterable[Verdict]) -> dict[str, str]:
+    there = {encodable(f"node:{one.name}") for one in graph.nodes}
     found: dict[str, str] = {}
     for row in rows:
-        found[row.entity] = max(found.get(row.entity, "ok"), row.state, key=_WORSE.__getitem__)
+        state = row.state
+        if row.kind == "node":
+            # Of a node that was there nothing is known but that.
+            state = "ok" if row.entity in there or not there else "unknown"
+        found[row.entity] = max(found.get(row.entity, "ok"), state, key=_WORSE.__getitem__)
+    for one in verdicts:
+        if one.entity.kind is EntityKind.NODE and one.state.bad:
+            entity = encodable(str(one.entity))
+            found[entity] = max(found.get(entity, "ok"), one.state.value, key=_WORSE.__getitem__)
     return found
 
 
@@ -87,7 +108,7 @@ def _lines(graph: Graph, rows: Iterable[Row]) -> dict[tuple[str, str], _Line]:
             line = lines.setdefault((node, row.entity), _Line())
             line.state, line.rate, line.latency = row.state, row.shown.get("rate", ""), ""
         elif row.kind == "connection":
-            topic, _, subscriber = connection_ends(EntityId.parse(row.entity))
+            topic, _, subscriber = ends_of(row.entity)
             if subscriber:
                 line = lines.setdefault((f"topic:{topic}", f"node:{subscriber}"), _Line(row.state))
                 line.state = max(line.state, row.state, key=_WORSE.__getitem__)

@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.watch_graph import GraphPicture, encodable
+from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
 from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.snapshot import VERSION, Alert, Happening, Row, Snapshot
-from roslens.live.connection_name import connection_ends
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.signals import BY_KEY
-from roslens.model.entity import EntityId, EntityKind
+from roslens.model.entity import EntityKind
 from roslens.model.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -36,6 +35,9 @@ COLUMNS = (
 _PACE_S = 1.0
 _IDLE_PACE_S = 5.0
 _WANTED_S = 5.0
+_MOST_SHARE = 0.2
+_SLOWEST_S = 4.0
+"""A large system is shown more slowly, so that showing it costs no more than this share of the time."""
 _KEPT = 50
 _LONGEST_NAME = 200
 _LONGEST_TEXT = 600
@@ -59,6 +61,7 @@ class PageSource:
         self._failures: deque[str] = deque(maxlen=_KEPT)
         self._asked = -math.inf
         self._made = -math.inf
+        self._took = 0.0
         self._newest = b""
 
     def newest(self) -> bytes:
@@ -74,18 +77,22 @@ class PageSource:
     def due(self) -> bool:
         """Return whether it is time for a new snapshot."""
         now = self._steady()
-        return now - self._made >= (_PACE_S if now - self._asked < _WANTED_S else _IDLE_PACE_S)
+        pace = max(_PACE_S, min(self._took / _MOST_SHARE, _SLOWEST_S))
+        return now - self._made >= (pace if now - self._asked < _WANTED_S else _IDLE_PACE_S)
 
     def make(self, session: Session, now: float, cost: str) -> None:
         """Make the snapshot of ``now``."""
-        self._made = self._steady()
+        begun = self._steady()
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
         self._newest = msgspec.json.encode(self.snapshot(session, now, cost))
+        self._made = self._steady()
+        self._took = self._made - begun
 
     def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
         """Return how the system stands at ``now``; ``cost`` says what watching it costs."""
         view = session.tree(now)
         rows = tuple(_rows(view.children, 0, ""))
+        standing = session.monitor.standing()
         return Snapshot(
             version=VERSION,
             time=now,
@@ -97,8 +104,8 @@ class PageSource:
             cost=cost,
             columns=tuple(column for column in COLUMNS if any(column[0] in row.shown for row in rows)),
             rows=rows,
-            alerts=_alerts(session.monitor.standing(), self._clock),
-            picture=self._picture.of(session.graph(), rows),
+            alerts=_alerts(standing, self._clock),
+            picture=self._picture.of(session.graph(), rows, standing),
             happened=tuple(reversed(self._happened)),
             failures=tuple(reversed(self._failures)),
         )
@@ -154,7 +161,7 @@ def _rows(parts: Iterable[SystemView], depth: int, above: str) -> Iterator[Row]:
         )
         # What is sent to nobody in particular is told by its topic.
         only = part.children[0] if part.kind == "topic" and len(part.children) == 1 else None
-        if only is None or connection_ends(EntityId.parse(only.id))[2]:
+        if only is None or ends_of(only.id)[2]:
             yield from _rows(part.children, depth + 1, key)
 
 
@@ -172,7 +179,7 @@ def _name(part: SystemView) -> str:
     if not part.name:
         return "(host unknown)" if part.kind == "host" else "(publisher unknown)"
     if part.kind == "connection":
-        _, _, subscriber = connection_ends(EntityId.parse(part.id))
+        _, _, subscriber = ends_of(part.id)
         return f"→ {shown_name(subscriber) or 'anybody'}"
     return shown_name(part.name)
 
@@ -201,7 +208,7 @@ def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ..
     entity = str(one.entity)
     name = one.entity.name
     if one.entity.kind is EntityKind.CONNECTION:
-        topic, publisher, subscriber = connection_ends(one.entity)
+        topic, publisher, subscriber = ends_of(entity)
         name = f"{publisher or '?'} → {topic} → {subscriber or 'anybody'}"
     return Alert(
         key=_key(entity, one.expectation),

@@ -99,7 +99,7 @@ def serve(
     app = create_app(site, frozenset({host.lower()}))
     local, free = (
         "Leave --host out to listen on this machine only",
-        "Give another one with --port, or 0 for any free one",
+        "Give another one with --port, or --port 0 for any free one",
     )
     with closing(listen(host, port, local=local, free=free)) as listener:
         ready(address_shown(listener))

@@ -1,18 +1,22 @@
 """Where nodes and topics stand in the picture: data flows from left to right, and what stands somewhere stays there.
 
 Nodes and topics take turns in columns: a topic is right of who publishes it, a node right of what it subscribes to
-(longest paths, without the lines that close a cycle). Within a column the order follows the neighbours' heights.
+(longest paths, without the lines that close a cycle). Within a column the order follows the neighbours' heights; a
+line that passes columns keeps room for itself there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 
-COLUMN = 196.0
+COLUMN = 180.0
 """Pixels from one column to the next."""
 ROW = 52.0
 """Pixels from one item of a column to the next."""
-MARGIN = 40.0
+PASSAGE = 24.0
+"""Pixels that a line has for itself in a column that it passes."""
+MARGIN = 12.0
 _SWEEPS = 6
 _MOST_NEW = 0.34
 """Share of new items up to which everything else keeps its place."""
@@ -21,13 +25,20 @@ Place = tuple[float, float]
 
 
 class Places:
-    """Remembers where everything stands; ``version`` counts how often something was placed anew."""
+    """Remembers where everything stands.
+
+    Attributes:
+        version: how often something was placed anew.
+        width: of the picture.
+        height: of the picture.
+        ways: through which points lines go that pass columns.
+    """
 
     def __init__(self) -> None:
         self.version = 0
         self.width = self.height = 0.0
+        self.ways: dict[tuple[str, str], tuple[Place, ...]] = {}
         self._places: dict[str, Place] = {}
-        self._columns: dict[str, int] = {}
         self._known: tuple[frozenset[str], frozenset[tuple[str, str]]] = (frozenset(), frozenset())
 
     def of(self, items: Mapping[str, int], links: Iterable[tuple[str, str]]) -> Mapping[str, Place]:
@@ -45,6 +56,7 @@ class Places:
         new = [item for item in items if item not in self._places]
         if len(new) <= _MOST_NEW * len(items):
             self._places = {item: place for item, place in self._places.items() if item in items}
+            self.ways = {link: way for link, way in self.ways.items() if link in lines}
             self._add(sorted(new), items, lines)
         else:
             self._place_all(items, lines)
@@ -55,18 +67,28 @@ class Places:
 
     def _place_all(self, items: Mapping[str, int], links: Iterable[tuple[str, str]]) -> None:
         forward = _without_cycles(sorted(items), sorted(links))
-        self._columns = _columns(items, forward)
+        numbers = _columns(items, forward)
         columns: dict[int, list[str]] = {}
         for item in sorted(items):
-            columns.setdefault(self._columns[item], []).append(item)
+            columns.setdefault(numbers[item], []).append(item)
+        passages: dict[tuple[str, str], list[str]] = {}
+        hops: list[tuple[str, str]] = []
+        for link in forward:
+            passages[link] = [f"\0{link[0]}\0{link[1]}\0{at}" for at in range(numbers[link[0]] + 1, numbers[link[1]])]
+            for at, passage in enumerate(passages[link], numbers[link[0]] + 1):
+                columns.setdefault(at, []).append(passage)
+            way = [link[0], *passages[link], link[1]]
+            hops += pairwise(way)
         ordered = [columns[number] for number in sorted(columns)]
-        heights = _heights(ordered, _neighbours(forward))
+        heights = _heights(ordered, _neighbours(hops), items)
         top = min(heights.values(), default=0.0)
-        self._places = {
+        places = {
             item: (MARGIN + COLUMN / 2 + COLUMN * place, round(heights[item] - top + MARGIN + ROW / 2, 1))
             for place, column in enumerate(ordered)
             for item in column
         }
+        self._places = {item: places[item] for item in items}
+        self.ways = {link: tuple(places[one] for one in way) for link, way in passages.items() if way}
 
     def _add(self, new: Sequence[str], items: Mapping[str, int], links: Iterable[tuple[str, str]]) -> None:
         """Put new items into gaps: right of what leads to them, at the height of their neighbours."""
@@ -156,8 +178,10 @@ def _columns(items: Mapping[str, int], links: Sequence[tuple[str, str]]) -> dict
     return columns
 
 
-def _heights(columns: list[list[str]], neighbours: Mapping[str, Sequence[str]]) -> dict[str, float]:
-    """Return a height for each item, those of a column at least a row apart; sorts the columns."""
+def _heights(
+    columns: list[list[str]], neighbours: Mapping[str, Sequence[str]], items: Mapping[str, int]
+) -> dict[str, float]:
+    """Return a height for each item and passage, those of a column apart; sorts the columns."""
     heights = {item: ROW * (place - (len(column) - 1) / 2) for column in columns for place, item in enumerate(column)}
     for sweep in range(_SWEEPS):
         for column in columns if sweep % 2 == 0 else reversed(columns):
@@ -166,22 +190,25 @@ def _heights(columns: list[list[str]], neighbours: Mapping[str, Sequence[str]]) 
                 near = [heights[one] for one in neighbours.get(item, ())]
                 wanted[item] = sum(near) / len(near) if near else heights[item]
             column.sort(key=lambda item: (wanted[item], item))
-            _spread(column, wanted, heights)
+            rooms = [ROW if item in items else PASSAGE for item in column]
+            heights.update(zip(column, _spread([wanted[item] for item in column], rooms), strict=True))
     return heights
 
 
-def _spread(column: Sequence[str], wanted: Mapping[str, float], heights: dict[str, float]) -> None:
-    """Give each its wanted height as far as the others of the column leave room, in blocks that share what is off."""
-    blocks: list[tuple[float, int]] = []  # sum of (wanted - offset in the block), and how many
-    for item in column:
-        blocks.append((wanted[item], 1))
-        while len(blocks) > 1:
-            (sum1, count1), (sum2, count2) = blocks[-2], blocks[-1]
-            if sum2 / count2 >= sum1 / count1 + ROW * count1:
-                break
-            blocks[-2:] = [(sum1 + sum2 - ROW * count1 * count2, count1 + count2)]
-    at = 0
-    for total, count in blocks:
-        for place in range(count):
-            heights[column[at + place]] = total / count + ROW * place
-        at += count
+def _spread(wanted: Sequence[float], rooms: Sequence[float]) -> list[float]:
+    """Return heights as close to the wanted ones as order and rooms allow: those that collide share what is off.
+
+    The pool-adjacent-violators algorithm (Ayer et al., 1955) on what is wanted less the room of those before.
+    """
+    offsets, at = [], 0.0
+    for place, room in enumerate(rooms):
+        at += (room + rooms[place - 1]) / 2 if place else 0.0
+        offsets.append(at)
+    blocks: list[tuple[float, int]] = []
+    for want, offset in zip(wanted, offsets, strict=True):
+        blocks.append((want - offset, 1))
+        while len(blocks) > 1 and blocks[-2][0] / blocks[-2][1] > blocks[-1][0] / blocks[-1][1]:
+            total, count = blocks.pop()
+            blocks[-1] = (blocks[-1][0] + total, blocks[-1][1] + count)
+    shared = [total / count for total, count in blocks for _ in range(count)]
+    return [share + offset for share, offset in zip(shared, offsets, strict=True)]

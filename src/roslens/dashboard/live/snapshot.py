@@ -91,13 +91,17 @@ class Item(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Link(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A line of the picture, from one item to another, both by their place in the list of items."""
+    """A line of the picture, from one item to another, both by their place in the list of items.
+
+    ``via`` are points that it goes through, around what stands between.
+    """
 
     start: int
     end: int
     state: str = "ok"
     rate: str = ""
     latency: str = ""
+    via: tuple[tuple[float, float], ...] = ()
 
 
 class Picture(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -45,7 +45,7 @@ function headline(snapshot) {
   const wrong = snapshot.alerts.length;
   const judged = Object.values(snapshot.counts).some(Boolean);
   const follow = snapshot.alerts.reduce((sum, alert) => sum + (alert.follows?.length || 0), 0);
-  const words = wrong ? `${wrong} wrong${follow ? `, ${follow} more follow from ${wrong === 1 ? "it" : "them"}` : ""}` : judged ? "Nothing is wrong" : "Nothing is judged: no reference says what is expected";
+  const words = wrong ? `${wrong} wrong${follow ? `, ${follow} more ${follow === 1 ? "follows" : "follow"} from ${wrong === 1 ? "it" : "them"}` : ""}` : judged ? "Nothing is wrong" : "Nothing is judged: no reference says what is expected";
   by("headline").replaceChildren(sign(judged ? snapshot.state : "unknown"), make("span", { text: words }));
   by("counts").replaceChildren(...Object.entries(snapshot.counts).filter(([, count]) => count)
     .map(([state, count]) => make("li", { class: "mark" }, sign(state), `${count.toLocaleString("en-US")} ${state}`)));

@@ -25,9 +25,14 @@ export class Picture {
     new ResizeObserver(() => this.left || this.fit()).observe(canvas);
   }
 
+  /** Show all of it; the picture is no higher than it needs to be. */
   fit() {
     this.left = false;
-    if (this.size) this.camera.fit({ x: 0, y: 0, ...this.size });
+    if (!this.size) return;
+    const scale = Math.min(1.25, this.canvas.clientWidth / this.size.width);
+    const height = Math.round(Math.max(scale < FAR ? 280 : 150, Math.min(innerHeight * 0.5, this.size.height * scale + 24)));
+    if (Math.abs(this.canvas.clientHeight - height) > 2) this.canvas.style.height = `${height}px`;
+    this.camera.fit({ x: 0, y: 0, ...this.size });
   }
 
   zoom(factor) {
@@ -109,11 +114,12 @@ export class Picture {
       if (!shown) {
         const path = draw("path", {});
         const text = draw("text", {});
-        shown = { element: draw("g", {}, path, text), path, text, is: "", label: "", start: start.entity, end: end.entity };
+        const title = draw("title", {});
+        shown = { element: draw("g", {}, title, path, text), title, path, text, about: "", is: "", label: "", start: start.entity, end: end.entity };
         this.lines.set(key, shown);
         this.layers.lines.append(shown.element);
-        place(shown, start, end);
-      } else if (moved) place(shown, start, end);
+        place(shown, start, end, link);
+      } else if (moved) place(shown, start, end, link);
       const state = link.state || "ok";
       if (shown.is !== state) {
         if (shown.is) shown.element.classList.remove(shown.is);
@@ -122,10 +128,14 @@ export class Picture {
       }
       // What arrives as fast as it is sent needs no second label.
       const rate = end.kind === "node" && rates.get(start.entity) === link.rate ? "" : link.rate || "";
-      const label = [rate, link.latency].filter(Boolean).join(", ");
-      if (shown.label !== label) {
-        shown.label = label;
-        shown.text.textContent = label;
+      if (shown.label !== rate) {
+        shown.label = rate;
+        shown.text.textContent = rate;
+      }
+      const about = [`${start.name} → ${end.name}: ${state}`, link.rate, link.latency && `latency ${link.latency}`].filter(Boolean).join(", ");
+      if (shown.about !== about) {
+        shown.about = about;
+        shown.title.textContent = about;
       }
     }
     sweep(this.lines, there);
@@ -202,14 +212,23 @@ function half(item) {
   return item.kind === "node" ? BOX.width / 2 : DIAMOND;
 }
 
-function place(shown, start, end) {
-  const x1 = start.x + half(start);
-  const x2 = end.x - half(end);
-  const bend = Math.max(36, Math.abs(x2 - x1) / 2);
-  shown.path.setAttribute("d", `M${x1} ${start.y}C${x1 + bend} ${start.y} ${x2 - bend} ${end.y} ${x2} ${end.y}`);
+function place(shown, start, end, link) {
+  const points = [[start.x + half(start), start.y], ...(link.via || []), [end.x - half(end), end.y]];
+  const back = points[0][0] >= points[points.length - 1][0];
+  let d = `M${points[0][0]} ${points[0][1]}`;
+  const pieces = [];
+  for (let at = 1; at < points.length; at += 1) {
+    const [[x1, y1], [x2, y2]] = [points[at - 1], points[at]];
+    const bend = back ? 70 : (x2 - x1) / 2;
+    const sag = back ? 56 : 0;
+    const piece = [x1, y1, x1 + bend, y1 + sag, x2 - bend, y2 + sag, x2, y2];
+    d += `C${piece.slice(2).map((one) => one.toFixed(1)).join(" ")}`;
+    pieces.push(piece);
+  }
+  shown.path.setAttribute("d", d);
   // Labels stand close to the topic, below the line, where its name is not.
-  const t = end.kind === "topic" ? 0.72 : 0.3;
-  const mix = (a, b, c, d) => (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t ** 2 * c + t ** 3 * d;
-  shown.text.setAttribute("x", mix(x1, x1 + bend, x2 - bend, x2).toFixed(1));
-  shown.text.setAttribute("y", (mix(start.y, start.y, end.y, end.y) + 14).toFixed(1));
+  const [piece, t] = end.kind === "topic" ? [pieces[pieces.length - 1], 0.7] : [pieces[0], 0.34];
+  const mix = (a, b, c, d2) => (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t ** 2 * c + t ** 3 * d2;
+  shown.text.setAttribute("x", mix(piece[0], piece[2], piece[4], piece[6]).toFixed(1));
+  shown.text.setAttribute("y", (mix(piece[1], piece[3], piece[5], piece[7]) + 14).toFixed(1));
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
+from typing import TYPE_CHECKING
 
 from roslens.live.connection_name import connection_id
 from roslens.live.measured import Measured
@@ -10,6 +11,9 @@ from roslens.live.traffic import MEASURES, percentile_of
 from roslens.live.verdict_state import NEVER
 from roslens.live.window import MAX_BUCKETS, RANK, Window
 from roslens.model.tally import Observer, Tally
+
+if TYPE_CHECKING:
+    from roslens.live.envelope import Envelope
 
 AUTOMATIC = (0.0,)
 
@@ -23,6 +27,8 @@ class Connection(Measured):
         subscriber: empty of traffic seen at the publisher.
         host: on which its observer stands.
         gone: whether the graph lacks an end of it.
+        envelope: what its tallies have to be so that nothing has to be judged; None where every tally has to be.
+        patience: until when no envelope is looked for, because there was none.
     """
 
     __slots__ = (
@@ -30,8 +36,10 @@ class Connection(Measured):
         "_lengths",
         "_most",
         "_order",
+        "envelope",
         "gone",
         "host",
+        "patience",
         "publisher",
         "settled",
         "subscriber",
@@ -45,6 +53,8 @@ class Connection(Measured):
         self.subscriber = subscriber
         self.host = ""
         self.gone = False
+        self.envelope: Envelope | None = None
+        self.patience = -NEVER
         self.seen = True
         self.settled = -NEVER
         self._lengths: tuple[float, ...] = AUTOMATIC
@@ -57,10 +67,14 @@ class Connection(Measured):
         windows = self._by_observer.get(tally.observer)
         if windows is None:
             windows = self._observed(tally)
-        if len(windows) == 1:
-            return windows[0].add(tally, now)
-        news = [window.add(tally, now) for window in windows]
-        return any(news)
+        first = windows[0]
+        until = first.until
+        news = first.add(tally, now)
+        for window in windows[1:]:
+            news |= window.add(tally, now)
+        if self.envelope is not None and news and (first.until <= until or not self.envelope.holds(first.buckets[-1])):
+            self.envelope = None
+        return news
 
     def resize(self, lengths: tuple[float, ...], most: int) -> None:
         """Keep a window of each of these lengths, of at most so many buckets."""
@@ -93,6 +107,16 @@ class Connection(Measured):
             for window in windows:
                 window.notice(now)
 
+    def heard(self, now: float) -> bool:
+        """Note when news came to a connection with an envelope; False where it is silent for too long."""
+        windows = self._order[0]
+        for window in windows:
+            if window.news:
+                window.notice(now)
+        first = windows[0]
+        self.due = first.noticed + 1.5 * first.spacing + 0.05 + 1e-9
+        return self.due > now
+
     def settle(self, now: float) -> None:
         """Bring every window to ``now``."""
         if self.settled == now:
@@ -108,6 +132,7 @@ class Connection(Measured):
     def clear(self, now: float) -> None:
         """Forget all traffic, because time broke."""
         self.appeared = now
+        self.envelope = None
         for windows in self._order:
             for window in windows:
                 window.clear()
@@ -179,6 +204,7 @@ class Connection(Measured):
         return due
 
     def _observed(self, tally: Tally) -> list[Window]:
+        self.envelope = None
         if tally.host and not self.host:
             self.host = tally.host
         windows = [Window(tally.observer, tally.host, length, self._most) for length in self._lengths]

@@ -11,6 +11,7 @@ from roslens.live.age_chain import AgeChains
 from roslens.live.clock_watch import ClockWatch, Course
 from roslens.live.connection import Connection
 from roslens.live.due_queue import DueQueue
+from roslens.live.envelope import envelope_of
 from roslens.live.existence import Existence
 from roslens.live.explained import Explained
 from roslens.live.field_check import FieldChecks
@@ -25,6 +26,7 @@ from roslens.live.sampled import Sampled, finite
 from roslens.live.standing import Standing
 from roslens.live.topic import Topic
 from roslens.live.tree import SystemView, view_of
+from roslens.live.verdict_state import NEVER
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -36,6 +38,8 @@ from roslens.model.wire import Frame
 
 PACE_S = 0.35
 """Seconds after which what is fine is looked at again, unless it fell silent."""
+RETRY_S = 1.0
+"""Seconds after which it is found out again whether a connection need not be looked at."""
 _CHAINS_S = 0.2
 _SWEEP_S = 30.0
 _KEPT_FAILURES = 100
@@ -221,6 +225,7 @@ class Monitor:
     def standing(self) -> tuple[Verdict, ...]:
         """Return every verdict as it stands, sorted by entity and expectation."""
         self._plan(self._waiting, self._clock.now)
+        self._look_again(self._clock.now)
         return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
 
     def tolerance(self, tally: Tally) -> float:
@@ -232,6 +237,18 @@ class Monitor:
         ]
         return min(highest) / 2 if highest else USUAL_TOLERANCE_S
 
+    def _look_again(self, now: float) -> None:
+        """Bring values to the present that nobody had to look at."""
+        if self._suspended:
+            return
+        for topic in self._world.topics.values():
+            resting = [one for group in topic.connections.values() for one in group if one.envelope is not None]
+            for one in resting:
+                if one.looked < now and not one.planless:
+                    self._moved += judge_connection(one, now)
+            if resting and topic.judged and not topic.planless and topic.looked < now:
+                self._moved += judge_topic(topic, now, graph_known=self._world.graph is not None)
+
     def next_due(self, now: float) -> float:
         """Return when a tick could change something if nothing comes; infinity where only news can."""
         if self._waiting or self._moved or self._retired:
@@ -242,6 +259,7 @@ class Monitor:
     def tree(self, now: float) -> SystemView:
         """Return the system by host, node, topic and connection, with worst states and latest values."""
         self._plan(self._waiting, self._clock.now)
+        self._look_again(self._clock.now)
         return view_of(self._world, self._standing(), now)
 
     def _entities(self) -> Iterator[Measured]:
@@ -307,6 +325,8 @@ class Monitor:
         if self._suspended:
             return
         self._suspended = True
+        for connection in self._world.connections.values():
+            connection.envelope = None
         for one in self._traffic():
             one.forget(time, State.SUSPENDED)
             self._moved.append(one)
@@ -357,9 +377,14 @@ class Monitor:
         waiting, self._waiting = self._waiting, []
         topics: dict[Topic, None] = {}
         others: dict[Measured, None] = {}
+        suspended = self._suspended
         for one in (*waiting, *self._queue.take(now)):
             one.waiting = False
             if type(one) is Connection:
+                if one.envelope is not None and not suspended and one.heard(now):
+                    if one.due < one.planned:
+                        self._queue.put(one)
+                    continue
                 topics[self._world.topics[one.topic]] = None
                 others[one] = None
             elif isinstance(one, Topic):
@@ -370,9 +395,26 @@ class Monitor:
         changed: list[Standing] = []
         for one in (*others, *topics):
             changed += self._judge_one(one, now)
+        for topic in topics:
+            self._rest(topic, now)
+        for one in (*others, *topics):
             if one.due < one.planned:
                 self._queue.put(one)
         return changed
+
+    def _rest(self, topic: Topic, now: float) -> None:
+        """Find out which connections need not be judged as long as their tallies are as they are."""
+        quiet = topic.calm or not topic.judged
+        for connections in topic.connections.values():
+            for one in connections:
+                if one.envelope is None and quiet and one.calm and one.looked == now and now >= one.patience:
+                    one.envelope = envelope_of(one, topic)
+                    if one.envelope is None:
+                        one.patience = now + RETRY_S
+                quiet = quiet and one.envelope is not None
+        if quiet and topic.connections:
+            # Its connections wait for it.
+            topic.due = NEVER
 
     def _plan(self, entities: Iterable[Measured], now: float) -> None:
         for one in entities:

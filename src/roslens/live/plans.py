@@ -86,6 +86,7 @@ def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) ->
     """Let each sentence of an entity take its window."""
     if isinstance(entity, Connection):
         entity.resize(lengths, most)
+        entity.envelope = None
     for judged in entity.judged:
         window = judged.sentence.window
         judged.at = lengths.index(window) if window else 0

@@ -2,9 +2,13 @@
 
 --rate HZ (ROBOT_RATE), --payload BYTES (ROBOT_PAYLOAD), --delay SECONDS of processing (ROBOT_DELAY),
 --leak MB/S (ROBOT_LEAK), --burn SHARE of a core, 0 to 1 (ROBOT_BURN).
+
+ROBOT_CHANGES names a file with lines such as `delay=0.1`, from which delay, leak and burn are taken while the node
+runs, whenever the file is new; what is not in it is as before, and memory that leaked is given back without a leak.
 """
 
 import argparse
+import contextlib
 import os
 import time
 
@@ -26,9 +30,30 @@ class Load:
         self._leak = chosen.leak
         self._burn = chosen.burn
         self._lost = []
+        self._usual = (self.delay, self._leak, self._burn)
+        self._changes = os.environ.get("ROBOT_CHANGES", "")
+        self._changed = 0
+
+    def _change(self):
+        """Takes what is in the file, if that is new."""
+        with contextlib.suppress(OSError, ValueError):
+            changed = os.stat(self._changes).st_mtime_ns
+            if changed == self._changed:
+                return
+            self._changed = changed
+            with open(self._changes) as file:
+                found = {key: float(value) for key, _, value in (line.partition("=") for line in file)}
+            delay, leak, burn = self._usual
+            self.delay = found.get("delay", delay)
+            self._leak = found.get("leak", leak)
+            self._burn = found.get("burn", burn)
+            if not self._leak:
+                self._lost.clear()
 
     def work(self):
         """What a node does in each cycle: takes its time, loses memory, keeps a core busy."""
+        if self._changes:
+            self._change()
         time.sleep(self.delay)
         if self._leak:
             self._lost.append(b"x" * int(self._leak * 1e6 / self.rate))

@@ -14,6 +14,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 from testbed.hosts import INTERFACE, Bed, Host
 from testbed.machine import BedError, system
@@ -197,6 +198,23 @@ def frozen(process: Process) -> Iterator[Fault]:
 def killed(process: Process) -> Iterator[Fault]:
     """The process is gone without a word (SIGKILL); afterwards it is started again."""
     with in_force("killed", process.name, process.kill, process.start_again) as fault:
+        yield fault
+
+
+@contextlib.contextmanager
+def loaded(changes: Path, node: str, **load: float) -> Iterator[Fault]:
+    """A running node of the robot has other `delay`, `leak` or `burn`, as `examples/robot/load.py` takes them.
+
+    `changes` is `Robot.changes(node)`; the node sees it in its next cycle.
+    """
+
+    def write(text: str) -> None:
+        fresh = changes.with_suffix(".new")
+        fresh.write_text(text)
+        fresh.replace(changes)
+
+    lines = "".join(f"{key}={value}\n" for key, value in load.items())
+    with in_force("load", node, lambda: write(lines), lambda: write("")) as fault:
         yield fault
 
 

@@ -106,11 +106,16 @@ class Robot(ABC):
             load = [f"--{key}={value}" for key, value in self._loads.get(node.name, {}).items()]
             program = str(EXAMPLES / f"{self.generation}_{node.name}.py")
             clock = faked(host) if node.host in self._faked_clocks else {}
+            changes = {"ROBOT_CHANGES": str(self.changes(node.name))}
             self.processes[node.name] = host.start(
                 [*self._before, self.python(), program, *load],
-                {**self.environment(host), **self._environment, **clock},
+                {**self.environment(host), **self._environment, **changes, **clock},
                 name=node.name,
             )
+
+    def changes(self, node: str) -> Path:
+        """The file from which a running node takes delay, leak and burn; see `faults.loaded`."""
+        return next(self.bed[one.host].folder / f"{node}.changes" for one in NODES if one.name == node)
 
     def stop(self) -> None:
         """Ends all nodes."""

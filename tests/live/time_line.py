@@ -103,10 +103,12 @@ def tallies(row: dict[str, Any]) -> list[tuple[float, Tally]]:
     for step in range(count):
         left, right = start + step * report, start + (step + 1) * report
         mine = [t for t in times if left <= t < right]
-        gaps = []
+        gaps, longest_at = [], 0.0
         for t in mine:
             if last is not None:
                 gaps.append(t - last)
+                if gaps[-1] == max(gaps):
+                    longest_at = last + offset
             last = t
         series = {key: moments([float(row[key])] * len(mine)) for key in _SERIES if key in row}
         tally = Tally(
@@ -126,6 +128,7 @@ def tallies(row: dict[str, Any]) -> list[tuple[float, Tally]]:
             Observer(row.get("observer", "inside")),
             row.get("host", ""),
             series.get("processing", NOTHING),
+            longest_at if row.get("onset", True) else 0.0,
         )
         if mine or row.get("empty", True):
             found.append((right + delay, tally))

@@ -15,6 +15,8 @@ from roslens.model.tally import Observer, Tally
 if TYPE_CHECKING:
     from roslens.live.envelope import Envelope
 
+_PAUSE_S = 0.5
+"""Seconds after a tally outside its envelope until a connection gets another."""
 AUTOMATIC = (0.0,)
 
 
@@ -28,6 +30,8 @@ class Connection(Measured):
         host: on which its observer stands.
         gone: whether the graph lacks an end of it.
         envelope: what its tallies have to be so that nothing has to be judged; None where every tally has to be.
+        longest: the tightest bound on gaps that holds for it.
+        strained: whether a tally since the last look may have changed a verdict.
         patience: until when no envelope is looked for, because there was none.
     """
 
@@ -39,6 +43,8 @@ class Connection(Measured):
         "envelope",
         "gone",
         "host",
+        "longest",
+        "strained",
         "patience",
         "publisher",
         "settled",
@@ -55,6 +61,8 @@ class Connection(Measured):
         self.gone = False
         self.envelope: Envelope | None = None
         self.patience = -NEVER
+        self.longest = NEVER
+        self.strained = False
         self.seen = True
         self.settled = -NEVER
         self._lengths: tuple[float, ...] = AUTOMATIC
@@ -74,6 +82,10 @@ class Connection(Measured):
             news |= window.add(tally, now)
         if self.envelope is not None and news and (first.until <= until or not self.envelope.holds(first.buckets[-1])):
             self.envelope = None
+            self.strained = True
+            self.patience = now + _PAUSE_S
+        if news and first.buckets[-1].gap > self.longest:
+            self.strained = True
         return news
 
     def resize(self, lengths: tuple[float, ...], most: int) -> None:

@@ -5,20 +5,23 @@ from __future__ import annotations
 from roslens.live.connection import Connection
 from roslens.live.measured import Group, Judged
 from roslens.live.sampled import Sampled
+from roslens.live.sentence import Sentence
 from roslens.live.topic import Topic
 from roslens.live.traffic import longest_gap
 from roslens.live.verdict_state import NEVER
 from roslens.live.window import Window
 from roslens.model.verdict import State
 
+_RATES = ("rate", "bandwidth", "period")
 _UNSEEN_PERIODS = 2
-"""A topic that never said anything is given so many expected periods."""
+"""A topic that never said anything, or little yet, is given so many expected periods."""
 
 
 def judge_connection(connection: Connection, now: float) -> list[Judged]:
     """Judge a connection; return what changed."""
     connection.settle(now)
     connection.looked = now
+    connection.strained = False
     due = connection.next_due(now)
     changed: list[Judged] = []
     calm = True
@@ -124,15 +127,28 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
             state.due = min(grace, now + max(window.length - (window.horizon - window.begun), 0.05))
             return moved
         return state.step(now, raw, value, firm=sentence.bounds.firm(value, state.state))
+    if window is not None and not window.filled and raw.bad and _early(sentence, window, raw):
+        moved = state.step(now, State.UNKNOWN, value)
+        state.due = now + max(window.length - (window.horizon - window.begun), 0.05)
+        return moved
     began = NEVER
     silent = window is not None and (not window.intervals or window.quiet * window.intervals > 2 * window.span)
     if raw is State.HIGH and judged.quantity == "largest_gap" and window is not None:
-        began = now - longest_gap(window)[1]
+        began = longest_gap(window, now)[1]
     elif silent and window is not None and raw is not State.UNKNOWN:
         began = now - window.quiet
     if raw is State.LOW and value == 0.0 and sentence.silence:
         raw = State.ABSENT
     return state.step(now, raw, value, began=began, grace=grace)
+
+
+def _early(sentence: Sentence, window: Window, raw: State) -> bool:
+    """Whether what may still come before the window is filled could make a bad rate fine."""
+    if sentence.key == "rate" and raw is State.HIGH:
+        return window.count <= sentence.bounds.high * window.length
+    if sentence.key in _RATES:
+        return not sentence.period or window.quiet <= _UNSEEN_PERIODS * sentence.period
+    return False
 
 
 def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool) -> bool:

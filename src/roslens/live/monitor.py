@@ -429,7 +429,8 @@ class Monitor:
             return judged
         if self._suspended:
             return ()
-        if one.calm and 0 <= now - one.looked < PACE_S and one.due > now:
+        strained = isinstance(one, Connection) and one.strained
+        if one.calm and not strained and 0 <= now - one.looked < PACE_S and one.due > now:
             if not isinstance(one, Connection):
                 one.due = one.looked + PACE_S
                 return ()

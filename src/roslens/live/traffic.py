@@ -63,13 +63,17 @@ def longest_interval(window: Window) -> float:
     return longest
 
 
-def longest_gap(window: Window) -> tuple[float, float]:
-    """Return the longest time without a message, and how many seconds before the horizon it began."""
+def longest_gap(window: Window, now: float) -> tuple[float, float]:
+    """Return the longest time without a message, and when it began on the clock of the monitor, where it is ``now``."""
     gap, began = -1.0, 0.0
     for bucket in window.buckets:
         if bucket.gap > gap:
             gap, began = bucket.gap, bucket.gap_at
-    return (window.quiet, window.quiet) if window.quiet > gap else (gap, max(window.horizon - began, 0.0))
+    if window.quiet > gap:
+        gap, began = window.quiet, window.horizon - window.quiet
+    # Up to its horizon a window was observed; it is looked at a moment later.
+    ahead = now - window.noticed if window.horizon == window.until else 0.0
+    return gap, now - ahead - max(window.horizon - began, 0.0)
 
 
 def largest_gap(window: Window) -> float | None:

@@ -54,3 +54,10 @@ def test_a_long_silence_is_shortened():
     add(steps, 0, 10**15)
     assert len(list(steps.rest(0))) == 2 + LONGEST_QUIET
     assert steps.jumps == [(1 + LONGEST_QUIET, 10**15)]
+
+
+def test_when_the_longest_gap_of_a_step_began():
+    steps = Steps(0, 10**9, [LANE])
+    add(steps, 0, 100_000_000, 600_000_000, 900_000_000, 1_700_000_000, 1_800_000_000)
+    first, second = (tallies[0] for _, tallies in steps.rest(0))
+    assert (first.longest_at, second.longest_at) == (0.1, 0.9)

@@ -56,3 +56,13 @@ def test_between_offsets_that_are_no_bounds():
     cuts = TokenCuts(text, (1,))
     assert cuts.words(1, 4) == [b"b"]
     assert cuts.halstead(1, 4) == Halstead(1, 1, 1, 1)
+
+
+def test_a_bound_inside_a_string_does_not_make_two_of_it():
+    source = b'f("a {b c") ; }'
+    text = token_text(blank_comments(source, "cpp"), "cpp")
+    body = source.index(b"{")
+    cuts = TokenCuts(text, (0, len(source), body))
+    assert cuts.halstead(0, len(source)) == Halstead(2, 2, 2, 2)
+    assert cuts.words(0, len(source)) == words_of(text)
+    assert cuts.words(body, len(source)) == words_of(text, body)

@@ -30,10 +30,12 @@ QUANTITY = Quantity(
 
 def of_values(values: Mapping[str, float]) -> float | None:
     """Return the index from the other values of a function, file or package."""
+    comment = values.get("comment_lines")
+    if not comment:
+        # Most functions have no comment, and their index stands there already.
+        index = values.get(maintainability_index.QUANTITY.key)
+        return maintainability_index.of_values(values) if index is None else index
     value = maintainability_index.unscaled(values)
     if value is None:
         return None
-    comment = values["comment_lines"]
-    if comment:
-        value += 50 * sin(sqrt(2.4 * comment / (comment + values["loc"])))
-    return maintainability_index.scaled(value)
+    return maintainability_index.scaled(value + 50 * sin(sqrt(2.4 * comment / (comment + values["loc"]))))

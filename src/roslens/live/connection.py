@@ -44,10 +44,10 @@ class Connection(Measured):
         "gone",
         "host",
         "longest",
-        "strained",
         "patience",
         "publisher",
         "settled",
+        "strained",
         "subscriber",
         "topic",
     )

@@ -28,7 +28,7 @@ def tally(latency=(0.001,), age=()):
 KNOWN = clocks(base=(0.0, 0.0), sensor=(0.25, 0.001), brain=(-0.1, 0.002))
 
 
-@given(st.lists(st.floats(-1, 1), min_size=1, max_size=9), st.floats(-5, 5), st.floats(-5, 5))
+@given(st.lists(st.floats(0, 1), min_size=1, max_size=9), st.floats(-5, 5), st.floats(-5, 5))
 def test_the_difference_of_two_clocks_is_taken_out_of_a_latency(true, sender, receiver):
     shown = tally([one + receiver - sender for one in true])
     found = clocks(a=(sender, 0.0), b=(receiver, 0.0)).corrected(shown, "a", "b", 0.01).latency
@@ -68,3 +68,9 @@ def test_one_clock_is_no_reason_to_correct():
     other.take(Sample(EntityId(EntityKind.HOST, "a"), 1.0, {"clock_offset": 1.0}))
     other.take(Sample(EntityId(EntityKind.NODE, "/a"), 1.0, {"clock_offset": 1.0, "clock_bound": 1.0}))
     assert not other.several
+
+
+def test_what_arrives_before_it_is_sent_shows_a_clock_that_was_set():
+    known = clocks(base=(0.0, 0.0), brain=(0.0, 0.001))
+    assert known.corrected(tally([-0.25]), "brain", "base", 0.01).latency == NOTHING
+    assert known.corrected(tally([-0.01]), "brain", "base", 0.01).latency == moments([-0.01])

@@ -152,7 +152,13 @@ class Watched:
             # The last change that ended an alarm; what only became known does not count.
             return time.time() - max((one.time for one in self.told if one.key in self.alarmed), default=0.0) >= CALM
 
-        self.wait("all is ok", ok, limit)
+        try:
+            self.wait("all is ok", ok, limit)
+        except BedError as error:
+            standing = self.standing()
+            wrong = {key: standing.get(key) for key in needed | {one.key for one in standing.values() if one.bad}}
+            missing = {key: one and one.state for key, one in wrong.items() if one is None or one.state != "ok"}
+            raise BedError(f"not ok after {limit} s: {missing}; {error}") from None
 
     @property
     def alarmed(self) -> set[tuple[str, str]]:

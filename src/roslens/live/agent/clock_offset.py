@@ -11,7 +11,9 @@ import math
 from collections import deque
 from typing import NamedTuple
 
-WINDOW = 16
+WINDOW = 32
+_GROWN_APART_S = 0.002
+"""Clocks of a whole window may have drifted so far."""
 
 
 class Offset(NamedTuple):
@@ -32,7 +34,9 @@ class ClockOffset:
         trip = (answered - asked) - (told - received)
         ahead = -((received - asked) + (told - answered)) / 2
         if math.isfinite(trip) and math.isfinite(ahead) and trip >= 0 and told >= received:
-            self._exchanges.append((trip, ahead))
+            # What contradicts the newest by more than both can be wrong is of before a clock was set.
+            agreeing = [one for one in self._exchanges if abs(one[1] - ahead) <= (one[0] + trip) / 2 + _GROWN_APART_S]
+            self._exchanges = deque([*agreeing, (trip, ahead)], maxlen=WINDOW)
 
     def now(self) -> Offset | None:
         """Return the offset; None before the first exchange."""

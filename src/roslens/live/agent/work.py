@@ -20,7 +20,7 @@ from roslens.model.wire import VERSION, Frame
 
 SHORTEST_WAIT_S, LONGEST_WAIT_S = 0.5, 10.0
 FIND_EVERY_S = 2.0
-ASK_TIME_EVERY_S = 2.0
+ASK_TIME_EVERY_S = 0.5
 _PIECE = 65_536
 
 
@@ -89,7 +89,9 @@ class Agent:
                 self._sending += self._channel.message("T", asked_time(self._wall()))
             while not self._sending and (body := self._outbox.take()) is not None:
                 self._sending += self._channel.message("F", body)
-        self._wait(max(min(self._due["sample"], self._due["find"]) - self._steady(), 0.0))
+        ready = self._channel is not None and self._channel.ready
+        due = min(self._due["sample"], self._due["find"], self._due["time"] if ready else float("inf"))
+        self._wait(max(due - self._steady(), 0.0))
 
     def close(self) -> None:
         """Let the line and all files go."""

@@ -1,7 +1,9 @@
+import time
+
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.live.adapters.ros2.tap import matcher, within
+from roslens.live.adapters.ros2.tap import Tap, _Open, matcher, within
 
 
 def test_all_that_fit_are_chosen():
@@ -37,3 +39,38 @@ def test_stars_stay_within_a_part_of_the_name_and_double_stars_do_not():
     assert matcher("/**")("/demo/a/b")
     assert matcher("/a?.[x]")("/ab.[x]")
     assert not matcher("/a?.[x]")("/a/.[x]")
+
+
+class Queue:
+    """A subscription from which messages are taken."""
+
+    msg_type = None
+
+    def __init__(self):
+        self.waiting = []
+        self.handle = self
+
+    def take_message(self, kind, raw):
+        return self.waiting.pop(0) if self.waiting else None
+
+    def put(self, gid, number):
+        info = {"publisher_gid": {"data": gid}, "received_timestamp": 2 * 10**9, "source_timestamp": 10**9}
+        self.waiting.append((b"message", {**info, "publication_sequence_number": number}))
+
+
+def test_a_node_that_crashed_and_came_back_has_one_connection_which_counts_the_living_publisher():
+    """A dead publisher stays in the graph for a while, beside the one that took its place."""
+    old, new = bytes(range(16)), bytes(range(16, 32))
+    names = {old.hex(): "/lidar", new.hex(): "/lidar"}
+    queue = Queue()
+    tap = Tap(None, ["/scan"], 100.0, "base")
+    tap._ends, tap._costs, tap._open = {"/scan": []}, {"/scan": 0.0}, {"/scan": _Open(queue, "/scan")}
+    now = time.time()
+    for second, (gid, count) in enumerate([(old, 1), (new, 2), (new, 3)], 1):
+        for number in range(count):
+            queue.put(gid, 10 * second + number)
+        (tally,) = tap.tallies(now + second, names.get)
+        assert (tally.publisher, tally.count, tally.host) == ("/lidar", count, "base")
+    del names[old.hex()]
+    (tally,) = tap.tallies(now + 4, names.get)
+    assert (tally.publisher, tally.count) == ("/lidar", 0)

@@ -106,7 +106,7 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
         speaker.say(_without_events(host, error))
     counters = CounterReader(folder_of(os.environ))
     counters.read(time.time())
-    tap = Tap(node, options.tap, options.tap_budget) if options.tap else None
+    tap = Tap(node, options.tap, options.tap_budget, host) if options.tap else None
     lifecycles = Lifecycles(lambda service: StateClient(node, service))
     observation = Observation(host, GraphReader(node, host, lifecycles=lifecycles), counters, tap)
     try:

@@ -16,7 +16,7 @@ import msgspec
 
 from roslens.live.adapters.ros2 import TOOL
 from roslens.live.inside import slots
-from roslens.live.inside.counters import Snapshot, difference, snapshot
+from roslens.live.inside.counters import Counted, Snapshot, difference, joined, snapshot
 from roslens.live.inside.sequence import Sequence
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Graph, Role
@@ -106,13 +106,15 @@ class Tap:
         node: of rclpy.
         patterns: of names of topics.
         percent: of a core that may be spent.
+        host: the name of this host.
 
     Attributes:
         active: whether there is something to drain.
     """
 
-    def __init__(self, node: Any, patterns: list[str], percent: float) -> None:
+    def __init__(self, node: Any, patterns: list[str], percent: float, host: str = "") -> None:
         self._node = node
+        self._host = host
         self._matchers = [matcher(pattern) for pattern in patterns]
         self._share = percent / 100
         self._ends: dict[str, list[Endpoint]] = {}
@@ -153,10 +155,12 @@ class Tap:
     def tallies(self, now: float, node_of: Callable[[str], str | None]) -> list[Tally]:
         """Return what came since the last call, then choose anew what to observe until the next."""
         self.drain()
+        counted = [
+            Counted(0, gid, tally, "") for one in self._open.values() for gid, tally in one.tallies(self._since, now)
+        ]
+        # A node that came back has a dead publisher beside the living one, for as long as the middleware waits for it.
         found = [
-            msgspec.structs.replace(tally, publisher=node_of(gid) or "", observer=Observer.TAP)
-            for one in self._open.values()
-            for gid, tally in one.tallies(self._since, now)
+            msgspec.structs.replace(tally, observer=Observer.TAP) for tally in joined(counted, node_of, self._host)
         ]
         self._rotate(self._settle_account(now - self._since))
         self._since = now

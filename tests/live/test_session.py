@@ -5,7 +5,7 @@ from roslens.live.session import Session, Step, run
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
-from roslens.model.graph import Change, Event, Graph, Node
+from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
 from roslens.model.sample import Sample
 from roslens.model.tally import Moments, Tally
 from roslens.model.verdict import State
@@ -150,3 +150,26 @@ def test_sources_are_closed_whatever_happens(session):
     with pytest.raises(RuntimeError):
         run(session, [source], wall=lambda: 0.0, stopped=lambda _: False, told=told)
     assert source.closed
+
+
+def test_a_cause_that_is_found_later_is_told_apart_from_what_became_bad():
+    text = """
+kind: reference
+name: rover
+defaults: {grace: 0 s}
+constraints:
+  - {topic: /scan, rate: ">= 8 Hz"}
+  - {node: /a, cpu: "<= 50 %"}
+"""
+    session = Session(load_reference([GivenText("rover.yaml", text.encode())], BY_KEY), start=0.0)
+    ends = (Endpoint("/a", Role.PUBLISHER, "/scan"),)
+    session.take([frame(0.0, graph=Graph("ros2", (Node("/a", "base"),), ends))])
+    steps = []
+    for second in range(6):
+        cpu = Sample(EntityId(EntityKind.NODE, "/a"), second + 1.0, {"cpu": 90.0 if second >= 2 else 10.0})
+        session.take([frame(second + 1.0, tallies=[tally(float(second), 4)], samples=[cpu])])
+        steps.append(session.look(second + 1.0))
+    told = [(str(one.entity), one.state, one.cause) for step in steps for one in step.changes if one.state.bad]
+    assert told == [("topic:/scan", State.LOW, ""), ("node:/a", State.HIGH, "")]
+    found = [(str(one.entity), one.cause) for step in steps for one in step.causes]
+    assert found == [("topic:/scan", "node:/a")]

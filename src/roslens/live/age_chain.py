@@ -9,9 +9,12 @@ from roslens.judge.expectation import AgeChain
 from roslens.live.sentence import Bounds
 from roslens.live.standing import Standing
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.verdict import State
 
 Look = Callable[[str, str], "float | None"]
 """Returns a signal of a topic, None where nothing is known of it."""
+Silence = Callable[[str], float]
+"""Returns for how many seconds a topic has been silent for longer than is usual of it."""
 
 
 def age_at_end(topics: Sequence[str], look: Look) -> tuple[float | None, str]:
@@ -47,11 +50,11 @@ class AgeChains:
         known: dict[AgeChain, _Watched] = {one.chain: one for one in old.standing} if old else {}
         self.standing: list[_Watched] = [known.get(chain) or _Watched(chain, now) for chain in chains]
 
-    def judge(self, now: float, look: Look, appeared: float) -> list[Standing]:
+    def judge(self, now: float, look: Look, silence: Silence, appeared: float) -> list[Standing]:
         """Judge every chain; return what changed."""
         changed: list[Standing] = []
         for one in self.standing:
-            value, one.evidence = age_at_end(one.chain.topics, look)
+            value, one.evidence = one.age(now, look, silence)
             raw = one.bounds.state(value)
             firm = one.bounds.firm(value, one.state.state)
             if one.state.step(now, raw, value, firm=firm, grace=appeared + one.told.timing.grace):
@@ -60,10 +63,27 @@ class AgeChains:
 
 
 class _Watched(Standing):
-    __slots__ = ("bounds", "chain")
+    __slots__ = ("_known", "bounds", "chain")
 
     def __init__(self, chain: AgeChain, now: float) -> None:
         entity = EntityId(EntityKind.TOPIC, chain.topics[-1])
         super().__init__(entity, chain.told, "age", chain.written or str(chain.range), now)
         self.chain = chain
         self.bounds = Bounds(chain.range, chain.told.timing.margin)
+        self._known: tuple[float, float] | None = None
+
+    def forget(self, now: float, state: State) -> None:
+        """Begin anew in ``state``, because time itself broke."""
+        super().forget(now, state)
+        self._known = None
+
+    def age(self, now: float, look: Look, silence: Silence) -> tuple[float | None, str]:
+        """Return the age at the end, and how that is known: where a topic of the path fell silent, data grows older."""
+        value, evidence = age_at_end(self.chain.topics, look)
+        quiet, topic = max((silence(topic), topic) for topic in self.chain.topics)
+        if value is not None:
+            self._known = value, now - quiet
+        if not quiet or self._known is None:
+            return value, evidence
+        value, at = self._known
+        return value + now - at, f"{topic} has been silent for {quiet:.1f} s"

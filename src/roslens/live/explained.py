@@ -32,18 +32,23 @@ class Explained:
             one.cause = ""
             self.stale = True
 
-    def explain(self) -> None:
-        """Give each bad verdict its cause."""
+    def explain(self) -> list[Standing]:
+        """Give each bad verdict its cause; return those of which it changed."""
         if not self.stale:
-            return
+            return []
         self.stale = False
         since: dict[EntityId, float] = {}
         for one in self._bad:
             since[one.entity] = min(since.get(one.entity, one.state.since), one.state.since)
         causes = first_causes(since, self._fine, self._world.upstream)
+        changed = []
         for one in self._bad:
-            cause = causes.get(one.entity)
-            one.cause = str(cause) if cause is not None else ""
+            known = causes.get(one.entity)
+            cause = str(known) if known is not None else ""
+            if cause != one.cause:
+                one.cause = cause
+                changed.append(one)
+        return changed
 
     def _fine(self, entity: EntityId) -> bool:
         if entity.kind is not EntityKind.TOPIC:

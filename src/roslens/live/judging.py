@@ -132,10 +132,9 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
         state.due = now + max(window.length - (window.horizon - window.begun), 0.05)
         return moved
     began = NEVER
-    silent = window is not None and (not window.intervals or window.quiet * window.intervals > 2 * window.span)
     if raw is State.HIGH and judged.quantity == "largest_gap" and window is not None:
         began = longest_gap(window, now)[1]
-    elif silent and window is not None and raw is not State.UNKNOWN:
+    elif window is not None and window.silent and raw is not State.UNKNOWN:
         began = now - window.quiet
     if raw is State.LOW and value == 0.0 and sentence.silence:
         raw = State.ABSENT

@@ -207,7 +207,7 @@ class Monitor:
         self._explained.stale = True
 
     def tick(self, now: float) -> tuple[Verdict, ...]:
-        """Judge what has news or is due; return the verdicts whose state changed, sorted by entity and expectation."""
+        """Judge what has news or is due; return the verdicts whose state or cause changed, sorted by entity and expectation."""
         self._follow_clock(now)
         now = self._clock.now
         moved, self._moved = self._moved, []
@@ -216,7 +216,7 @@ class Monitor:
         for one in changed:
             one.reported = one.state.state
             self._explained.note(one)
-        self._explained.explain()
+        changed.update(dict.fromkeys(self._explained.explain()))
         verdicts = {(one.entity, one.expectation): one for one in self._retired}
         self._retired = []
         verdicts.update((one.key, one.verdict()) for one in changed)
@@ -365,7 +365,7 @@ class Monitor:
         if not self._suspended:
             changed += self._fields.judge(now, self._began)
             if self._chains.standing and now >= self._chains_due:
-                changed += self._chains.judge(now, self._look, self._began)
+                changed += self._chains.judge(now, self._look, self._silence, self._began)
                 self._chains_due = now + _CHAINS_S
         changed += self._presences.judge(now, self._began, self._existence.vanished)
         if now >= self._sweep_due:
@@ -464,6 +464,14 @@ class Monitor:
         for sampled in self._world.outdated_processes(now):
             del self._world.sampled[sampled.id]
             self._retire(sampled.judged, now)
+
+    def _silence(self, topic_name: str) -> float:
+        """Return for how many seconds a topic has been silent for longer than is usual of it; 0 where it speaks."""
+        topic = self._world.topics.get(topic_name)
+        if topic is None:
+            return 0.0
+        views = topic.views(0)
+        return min((window.quiet if window.silent else 0.0 for _, window in views), default=0.0)
 
     def _look(self, topic_name: str, key: str) -> float | None:
         topic = self._world.topics.get(topic_name)

@@ -18,7 +18,7 @@ from roslens.model.entity import EntityId
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
 from roslens.model.tally import Tally
-from roslens.model.verdict import Verdict
+from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
 
@@ -52,6 +52,7 @@ class Step(msgspec.Struct, frozen=True):
     Attributes:
         time: of the look, in seconds on the monitor's clock.
         changes: verdicts whose state changed.
+        causes: bad verdicts of which only the cause did.
         events: changes of the graph.
         failures: what observers could not do.
     """
@@ -60,6 +61,7 @@ class Step(msgspec.Struct, frozen=True):
     changes: tuple[Verdict, ...] = ()
     events: tuple[Event, ...] = ()
     failures: tuple[Failure, ...] = ()
+    causes: tuple[Verdict, ...] = ()
 
 
 class Session:
@@ -80,6 +82,7 @@ class Session:
         self._hosts: dict[str, str] = {}
         self._events: list[Event] = []
         self._failures: list[Failure] = []
+        self._bad: dict[tuple[EntityId, str], State] = {}
         self._told: set[tuple[str, str]] = set()
         self._pids: dict[str, frozenset[int]] = {}
 
@@ -118,8 +121,8 @@ class Session:
             self._processes.add_graph("", whole)
             self.monitor.add_graph(whole, now)
             self._graph_changed = False
-        changes = self.monitor.tick(now)
-        step = Step(now, changes, tuple(self._events), tuple(self._failures))
+        changes, causes = self._parted(self.monitor.tick(now))
+        step = Step(now, changes, tuple(self._events), tuple(self._failures), causes)
         self._events.clear()
         self._failures.clear()
         return step
@@ -142,6 +145,21 @@ class Session:
     def tree(self, now: float) -> SystemView:
         """Return the system with its worst states and latest values."""
         return self.monitor.tree(now)
+
+    def _parted(self, verdicts: Iterable[Verdict]) -> tuple[tuple[Verdict, ...], tuple[Verdict, ...]]:
+        """Return verdicts whose state changed, and bad ones of which only the cause did."""
+        changes, causes = [], []
+        for one in verdicts:
+            key = (one.entity, one.expectation)
+            if self._bad.get(key) is one.state:
+                causes.append(one)
+                continue
+            changes.append(one)
+            if one.state.bad:
+                self._bad[key] = one.state
+            else:
+                self._bad.pop(key, None)
+        return tuple(changes), tuple(causes)
 
     def _frame(self, frame: Frame) -> None:
         self.records += len(frame.tallies) + len(frame.samples)

@@ -145,6 +145,11 @@ class Window:
         return 1.5 * self.spacing + 0.05
 
     @property
+    def silent(self) -> bool:
+        """Whether no message came for longer than is usual."""
+        return bool(self.spacing) and (not self.intervals or self.quiet * self.intervals > 2 * self.span)
+
+    @property
     def filled(self) -> bool:
         """Whether the connection has been watched for as long as the window is."""
         return self.horizon - self.begun >= self.length - _EPSILON

@@ -248,3 +248,9 @@ def flagged_file(fetch: Callable[[str], str]) -> str:
     """Return the address of a file with findings."""
     found = json.loads(fetch("/findings.json?severity=error"))["findings"]
     return f"/files/{found[0]['path']}"
+
+
+@pytest.fixture(scope="session")
+def visitor_class() -> type[Visitor]:
+    """Return what opens pages, for tests that serve their own."""
+    return Visitor

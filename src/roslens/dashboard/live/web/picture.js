@@ -121,6 +121,10 @@ export class Picture {
         place(shown, start, end, link);
       } else if (moved) place(shown, start, end, link);
       const state = link.state || "ok";
+      if (shown.is === state && shown.rate === link.rate && shown.latency === link.latency && shown.sent === rates.get(start.entity)) continue;
+      shown.rate = link.rate;
+      shown.latency = link.latency;
+      shown.sent = rates.get(start.entity);
       if (shown.is !== state) {
         if (shown.is) shown.element.classList.remove(shown.is);
         shown.element.classList.add(state);
@@ -142,7 +146,7 @@ export class Picture {
   }
 
   select(entity, reveal) {
-    this.selected = [...this.items.keys()].includes(entity) ? entity : this.groupOf(entity);
+    this.selected = this.items.has(entity) ? entity : this.groupOf(entity);
     for (const [key, shown] of this.items) shown.element.classList.toggle("selected", key === this.selected);
     this.svg.classList.toggle("dimmed", Boolean(this.selected));
     if (!this.selected) return;
@@ -153,6 +157,7 @@ export class Picture {
 
   /** A connection is shown by its topic, a topic that is drawn with others by those. */
   groupOf(entity) {
+    if (!entity) return "";
     const topic = entity.startsWith("connection:") ? `topic:${entity.split(" > ")[1] || ""}` : entity;
     if (this.items.has(topic)) return topic;
     for (const [key, shown] of this.items) if (shown.also.split("\n").includes(topic)) return key;

@@ -1,0 +1,224 @@
+"""The document of the live page, made of a session; and `roslens watch --serve` from end to end."""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from urllib.request import ProxyHandler, build_opener
+
+import pytest
+from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
+
+from roslens.cli.watch_graph import MOST_DRAWN, GraphPicture
+from roslens.cli.watch_page import PageSource
+from roslens.cli.watch_screen import value_text
+from roslens.cli.watch_serve import address_of
+from roslens.dashboard.live.snapshot import Row
+from roslens.model.errors import UsageError
+from roslens.model.graph import Graph
+
+ROOT = Path(__file__).parents[2]
+
+
+def document(robot):
+    return json.loads(robot.page.newest())
+
+
+def row(found, entity):
+    return next(one for one in found["rows"] if one["entity"] == entity)
+
+
+def test_the_tree_stands_in_order_with_values_as_the_terminal_writes_them():
+    found = document(ScriptedRobot())
+    assert [one["depth"] for one in found["rows"][:4]] == [0, 1, 2, 3]
+    assert len({one["key"] for one in found["rows"]}) == len(found["rows"])
+    image = row(found, "topic:/image")
+    assert image["shown"]["bandwidth"] == value_text("bandwidth", image["values"]["bandwidth"]) == "13.8 MB/s"
+    assert image["observer"] == "scripted"
+    assert row(found, "node:/slam")["shown"] == {"cpu": "12.5 %", "memory": "84 MB"}
+    assert [key for key, _ in found["columns"]] == ["rate", "largest_gap", "latency", "bandwidth", "cpu", "memory"]
+    assert row(found, "connection:/lidar > /scan > /slam")["name"] == "→ /slam"
+
+
+def test_a_topic_of_two_publishers_has_two_rows_with_keys_that_last():
+    robot = ScriptedRobot(
+        {"/a": "x", "/b": "x", "/c": "x"}, [("/a", "/t", ("/c",), 10, 1), ("/b", "/t", ("/c",), 10, 1)]
+    )
+    before = [one["key"] for one in document(robot)["rows"] if one["entity"] == "topic:/t"]
+    robot.run()
+    assert len(set(before)) == 2
+    assert [one["key"] for one in document(robot)["rows"] if one["entity"] == "topic:/t"] == before
+
+
+def test_alerts_are_first_causes_with_what_follows():
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    robot.rates["/cmd_vel"] = 0
+    robot.run(8)
+    first, *others = document(robot)["alerts"]
+    assert (first["entity"], first["state"], first["severity"]) == ("topic:/scan", "low", "error")
+    assert (first["name"], first["group"]) == ("/scan", "driving")
+    assert first["where"].startswith("rover.yaml:")
+    assert 5 <= first["since"] <= 8
+    assert [one["entity"] for one in first["follows"]] == ["topic:/cmd_vel"]
+    assert first["follows"][0]["cause"] == "topic:/scan"
+    assert "because of" not in first["follows"][0]["sentence"]
+    assert not others
+
+
+def test_the_picture_has_every_line_with_its_rate_and_state():
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    picture = document(robot)["picture"]
+    names = [one["entity"] for one in picture["items"]]
+    lines = {(names[one["start"]], names[one["end"]]): one for one in picture["links"]}
+    assert len(lines) == sum(1 + len(wire[2]) for wire in robot.wires)
+    assert lines["node:/lidar", "topic:/scan"]["rate"] == "4 Hz"
+    assert lines["node:/lidar", "topic:/scan"]["state"] == "low"
+    assert lines["topic:/odom", "node:/slam"]["latency"] == "2.1 ms"
+    states = {one["entity"]: one.get("state", "ok") for one in picture["items"]}
+    assert states["topic:/scan"] == "low"
+    assert states["node:/lidar"] == "ok", "a node is not what its topics are"
+
+
+def test_a_node_that_went_is_still_drawn():
+    robot = ScriptedRobot()
+    robot.gone.add("/camera")
+    robot.run(3)
+    found = document(robot)
+    states = {one["entity"]: one.get("state", "ok") for one in found["picture"]["items"]}
+    assert states["node:/camera"] == "unknown"
+    assert any(one["what"] == "vanished" and one["entity"] == "node:/camera" for one in found["happened"])
+
+
+def test_topics_of_a_large_graph_that_join_the_same_nodes_are_drawn_as_one():
+    picture = document(large_robot(200))["picture"]
+    drawn = {one["entity"]: one for one in picture["items"] if one["kind"] == "topic"}
+    together = [name for one in drawn.values() for name in (one["entity"], *one.get("also", ()))]
+    assert len(drawn) < 200
+    assert len(together) == len(set(together)) == 200
+
+
+def test_a_graph_beyond_looking_at_is_cut_to_what_is_bad():
+    rows = [Row(str(place), f"node:/n{place}", f"/n{place}", "node", 1, "ok") for place in range(MOST_DRAWN + 1)]
+    rows += [Row("bad", "topic:/bad", "/bad", "topic", 2, "low")]
+    picture = GraphPicture(str).of(Graph("ros2"), rows)
+    assert {one.entity for one in picture.items} == {"topic:/bad", f"node:/n{MOST_DRAWN}"}
+    assert picture.left_out == "2 of 1,502 are drawn: what is bad and what it is joined to"
+
+
+def test_plumbing_is_not_drawn_and_that_is_said():
+    robot = ScriptedRobot({"/a": "x", "/b": "x"}, [("/a", "/rosout", ("/b",), 1, 1)], OF_ALL)
+    picture = document(robot)["picture"]
+    assert {one["entity"] for one in picture["items"]} == {"node:/a", "node:/b"}
+    assert picture["left_out"] == "Not drawn: /rosout"
+
+
+def test_names_that_cannot_be_encoded_do_not_stop_the_page():
+    robot = ScriptedRobot({"/a\ud800": "host\udfff", "/b": ""}, [("/a\ud800", "/t\ud801", ("/b",), 1, 1)])
+    assert any(one["entity"] == "topic:/t?" for one in document(robot)["rows"])
+
+
+def test_only_the_latest_happenings_are_kept():
+    robot = ScriptedRobot()
+    for _ in range(40):
+        robot.gone ^= {"/camera", "/ui"}
+        robot.run()
+    happened = document(robot)["happened"]
+    assert len(happened) == 50
+    assert happened[0]["time"] == robot.now
+
+
+def test_snapshots_are_made_each_second_while_somebody_looks():
+    now = [100.0]
+    robot = ScriptedRobot()
+    page = PageSource("x", clock=str, live=True, steady=lambda: now[0])
+    assert page.due()
+    page.newest()
+    page.make(robot.session, 1.0, "")
+    now[0] += 0.9
+    assert not page.due()
+    now[0] += 0.1
+    assert page.due()
+    first = page.newest()
+    page.make(robot.session, 2.0, "")
+    assert page.newest() is not first
+    now[0] += 5.0
+    page.make(robot.session, 3.0, "")
+    now[0] += 4.9
+    assert not page.due(), "nobody asked for five seconds"
+    now[0] += 0.1
+    assert page.due()
+
+
+@pytest.mark.parametrize(
+    ("text", "address"),
+    [
+        ("8080", ("127.0.0.1", 8080)),
+        ("0", ("127.0.0.1", 0)),
+        ("0.0.0.0:80", ("0.0.0.0", 80)),
+        ("robot.local:8080", ("robot.local", 8080)),
+        ("[::1]:8080", ("::1", 8080)),
+    ],
+)
+def test_an_address_is_a_port_or_a_host_and_a_port(text, address):
+    assert address_of(text) == address
+
+
+@pytest.mark.parametrize("text", ["", "x", "-1", "65536", ":80", "host:", "::1:80", "1e3", "80:x", "٣"])
+def test_what_is_no_address_is_said(text):
+    with pytest.raises(UsageError, match="expected PORT or HOST:PORT"):
+        address_of(text)
+
+
+def test_a_recording_is_served_until_ctrl_c(tmp_path):
+    bag = tmp_path / "robot.bag"
+    subprocess.run([sys.executable, ROOT / "examples/robot/record.py", bag], check=True, capture_output=True)
+    command = [Path(sys.executable).with_name("roslens"), "watch", "--bag", bag, "--serve", "0", "--quiet"]
+    command += ["--reference", ROOT / "examples/robot/rover.yaml", "-o", tmp_path / "out"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as watch:
+        assert watch.stderr
+        match = next((hit for line in watch.stderr if (hit := re.search(r"http://127\.0\.0\.1:\d+/", line))), None)
+        assert match
+        opener = build_opener(ProxyHandler({}))
+        with opener.open(f"{match[0]}snapshot.json", timeout=20) as answer:
+            found = json.load(answer)
+        watch.send_signal(signal.SIGINT)
+        assert watch.wait(20) == 1
+    assert not found["live"]
+    assert row(found, "topic:/scan")["shown"]["rate"] == "25 Hz"
+    assert [one["entity"] for one in found["alerts"]] == ["topic:/planner/status", "topic:/cmd_vel"]
+    assert "topic:/cmd_vel" in (tmp_path / "out").read_text()
+
+
+def test_a_running_system_is_served_while_it_is_watched(tmp_path):
+    command = [Path(sys.executable).with_name("roslens"), "watch", "--serve", "0", "--for", "60s", "--listen"]
+    key = tmp_path / "key"
+    subprocess.run([command[0], "agent", "--make-key", key], check=True, capture_output=True)
+    with subprocess.Popen(
+        [*command, "127.0.0.1:0", "--key-file", key, "--format", "json"],
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        text=True,
+        env={"PATH": "/usr/bin:/bin"},
+    ) as watch:
+        assert watch.stderr
+        match = next((hit for line in watch.stderr if (hit := re.search(r"http://127\.0\.0\.1:\d+/", line))), None)
+        assert match
+        with build_opener(ProxyHandler({})).open(f"{match[0]}events", timeout=20) as answer:
+            found = (json.loads(line.removeprefix(b"data: ")) for line in answer if line.startswith(b"data: {"))
+            assert next(found)["live"]
+            # A share of a CPU takes two looks.
+            assert any(
+                one["kind"] == "host" and "cpu" in one.get("shown", {})
+                for _, shown in zip(range(20), found, strict=False)
+                for one in shown["rows"]
+            )
+        watch.send_signal(signal.SIGINT)
+        assert watch.wait(20) in {0, 3}

@@ -1,0 +1,239 @@
+"""The live page over HTTP: what it answers, to whom, and how its stream goes on and ends."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import http.client
+import json
+import re
+import threading
+import time
+from itertools import pairwise
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+from dashboard.live.scripted_robot import ScriptedRobot
+
+from roslens.dashboard.guard import HEADERS
+from roslens.dashboard.live.app import create_live_app
+from roslens.dashboard.live.serving import LivePage
+from roslens.model.errors import UsageError
+
+HOSTILE = [
+    "</script><script>alert(1)</script>",
+    '"><img src=x onerror=alert(1)>',
+    "x" * 10_000,
+    "дрон/🤖\u202e/rtl",
+    "a > b",
+]
+
+
+class Client:
+    """Asks the application without a server; not for streams, which have no end."""
+
+    def __init__(self, robot):
+        self.app = create_live_app(robot.page.newest)
+
+    def get(self, path, **given):
+        async def ask():
+            transport = httpx.ASGITransport(self.app)
+            async with httpx.AsyncClient(transport=transport, base_url="http://127.0.0.1") as client:
+                return await client.get(path, **given)
+
+        return asyncio.run(ask())
+
+
+client = Client
+
+
+def hostile_robot():
+    nodes = {f"/{name}": name for name in HOSTILE}
+    wires = [(f"/{one}", f"/t{one}", (f"/{other}",), 10, 10) for one, other in pairwise(HOSTILE)]
+    reference = (
+        'kind: reference\nname: hostile\ntitle: "<script>"\ndefaults: {grace: 0 s, group: "<b>"}\n'
+        'constraints:\n  - {topic: "/**", rate: ">= 50 Hz", text: "</script><script>alert(2)</script>"}\n'
+    )
+    return ScriptedRobot(nodes, wires, reference)
+
+
+def test_the_page_says_everything_without_scripts():
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    page = client(robot).get("/")
+    assert page.status_code == 200
+    table = page.text[page.text.index("<tbody") : page.text.index("</tbody>")]
+    for text in ("/lidar", "/scan", "4 Hz", "58 kB/s", "rover", "12.5 %", "low"):
+        assert text in table
+    assert "rate is low: 4 Hz, expected 8..12 Hz; Look at the cable of the lidar" in page.text
+    assert "style=" not in page.text
+    embedded = re.search(r'<script type="application/json" id="first">(.*)</script>', page.text)
+    assert embedded
+    assert json.loads(embedded[1]) == json.loads(robot.page.newest())
+
+
+def test_the_snapshot_is_a_versioned_document():
+    answer = client(ScriptedRobot()).get("/snapshot.json")
+    assert answer.headers["content-type"] == "application/json"
+    document = answer.json()
+    assert document["version"] == 1
+    assert {"time", "title", "cost", "counts", "rows", "alerts", "picture", "happened", "failures"} <= document.keys()
+
+
+def test_every_file_that_the_page_names_is_there():
+    page = client(ScriptedRobot())
+    found, waiting = set(), set(re.findall(r'(?:href|src)="(/web/[^"]+)"', page.get("/").text))
+    assert "/web/live/main.js" in waiting
+    while waiting:
+        path = waiting.pop()
+        found.add(path)
+        answer = page.get(path)
+        assert answer.status_code == 200, path
+        for name in re.findall(r'^import .* from "([^"]+)";$', answer.text, re.MULTILINE):
+            waiting |= {str(answer.url.join(name).path)} - found
+    assert "/web/graph/camera.js" in found
+
+
+@pytest.mark.parametrize("path", ["/", "/snapshot.json", "/web/live/main.js", "/nothing"])
+def test_every_answer_carries_the_policy(path):
+    answer = client(ScriptedRobot()).get(path)
+    for name, value in HEADERS.items():
+        assert answer.headers[name] == value
+
+
+@pytest.mark.parametrize("path", ["/", "/snapshot.json", "/events", "/web/live/main.js"])
+def test_a_foreign_host_name_is_refused(path):
+    answer = client(ScriptedRobot()).get(path, headers={"host": "evil.example"})
+    assert answer.status_code == 421
+    assert "--serve HOST:PORT" in answer.text
+
+
+@pytest.mark.parametrize("path", ["/snapshot.json", "/events"])
+@pytest.mark.parametrize("site", ["cross-site", "same-site"])
+def test_another_origin_may_not_read(path, site):
+    answer = client(ScriptedRobot()).get(path, headers={"sec-fetch-site": site})
+    assert answer.status_code == 403
+
+
+def test_hostile_names_stay_text():
+    robot = hostile_robot()
+    robot.run(5)
+    page = client(robot).get("/").text
+    assert "<script>alert" not in page
+    assert "<img src=x" not in page
+    assert page.count("<script") == 3
+    document = client(robot).get("/snapshot.json").json()
+    assert any("</script>" in row["entity"] for row in document["rows"])
+    assert max(len(row["name"]) for row in document["rows"]) <= 210
+    assert document["alerts"]
+    assert all(len(alert["sentence"]) < 700 for alert in document["alerts"])
+
+
+class Reader:
+    """Reads a stream event by event."""
+
+    def __init__(self, url):
+        parts = urlsplit(url)
+        self.connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=20)
+        self.connection.request("GET", "/events")
+        self.answer = self.connection.getresponse()
+
+    def close(self):
+        self.answer.close()
+        self.connection.close()
+
+    def event(self):
+        lines = {}
+        while True:
+            line = self.answer.readline()
+            if not line:
+                return None
+            text = line.decode().rstrip("\n")
+            if text:
+                name, _, value = text.partition(":")
+                lines[name] = value.strip()
+            elif "event" in lines:
+                return lines
+            else:
+                lines = {}
+
+    def snapshot(self):
+        while (event := self.event()) is not None:
+            if event["event"] == "snapshot":
+                return json.loads(event["data"])
+        return None
+
+
+@pytest.fixture
+def read():
+    """Open streams that are closed at the end."""
+    with contextlib.ExitStack() as stack:
+
+        def open_(url):
+            reader = Reader(url)
+            stack.callback(reader.close)
+            return reader
+
+        yield open_
+
+
+@pytest.fixture
+def served():
+    robot = ScriptedRobot()
+    with LivePage(robot.page.newest) as page:
+        yield robot, page
+
+
+def test_the_stream_tells_each_new_snapshot(served, read):
+    robot, page = served
+    reader = read(page.url)
+    assert reader.answer.headers["content-type"].startswith("text/event-stream")
+    first = reader.snapshot()
+    assert first["time"] == robot.now
+    robot.run()
+    assert reader.snapshot()["time"] == first["time"] + 1
+
+
+def test_nothing_new_is_told_by_a_beat(served, read):
+    reader = read(served[1].url)
+    assert reader.snapshot() is not None
+    assert reader.event() == {"event": "beat", "data": ""}
+
+
+def test_who_comes_late_gets_the_newest_alone(read):
+    newest = [b'{"time": -1}']
+    with LivePage(lambda: newest[0]) as page:
+        reader = read(page.url)
+        assert reader.snapshot() is not None
+        for time_ in range(500):
+            newest[0] = b'{"time": %d}' % time_
+        assert reader.snapshot()["time"] == 499
+        assert reader.event()["event"] == "beat"
+
+
+def test_the_stream_ends_when_the_watch_does(read):
+    robot = ScriptedRobot()
+    with LivePage(robot.page.newest) as page:
+        reader = read(page.url)
+        assert reader.snapshot() is not None
+        begun = time.monotonic()
+    assert time.monotonic() - begun < 4
+    assert reader.snapshot() is None
+    assert not [one for one in threading.enumerate() if one.name == "live page"]
+
+
+def test_a_reader_that_went_away_makes_room(served, read):
+    _, page = served
+    for _ in range(3):
+        reader = read(page.url)
+        assert reader.snapshot() is not None
+        reader.close()
+    assert read(page.url).snapshot() is not None
+
+
+def test_a_port_that_is_taken_is_said(served):
+    port = urlsplit(served[1].url).port
+    with pytest.raises(UsageError, match=r"expected a free port\. Give --serve another port"):
+        LivePage(served[0].page.newest, port=port)

@@ -7,6 +7,7 @@ import { sign } from "./states.js";
 const BOX = { width: 156, height: 32 };
 const DIAMOND = 8;
 const FAR = 0.55;
+const MANY = 60;
 const LETTERS = { node: 21, topic: 25 };
 
 export class Picture {
@@ -30,7 +31,7 @@ export class Picture {
     this.left = false;
     if (!this.size) return;
     const scale = Math.min(1.25, this.canvas.clientWidth / this.size.width);
-    const height = Math.round(Math.max(scale < FAR ? 280 : 150, Math.min(innerHeight * 0.5, this.size.height * scale + 24)));
+    const height = Math.round(Math.max(this.items.size > MANY ? 280 : 150, Math.min(innerHeight * 0.5, this.size.height * scale + 52)));
     if (Math.abs(this.canvas.clientHeight - height) > 2) this.canvas.style.height = `${height}px`;
     this.camera.fit({ x: 0, y: 0, ...this.size });
   }

@@ -276,6 +276,7 @@ def test_without_scripts_the_table_is_there(robot: ScriptedRobot, follow: Open) 
     expect(page.locator("#canvas")).not_to_be_visible()
 
 
+@pytest.mark.slow
 def test_a_thousand_topics_are_updated_within_100_ms(visitor_of: Callable[[str], Any]) -> None:
     robot = large_robot(1000)
     with LivePage(robot.page.newest) as live:
@@ -287,7 +288,7 @@ def test_a_thousand_topics_are_updated_within_100_ms(visitor_of: Callable[[str],
         for _ in range(5):
             robot.rates = {wire[1]: 6 + int(robot.now) % 7 for wire in robot.wires}
             robot.run()
-            expect(page.locator("#when")).to_have_text(f"12:00:{robot.now:04.1f}")
+            expect(page.locator("#when")).to_have_text(f"12:00:{robot.now:04.1f}", timeout=30_000)
             took.append(page.evaluate("performance.getEntriesByName('snapshot').at(-1).duration"))
         assert page.locator("#rows tr").count() > 2000
         # Other programs on the machine can only make it look slower.

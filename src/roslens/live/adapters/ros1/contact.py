@@ -39,6 +39,7 @@ class Contact:
         dead: nobody listens at its API.
         node: what is known of it.
         local: whether it runs on this host.
+        met: whether it was asked to the end, whatever came of it.
     """
 
     def __init__(
@@ -48,6 +49,7 @@ class Contact:
         self.uri = uri
         self.dead = False
         self.local = False
+        self.met = False
         self.node = Node(name)
         self._slave = Slave(uri, caller, resolver, wait_s)
         self._resolver = resolver
@@ -62,13 +64,19 @@ class Contact:
         """Ask; a node that was silent is asked again only after pauses that grow, unless ``force``."""
         if self._pause > 0 and not force:
             self._pause -= 1
-            return msgspec.structs.replace(self._before, reading=None)
+            return self.unanswered
         self._before = self._ask(clock)
         silent = self._before.trouble in (Trouble.SILENT, Trouble.UNREACHABLE)
         self._silences = self._silences + 1 if silent else 0
         self._pause = min(2**self._silences // 2, LONGEST_PAUSE) if silent else 0
         self.dead = self._before.trouble is Trouble.REFUSED
+        self.met = True
         return self._before
+
+    @property
+    def unanswered(self) -> Look:
+        """What is known of it while it has not answered."""
+        return msgspec.structs.replace(self._before, reading=None)
 
     def _ask(self, clock: Callable[[], float]) -> Look:
         try:

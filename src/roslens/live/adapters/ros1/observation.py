@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
 from roslens.live.adapters.ros1.bus import Bus, Reading
 from roslens.live.adapters.ros1.contact import Contact, Look
@@ -19,6 +19,9 @@ from roslens.model.wire import VERSION, Frame
 
 _AT_ONCE = 8
 """So many nodes are asked at a time."""
+_PATIENCE_S = 0.2
+"""A round waits no longer for the next answer of a node that answered before; what comes later counts in the next one,
+so that a node that hangs does not make all others seem silent."""
 _SEEK_DEAD = 5
 """Rounds after which a dead node is looked up anew, since it may live elsewhere by the same name."""
 
@@ -61,6 +64,7 @@ class Observation:
         self._unframed: set[str] = set()
         self._rounds = 0
         self._pool = ThreadPoolExecutor(_AT_ONCE, "node")
+        self._asked: dict[Contact, Future[Look]] = {}
 
     @property
     def publishers(self) -> dict[str, list[tuple[str, str]]]:
@@ -147,13 +151,19 @@ class Observation:
         contact = self._contacts.pop(name, None)
         if contact:
             contact.close()
+            self._asked.pop(contact, None)
             self._bus.forget(name)
             self._unframed.discard(name)
             if self._ends:
                 self._ends.forget(name)
 
     def _look(self, contacts: list[Contact], force: bool) -> list[Look]:
-        looks = list(self._pool.map(lambda contact: contact.look(self._clock, force), contacts))
+        for contact in contacts:
+            if contact not in self._asked:
+                self._asked[contact] = self._pool.submit(contact.look, self._clock, force)
+        self._wait([contact for contact in contacts if force or not contact.met], None)
+        self._wait(contacts, _PATIENCE_S)
+        looks = [self._answer(contact) for contact in contacts]
         for contact, look in zip(contacts, looks, strict=True):
             if look.trouble is Trouble.REFUSED and self._ends:
                 self._ends.forget(contact.name)
@@ -162,6 +172,21 @@ class Observation:
                     self._ends.process(contact.name, contact.node.pid)
                 self._ends.connection(contact.name, contact.descriptor)
         return looks
+
+    def _wait(self, contacts: list[Contact], patience_s: float | None) -> None:
+        """Wait for answers, but no longer than ``patience_s`` for the next one."""
+        left = {self._asked[contact] for contact in contacts}
+        while left:
+            answered, left = wait(left, patience_s, FIRST_COMPLETED)
+            if not answered:
+                return
+
+    def _answer(self, contact: Contact) -> Look:
+        asked = self._asked[contact]
+        if not asked.done():
+            return contact.unanswered
+        del self._asked[contact]
+        return asked.result()
 
     def _tallies(self, readings: list[Reading]) -> list[Tally]:
         self._unframed.update(reading.node for reading in readings if reading.stats.wraps)

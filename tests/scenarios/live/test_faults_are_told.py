@@ -10,6 +10,8 @@ from testbed.allowed import why_not
 pytestmark = pytest.mark.real
 
 REASONS = {"ros1": robot_ros1.why_not, "ros2": robot_ros2.why_not}
+UNSEEN = {("ros1", "5 % loss on the sensor's link")}
+"""TCP sends again what is lost, mostly before a message is late enough to be told: docs/faults.md."""
 QUICK = ("lidar crashes", "rate of the lidar drops, 25 to 10 Hz")
 
 
@@ -23,7 +25,8 @@ def generation(request):
 
 def missed(rows):
     """Return the rows of faults that were not told, told late, or told for ever."""
-    return [row for row in rows if row.alarm is None or row.alarm > row.allowed or row.ok is None]
+    wanted = [row for row in rows if (row.generation, row.name) not in UNSEEN]
+    return [row for row in wanted if row.alarm is None or row.alarm > row.allowed or row.ok is None]
 
 
 @pytest.mark.timeout(120)

@@ -61,9 +61,9 @@ def test_the_greatest_gap_of_two_buckets_keeps_its_beginning():
 
     early = bucket(1.0, 0.4, 1.2)
     early.absorb(bucket(2.0, 0.3, 2.5))
-    assert (early.gap, early.gap_at) == (0.4, 1.2)
+    assert (early.gap, early.gap_began) == (0.4, 1.2)
     early.absorb(bucket(3.0, 0.5, 3.3))
-    assert (early.gap, early.gap_at) == (0.5, 3.3)
+    assert (early.gap, early.gap_began) == (0.5, 3.3)
 
 
 @pytest.mark.parametrize(

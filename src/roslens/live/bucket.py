@@ -19,7 +19,8 @@ class Bucket(msgspec.Struct, gc=False):
         intervals: times between messages that ended here.
         span: their sum in seconds.
         gap: the longest of them; -1 where unknown.
-        gap_at: when that began, as well as it is known.
+        gap_at: when that began, 0 where unknown.
+        before: when the last message before the first came; that of the first where unknown.
         bytes: of the messages whose size is known.
         sized: how many messages those are.
         lost: messages known to be lost.
@@ -40,6 +41,7 @@ class Bucket(msgspec.Struct, gc=False):
     span: float
     gap: float
     gap_at: float
+    before: float
     bytes: int
     sized: int
     lost: int
@@ -54,12 +56,9 @@ class Bucket(msgspec.Struct, gc=False):
     def of(cls, tally: Tally, previous: float) -> Bucket:
         """Take a tally; ``previous`` is when the last message before it came, 0 where unknown."""
         period, count, first = tally.period, tally.count, tally.first
-        intervals, span = period.count, period.total
-        gap, gap_at = -1.0, tally.start
+        intervals, span, gap, gap_at = period.count, period.total, -1.0, tally.longest_at
         if intervals:
-            gap, gap_at = period.greatest, tally.longest_at
-            if not gap_at:
-                gap_at = _begun(tally, gap, previous)
+            gap = period.greatest
         if intervals < count and first:
             # The observer did not count every time between messages: first and last tell some of them.
             if not intervals and count > 1:
@@ -71,22 +70,67 @@ class Bucket(msgspec.Struct, gc=False):
                 if first - previous > gap:
                     gap, gap_at = first - previous, previous
         size, lost = tally.bytes, tally.lost
+        sized, losses = size >= 0, lost >= 0
         return cls(
-            tally.start, tally.end, count, first, tally.last, intervals, span, gap, gap_at,
-            max(size, 0), count if size >= 0 else 0, max(lost, 0), count if lost >= 0 else 0, lost >= 0,
+            tally.start, tally.end, count, first, tally.last, intervals, span, gap, gap_at, previous or first,
+            size if sized else 0, count if sized else 0, lost if losses else 0, count if losses else 0, losses,
             period, tally.latency, tally.age, tally.processing,
         )  # fmt: skip
 
+    @property
+    def gap_began(self) -> float:
+        """When the longest time between messages began; where that is unknown, in the middle of where it fits."""
+        if self.gap_at:
+            return self.gap_at
+        earliest = self.before or self.start
+        return (earliest + max((self.last or self.end) - self.gap, earliest)) / 2
+
+    def extend(self, tally: Tally, previous: float) -> None:
+        """Take a tally that begins where this one ends."""
+        period, count, first = tally.period, tally.count, tally.first
+        intervals, size, lost = period.count, tally.bytes, tally.lost
+        if intervals < count and first:
+            self.absorb(Bucket.of(tally, previous))
+            return
+        if not self.gap_at and self.gap >= 0:
+            self.gap_at = self.gap_began
+        self.end = tally.end
+        if count:
+            self.first = self.first or first
+            self.last = tally.last or self.last
+            self.count += count
+        if size >= 0:
+            self.bytes += size
+            self.sized += count
+        if lost >= 0:
+            self.lost += lost
+            self.losable += count
+            self.losses_counted = True
+        if intervals:
+            self.intervals += intervals
+            self.span += period.total
+            if period.greatest > self.gap:
+                self.gap, self.gap_at, self.before = period.greatest, tally.longest_at, previous or first
+            self.period = joined(self.period, period)
+        if tally.latency.count:
+            self.latency = joined(self.latency, tally.latency)
+        if tally.age.count:
+            self.age = joined(self.age, tally.age)
+        if tally.processing.count:
+            self.processing = joined(self.processing, tally.processing)
+
     def absorb(self, later: Bucket) -> None:
         """Become the bucket of both; ``later`` begins where this one ends."""
+        if later.gap > self.gap:
+            self.gap, self.gap_at = later.gap, later.gap_began
+        elif self.gap >= 0:
+            self.gap_at = self.gap_began
         self.end = later.end
         self.first = self.first or later.first
         self.last = later.last or self.last
         self.count += later.count
         self.intervals += later.intervals
         self.span += later.span
-        if later.gap > self.gap:
-            self.gap, self.gap_at = later.gap, later.gap_at
         self.bytes += later.bytes
         self.sized += later.sized
         self.lost += later.lost
@@ -96,13 +140,6 @@ class Bucket(msgspec.Struct, gc=False):
         self.latency = joined(self.latency, later.latency)
         self.age = joined(self.age, later.age)
         self.processing = joined(self.processing, later.processing)
-
-
-def _begun(tally: Tally, gap: float, previous: float) -> float:
-    """Return when the longest time between messages may have begun: in the middle of where it fits."""
-    earliest = previous or tally.first or tally.start
-    latest = max((tally.last or tally.end) - gap, earliest)
-    return (earliest + latest) / 2
 
 
 def joined(one: Moments, other: Moments) -> Moments:

@@ -40,6 +40,7 @@ class Connection(Measured):
         "_lengths",
         "_most",
         "_order",
+        "_sole",
         "envelope",
         "gone",
         "host",
@@ -68,13 +69,15 @@ class Connection(Measured):
         self._lengths: tuple[float, ...] = AUTOMATIC
         self._most = MAX_BUCKETS
         self._by_observer: dict[Observer, list[Window]] = {}
+        self._sole: Observer | None = None
         self._order: list[list[Window]] = []
 
     def add(self, tally: Tally, now: float) -> bool:
         """Take a tally that is plausible; return whether it told anything new."""
-        windows = self._by_observer.get(tally.observer)
-        if windows is None:
-            windows = self._observed(tally)
+        if tally.observer is self._sole:
+            windows = self._order[0]
+        else:
+            windows = self._by_observer.get(tally.observer) or self._observed(tally)
         first = windows[0]
         until = first.until
         news = first.add(tally, now)
@@ -98,7 +101,7 @@ class Connection(Measured):
             kept = []
             for length in lengths:
                 window = by_length.get(length) or _copy(max(windows, key=lambda one: one.length), length)
-                window.most = most
+                window.resize(most)
                 kept.append(window)
             self._by_observer[observer] = kept
         self._lengths = lengths
@@ -225,6 +228,7 @@ class Connection(Measured):
         return windows
 
     def _sort(self) -> None:
+        self._sole = next(iter(self._by_observer)) if len(self._by_observer) == 1 else None
         self._order = [self._by_observer[one] for one in sorted(self._by_observer, key=RANK.__getitem__)]
 
 
@@ -240,21 +244,6 @@ def _due(window: Window, now: float) -> float:
 def _copy(source: Window, length: float) -> Window:
     """Return a window of another length that knows what one knows already."""
     window = Window(source.observer, source.host, length)
-    for name in (
-        "until",
-        "last",
-        "begun",
-        "noticed",
-        "spacing",
-        "span",
-        "count",
-        "intervals",
-        "bytes",
-        "sized",
-        "news",
-        "horizon",
-    ):
-        setattr(window, name, getattr(source, name))
-    # Each window merges its own.
-    window.buckets.extend(copy(bucket) for bucket in source.buckets)
+    # Each window merges its own buckets.
+    window.take_over(source, [copy(bucket) for bucket in source.buckets])
     return window

@@ -3,41 +3,59 @@
 from __future__ import annotations
 
 import heapq
-from itertools import count
 
 from roslens.live.measured import Measured
 from roslens.live.verdict_state import NEVER
+
+_PER_SECOND = 20
+"""Entities that are due within the same stretch wait together."""
+_FAR = 2.0**60
+
+
+def _stretch(time: float) -> int:
+    return int(max(min(time * _PER_SECOND, _FAR), -_FAR))
 
 
 class DueQueue:
     """Entities by their due time; each waits at most about once, however often its due time moves."""
 
     def __init__(self) -> None:
-        self._heap: list[tuple[float, int, Measured]] = []
-        self._number = count()
+        self._stretches: dict[int, list[Measured]] = {}
+        self._numbers: list[int] = []
 
     @property
     def first(self) -> float:
         """When the first one may be due; infinity when none is."""
-        return self._heap[0][0] if self._heap else NEVER
+        if not self._numbers:
+            return NEVER
+        return min(one.planned for one in self._stretches[self._numbers[0]])
 
     def put(self, entity: Measured) -> None:
         """Let an entity wait until its ``due``; a later due time costs nothing."""
-        if entity.due < entity.planned:
-            entity.planned = entity.due
-            heapq.heappush(self._heap, (entity.due, next(self._number), entity))
+        due = entity.due
+        if due < entity.planned:
+            entity.planned = due
+            number = _stretch(due)
+            waiting = self._stretches.get(number)
+            if waiting is None:
+                self._stretches[number] = [entity]
+                heapq.heappush(self._numbers, number)
+            else:
+                waiting.append(entity)
 
     def take(self, now: float) -> list[Measured]:
         """Return the entities that are due, each once."""
-        heap = self._heap
         found: list[Measured] = []
-        while heap and heap[0][0] <= now:
-            at, _, entity = heapq.heappop(heap)
-            if at != entity.planned:
-                continue
-            entity.planned = NEVER
-            if entity.due <= now:
-                found.append(entity)
-            else:
-                self.put(entity)
+        later: list[Measured] = []
+        numbers = self._numbers
+        while numbers and numbers[0] <= now * _PER_SECOND:
+            number = heapq.heappop(numbers)
+            for entity in self._stretches.pop(number):
+                planned = entity.planned
+                if planned == NEVER or _stretch(planned) != number:
+                    continue
+                entity.planned = NEVER
+                (found if entity.due <= now else later).append(entity)
+        for entity in later:
+            self.put(entity)
         return found

@@ -118,6 +118,8 @@ def _judge_group(
 def _step(judged: Judged, now: float, value: float | None, window: Window | None, appeared: float) -> bool:
     sentence = judged.sentence
     judged.window = window
+    if value is not None and value - value != 0:
+        value = None
     raw = sentence.bounds.state(value)
     state = judged.state
     grace = appeared + sentence.timing.grace

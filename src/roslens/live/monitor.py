@@ -207,7 +207,7 @@ class Monitor:
         self._explained.stale = True
 
     def tick(self, now: float) -> tuple[Verdict, ...]:
-        """Judge what has news or is due; return the verdicts whose state or cause changed, sorted by entity and expectation."""
+        """Judge what has news or is due; return what changed its state or cause, by entity and expectation."""
         self._follow_clock(now)
         now = self._clock.now
         moved, self._moved = self._moved, []
@@ -470,6 +470,8 @@ class Monitor:
         topic = self._world.topics.get(topic_name)
         if topic is None:
             return 0.0
+        for connection in topic.all_connections():
+            connection.settle(self._clock.now)
         views = topic.views(0)
         return min((window.quiet if window.silent else 0.0 for _, window in views), default=0.0)
 

@@ -10,6 +10,8 @@ from roslens.live.bucket import Bucket
 from roslens.live.window import Window
 from roslens.model.tally import Moments
 
+_INSTANT_S = 1e-9
+"""No two messages are closer together."""
 Measure = Callable[[Window], "float | None"]
 
 
@@ -25,7 +27,7 @@ def rate(window: Window) -> float | None:
         span = window.span
         if quiet * intervals > span:
             span += max(quiet - longest_interval(window), 0.0)
-        return intervals / span if span > 0 else None
+        return intervals / span if span > _INSTANT_S else None
     if quiet >= window.length:
         return 0.0
     if window.count and not any(bucket.first for bucket in window.buckets):
@@ -68,7 +70,7 @@ def longest_gap(window: Window, now: float) -> tuple[float, float]:
     gap, began = -1.0, 0.0
     for bucket in window.buckets:
         if bucket.gap > gap:
-            gap, began = bucket.gap, bucket.gap_at
+            gap, began = bucket.gap, bucket.gap_began
     if window.quiet > gap:
         gap, began = window.quiet, window.horizon - window.quiet
     # Up to its horizon a window was observed; it is looked at a moment later.

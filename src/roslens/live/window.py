@@ -7,6 +7,7 @@ clock that is hours away, or a tally that is always a second late, changes nothi
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterable
 
 from roslens.live.bucket import Bucket
 from roslens.model.tally import Observer, Tally
@@ -23,6 +24,8 @@ PERIODS = 5
 """How many expected periods a window has to hold."""
 BRIEF_S = 1.0
 """A window that is shorter holds two tallies at least, and those that reach into it as a whole."""
+_GRAIN = 1.5
+"""Neighbouring tallies share a bucket up to so many times its usual share of the window."""
 _EPSILON = 1e-6
 _SLACK_S = 1.0
 _STRANGE = 3
@@ -50,8 +53,10 @@ class Window:
 
     __slots__ = (
         "_automatic",
+        "_grain",
         "_least",
         "_strange",
+        "_summed",
         "begun",
         "buckets",
         "bytes",
@@ -82,6 +87,8 @@ class Window:
         self._automatic = not length
         self._least = 2 if 0 < length < BRIEF_S else 1
         self.length = length or DEFAULT_S
+        self._grain = _GRAIN * self.length / most
+        self._summed = True
         self.buckets: deque[Bucket] = deque()
         self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = self.quiet = 0.0
         self.count = self.intervals = self.bytes = self.sized = 0
@@ -92,13 +99,27 @@ class Window:
     def add(self, tally: Tally, now: float) -> bool:
         """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it told anything new."""
         buckets = self.buckets
-        if not self.spacing and not buckets:
+        until, spacing = self.until, self.spacing
+        end, hole = tally.end, tally.start - until
+        if buckets and -_EPSILON <= hole <= spacing and end > until + _EPSILON:
+            # What nearly every tally is: the one after the last.
+            length = end - until
+            self.spacing = max(0.9 * spacing, length)
+            if self._strange:
+                self._strange.clear()
+            newest = buckets[-1]
+            previous = self.last if hole <= _SLACK_S else 0.0
+            if end - newest.start <= self._grain:
+                newest.extend(tally, previous)
+                self._end(tally.last, tally.count, end)
+            else:
+                self._append(Bucket.of(tally, previous))
+            return True
+        if not spacing and not buckets:
             self._begin(tally)
             return True
-        until = self.until
         if tally.end <= until + _EPSILON:
             return self._fill(tally) or self._stranger(tally, now)
-        hole = tally.start - until
         if hole > _SLACK_S + self.spacing and hole > _SLACK_S + self.spacing + now - self.noticed:
             return self._stranger(tally, now)
         if hole < -_EPSILON:
@@ -122,8 +143,12 @@ class Window:
             self.news = False
             self.noticed = now
             self.horizon = self.until
-            if self._automatic and self.intervals:
-                self.length = min(max(self.length, PERIODS * self.span / self.intervals), LONGEST_S)
+            if self._automatic:
+                if not self._summed:
+                    self._sum()
+                if self.intervals:
+                    self.length = min(max(self.length, PERIODS * self.span / self.intervals), LONGEST_S)
+                    self._grain = _GRAIN * self.length / self.most
 
     def settle(self, now: float) -> None:
         """Look at the window at ``now`` on the monitor's clock: silence counts, what is too old goes."""
@@ -138,6 +163,8 @@ class Window:
         self.quiet = max(horizon - (self.last or self.begun), 0.0)
         if self.buckets and self.buckets[0].start < horizon - self.length - _EPSILON:
             self._drop(horizon - self.length)
+        if not self._summed:
+            self._sum()
 
     @property
     def patience(self) -> float:
@@ -154,6 +181,19 @@ class Window:
         """Whether the connection has been watched for as long as the window is."""
         return self.horizon - self.begun >= self.length - _EPSILON
 
+    def resize(self, most: int) -> None:
+        """Keep at most so many buckets."""
+        self.most = most
+        self._grain = _GRAIN * self.length / most
+
+    def take_over(self, source: Window, buckets: Iterable[Bucket]) -> None:
+        """Know what another window of the same observer knows; ``buckets`` are its own."""
+        self.until, self.last, self.begun = source.until, source.last, source.begun
+        self.noticed, self.spacing = source.noticed, source.spacing
+        self.news, self.horizon = source.news, source.horizon
+        self.buckets.extend(buckets)
+        self._summed = False
+
     def clear(self) -> None:
         """Forget everything: time itself broke."""
         self.buckets.clear()
@@ -161,6 +201,7 @@ class Window:
         self._strange.clear()
         self.count = self.intervals = self.bytes = self.sized = 0
         self.until = self.last = self.begun = self.spacing = self.span = 0.0
+        self._summed = True
 
     def _begin(self, tally: Tally) -> None:
         self.clear()
@@ -170,31 +211,34 @@ class Window:
 
     def _append(self, bucket: Bucket) -> None:
         self.buckets.append(bucket)
-        self.until = bucket.end
-        if bucket.last > self.last:
-            self.last = bucket.last
-        elif bucket.count and not bucket.last:
-            self.last = bucket.end
-        self._take_in(bucket)
-        self.news = True
+        self._end(bucket.last, bucket.count, bucket.end)
         if len(self.buckets) > self.most:
             self._drop(self.until - self.length)
             if len(self.buckets) > self.most:
                 self._merge()
 
-    def _take_in(self, bucket: Bucket) -> None:
-        self.count += bucket.count
-        self.intervals += bucket.intervals
-        self.span += bucket.span
-        self.bytes += bucket.bytes
-        self.sized += bucket.sized
+    def _end(self, last: float, count: int, end: float) -> None:
+        """Note how far the window reaches now."""
+        self.until = end
+        if last > self.last:
+            self.last = last
+        elif count and not last:
+            self.last = end
+        self.news = True
+        self._summed = False
 
-    def _take_out(self, bucket: Bucket) -> None:
-        self.count -= bucket.count
-        self.intervals -= bucket.intervals
-        self.span -= bucket.span
-        self.bytes -= bucket.bytes
-        self.sized -= bucket.sized
+    def _sum(self) -> None:
+        """Add up the buckets."""
+        count = intervals = size = sized = 0
+        span = 0.0
+        for bucket in self.buckets:
+            count += bucket.count
+            intervals += bucket.intervals
+            span += bucket.span
+            size += bucket.bytes
+            sized += bucket.sized
+        self.count, self.intervals, self.span, self.bytes, self.sized = count, intervals, span, size, sized
+        self._summed = True
 
     def _drop(self, before: float) -> None:
         buckets = self.buckets
@@ -204,9 +248,8 @@ class Window:
                 break
             if len(buckets) <= self._least and self.horizon == self.until:
                 break
-            self._take_out(buckets.popleft())
-        if not buckets:
-            self.span = 0.0
+            buckets.popleft()
+            self._summed = False
 
     def _merge(self) -> None:
         """Merge neighbours in pairs."""
@@ -218,7 +261,6 @@ class Window:
             merged.append(bucket)
         merged.extend(buckets)
         self.buckets = merged
-        self.span = sum(bucket.span for bucket in merged)
 
     def _fill(self, tally: Tally) -> bool:
         """Put a late tally where nothing is known yet; what is known already is a duplicate."""
@@ -231,7 +273,7 @@ class Window:
                     return False
                 late = Bucket.of(tally, 0.0)
                 self.buckets.insert(number, late)
-                self._take_in(late)
+                self._summed = False
                 return True
             if bucket.end > tally.start + _EPSILON:
                 return False
@@ -240,8 +282,8 @@ class Window:
     def _without_known(self, tally: Tally) -> Tally | None:
         """Return the part of an overlapping tally that is new, None where that cannot be told."""
         while self.buckets and self.buckets[-1].start >= tally.start - _EPSILON:
-            gone = self.buckets.pop()
-            self._take_out(gone)
+            self.buckets.pop()
+            self._summed = False
         known = self.buckets[-1].end if self.buckets else tally.start
         overlap = known - tally.start
         if overlap <= _EPSILON:

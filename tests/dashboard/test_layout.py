@@ -85,8 +85,8 @@ def test_one_more_node_moves_few_to_another_column() -> None:
 @pytest.mark.slow
 def test_a_thousand_packages_are_placed_in_half_a_second() -> None:
     nodes, edges = made_up(1000)
-    begun = time.perf_counter()
+    begun = time.process_time()
     layout = lay_out(nodes, edges)
-    took = time.perf_counter() - begun
+    took = time.process_time() - begun
     assert len(layout.places) == 1000
     assert took < 0.5, f"{took:.2f} s"

@@ -155,9 +155,9 @@ def test_a_line_that_is_not_shown_leads_to_its_file() -> None:
 
 @pytest.mark.slow
 def test_a_large_workspace_stays_below_five_megabytes(large_site: Site) -> None:
-    begun = time.perf_counter()
+    begun = time.process_time()
     text = single_page(large_site)
-    took = time.perf_counter() - begun
+    took = time.process_time() - begun
     size = len(text.encode())
     assert size < 5_000_000, f"{size:,} bytes"
     assert took < 60, f"{took:.1f} s"

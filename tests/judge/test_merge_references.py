@@ -165,9 +165,9 @@ def test_a_thousand_sentences_are_read_and_held_against_each_other_in_seconds():
         for n in range(1000)
     ]
     text = "kind: reference\nname: big\nconstraints:\n" + "\n".join(rows)
-    started = time.perf_counter()
+    started = time.process_time()
     result = merge_references(read_references([GivenText("big.yaml", text.encode())], BY_KEY))
-    assert time.perf_counter() - started < 10
+    assert time.process_time() - started < 10
     assert len(result.reference.expectations) == 1000
     # `/**/sensor2*` and `/**/sensor22*` are the kind of pair that cannot both hold.
     assert all(one.first.selector.name.startswith("/**/sensor") for one in result.contradictions)

@@ -188,10 +188,10 @@ def test_intersections_told_by_hand(one: str, other: str, both: bool):
 )
 def test_hostile_names_take_no_longer_than_their_length(text: str):
     pattern = Pattern.parse(text)
-    started = time.perf_counter()
+    started = time.process_time()
     assert not pattern.matches("/" + "a" * 10_000 + "c")
     assert pattern.matches("/" + "a" * 10_000 + "b")
-    assert time.perf_counter() - started < 1.0
+    assert time.process_time() - started < 1.0
 
 
 def test_many_different_names_do_not_fill_the_memory():

@@ -63,8 +63,8 @@ def test_a_new_entity_costs_far_less_than_a_millisecond_among_a_thousand_sentenc
     names = [f"/robot{n % 500}/arm{n}/state" for n in range(1000)]
     took = []
     for _ in range(3):
-        started = time.perf_counter()
+        started = time.process_time()
         found = [index.find(TOPIC, name) for name in names]
-        took.append((time.perf_counter() - started) / len(names))
+        took.append((time.process_time() - started) / len(names))
     assert found[7] == (7,)
     assert min(took) < 0.0005

@@ -213,9 +213,9 @@ def test_a_condition_that_cannot_be_read_is_taken_to_hold(manifests: dict[str, b
 
 
 def test_entities_are_refused_at_once(manifests: dict[str, bytes]) -> None:
-    started = time.perf_counter()
+    started = time.process_time()
     package, failures = read_manifest(manifests["faulty_entities"], "arm/package.xml", ROS_2)
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
     assert package is not None
     assert package.name == "arm"
     assert failures[0].what == 'the document declares an entity "a"'
@@ -243,8 +243,8 @@ def test_a_huge_manifest_is_refused() -> None:
 def test_a_manifest_of_the_largest_size_is_read_in_seconds() -> None:
     tag = b"<depend>a</depend>\n"
     content = b"<package><name>arm</name>" + tag * (MAXIMUM_SIZE // len(tag) - 2) + b"</package>"
-    started = time.perf_counter()
+    started = time.process_time()
     package, _ = read_manifest(content, "arm/package.xml", ROS_2)
-    assert time.perf_counter() - started < 20
+    assert time.process_time() - started < 20
     assert package is not None
     assert len(package.dependencies) > 50_000

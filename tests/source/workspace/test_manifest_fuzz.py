@@ -24,9 +24,9 @@ MutateContent = Callable[[bytes, Sequence[tuple[str, int, int, bytes]]], bytes]
 
 
 def assert_answers(content: bytes) -> None:
-    started = time.perf_counter()
+    started = time.process_time()
     package, failures = read_manifest(content, "src/arm/package.xml", ENVIRONMENT)
-    assert time.perf_counter() - started < LONGEST_S
+    assert time.process_time() - started < LONGEST_S
     assert package is not None
     assert package.name
     msgspec.json.encode((package, failures))

@@ -230,7 +230,7 @@ def line(row: Row) -> str:
     alarm = "missed" if row.alarm is None else f"{row.alarm:.1f}"
     ok = "not" if row.ok is None else f"{row.ok:.1f}"
     if row.alarm is None or MISFIT in row.told:
-        ok = "–"  # nothing was bad that could become ok
+        ok = "-"  # nothing was bad that could become ok
     told = f"`{row.told}`" if row.told else ""
     cells = [row.name, row.generation.upper().replace("ROS", "ROS "), told, alarm, ok]
     return "| " + " | ".join([*cells, ", ".join(row.consequences), ", ".join(row.others)]) + " |"

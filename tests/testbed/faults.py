@@ -176,12 +176,14 @@ def memory_leak(host: Host, mb_per_s: float, limit_mb: float = LEAK_LIMIT_MB) ->
 @contextlib.contextmanager
 def full_disk(host: Host) -> Iterator[Fault]:
     """The host's small disk (`host.disk`) has no byte left."""
-    filler = str(host.disk / "filler")
+    fillers = [str(host.disk / f"filler-{block}") for block in ("64k", "1k", "rest")]
 
     def fill() -> None:
-        host.run(["dd", "if=/dev/zero", f"of={filler}", "bs=64k"], check=False)  # ends with "no space left"
+        for filler in fillers:  # large blocks leave some that small ones take; the last is for what books take
+            words = ["dd", "if=/dev/zero", f"of={filler}", f"bs={filler.rpartition('-')[2].replace('rest', '512')}"]
+            host.run(words, check=False)  # ends with "no space left"
 
-    with in_force("full disk", host.name, fill, lambda: host.run(["rm", "-f", filler])) as fault:
+    with in_force("full disk", host.name, fill, lambda: host.run(["rm", "-f", *fillers])) as fault:
         yield fault
 
 

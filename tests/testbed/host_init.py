@@ -30,11 +30,10 @@ def _mount(*arguments: str) -> None:
 def _mount_disk(disk: str) -> None:
     """A real file system in a file, so that those who look at disks see it; in memory where the machine lets us not."""
     image = f"{disk}.image"
-    made = subprocess.run(["mkfs.ext2", "-q", "-F", "-m", "0", image, DISK_SIZE], capture_output=True, check=False)
-    if made.returncode == 0:
-        mounted = subprocess.run(["mount", "-o", "loop", image, disk], capture_output=True, check=False)
-        if mounted.returncode == 0:
-            return
+    with contextlib.suppress(OSError, subprocess.CalledProcessError):
+        for command in (["mkfs.ext2", "-q", "-F", "-m", "0", image, DISK_SIZE], ["mount", "-o", "loop", image, disk]):
+            subprocess.run(command, capture_output=True, check=True)
+        return
     _mount("-t", "tmpfs", "-o", f"size={DISK_SIZE}", "disk", disk)
 
 

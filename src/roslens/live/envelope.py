@@ -71,17 +71,12 @@ class Envelope:
         size = self.size
         if size is not None and not size[0] * bucket.sized <= bucket.bytes <= size[1] * bucket.sized != 0:
             return False
-        return (not self.means or self._means_hold(bucket)) and (self.loss is None or self._loss_holds(bucket))
-
-    def _means_hold(self, bucket: Bucket) -> bool:
         for field, (low, high, greatest) in self.means.items():
-            moments = (
-                bucket.latency if field == "latency" else bucket.age if field == "age" else bucket.processing
-            )  # fmt: skip
+            moments = getattr(bucket, field)
             count = moments.count
             if not count or not low * count <= moments.total <= high * count or moments.greatest > greatest:
                 return False
-        return True
+        return self.loss is None or self._loss_holds(bucket)
 
     def _loss_holds(self, bucket: Bucket) -> bool:
         sent = bucket.lost + bucket.losable

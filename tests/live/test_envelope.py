@@ -1,0 +1,105 @@
+"""What is not judged because of an envelope would not have changed: the same verdicts as when everything is judged."""
+
+from random import Random
+
+import pytest
+from live.time_line import reference
+
+from roslens.live import monitor as monitor_file
+from roslens.live.monitor import Monitor
+from roslens.model.tally import Moments, Observer, Tally
+
+QUANTITIES = {
+    "rate": "15..30",
+    "period": "<= 0.06",
+    "largest_gap": "<= 0.12",
+    "jitter": "<= 0.03",
+    "bandwidth": "<= 2500",
+    "message_size": "50..120",
+    "latency": "<= 0.02",
+    "latency_max": "<= 0.03",
+    "loss": "<= 10",
+}
+RULES = reference(
+    {
+        "expect": [
+            {"id": f"{kind}.{key}", "kind": kind, "name": "/**", "quantity": key, "range": range_, "grace": 0.5}
+            for key, range_ in QUANTITIES.items()
+            for kind in ("topic", "connection")
+        ]
+    }
+)
+STEPS = (
+    [20.0, 20.0, 20.0, 20.0, 25.0, 16.0, 12.0, 40.0, 0.0],
+    [100, 100, 100, 115, 130, 40],
+    [0.01, 0.01, 0.015, 0.025, 0.05],
+    [0, 0, 0, 1, 3],
+)
+
+
+def traffic(steps, publisher):
+    """Yield tallies of 0.2 s with these rates, sizes, latencies and losses, each rate kept for a second."""
+    last = None
+    for number, (hertz, size, latency, lost) in enumerate(step for step in steps for _ in range(5)):
+        start, end = number * 0.2, (number + 1) * 0.2
+        count = round(hertz * 0.2)
+        times = [start + (place + 0.5) / hertz for place in range(count)]
+        gaps = [
+            b - a for a, b in zip(([last] if last is not None else []) + times, times[last is None :], strict=False)
+        ]
+        last = times[-1] if times else last
+        yield (
+            end,
+            Tally(
+                "/a", publisher, "/s", start, end, count, count * size, times[0] if times else 0.0,
+                times[-1] if times else 0.0, of(gaps), of([latency] * count), lost=lost, observer=Observer.INSIDE,
+            ),
+        )  # fmt: skip
+
+
+def of(values):
+    if not values:
+        return Moments()
+    return Moments(len(values), sum(values), sum(one * one for one in values), min(values), max(values))
+
+
+def said(streams, *, every):
+    monitor = Monitor(RULES, start=0.0)
+    records = sorted((one for stream in streams for one in stream), key=lambda one: one[0])
+    told, place, resting = [], 0, 0
+    for tick in range(1, round(records[-1][0] * 10) + 20):
+        now = tick / 10
+        while place < len(records) and records[place][0] <= now + 1e-9:
+            monitor.add_tally(records[place][1])
+            place += 1
+        told += [(now, str(v.entity), v.expectation, v.state, round(v.since, 3)) for v in monitor.tick(now)]
+        resting += sum(one.envelope is not None for one in monitor._world.connections.values())
+        if tick % every == 0:
+            monitor.standing()
+    return told, resting
+
+
+def both(streams, monkeypatch):
+    known = said(streams, every=7)
+    with monkeypatch.context() as patched:
+        patched.setattr(monitor_file, "PACE_S", -1.0)
+        patched.setattr(monitor_file, "envelope_of", lambda connection, topic: None)
+        everything = said(streams, every=7)
+    assert everything[1] == 0
+    return known, everything
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_same_is_said_with_and_without(seed, monkeypatch):
+    draw = Random(seed).choice
+    streams = [
+        list(traffic([tuple(draw(values) for values in STEPS) for _ in range(6)], f"/p{number}"))
+        for number in range(1 + seed % 2)
+    ]
+    (told, _), (all_told, _) = both(streams, monkeypatch)
+    assert told == all_told
+
+
+def test_steady_traffic_rests(monkeypatch):
+    (_, resting), _ = both([list(traffic([(20.0, 100, 0.01, 0)] * 10, "/p"))], monkeypatch)
+    assert resting > 60

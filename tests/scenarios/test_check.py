@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
+from pathlib import Path
 
 import pytest
 
@@ -189,3 +190,11 @@ def test_report_writes_pages_and_one_file(roslens, robot, tmp_path):
     assert "arm" in (tmp_path / "site" / "index.html").read_text()
     assert roslens("report", robot.root, "--single-file", tmp_path / "one.html").code == 0
     assert CC_RULE in (tmp_path / "one.html").read_text()
+
+
+def test_what_a_haros_plugin_exports_is_kept(roslens, robot):
+    robot.package("pack", a__py="x = 1\n")
+    plugin = Path(__file__).parents[1] / "fixtures" / "plugins" / "haros_plugin_hooks"
+    (robot.root / "roslens.toml").write_text(f"plugins = [{str(plugin)!r}]\n")
+    roslens("check", robot.root, "--fail-on", "never")
+    assert (robot.root / ".roslens" / "artifacts" / "haros_plugin_hooks" / "made.txt").is_file()

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 BUILTIN = ("roslens.source.tools.cccc:plugin",)
 """Plug-ins that come with roslens, as ``module:attribute``."""
 
+ARTIFACTS = "artifacts"
+"""Folder for files that plug-ins export, one folder a plug-in."""
+
 
 def discover_plugins(settings: SourceSettings, base: Path, log: Path | None = None) -> Discovered:
     """Return the plug-ins that are there for ``settings``; relative paths start from ``base``."""
@@ -110,7 +113,10 @@ class PluginStage(AbstractContextManager["PluginStage"]):
         """Return what the hooks that see all packages say."""
         from roslens.plugins.isolation import run_plugins
 
-        given = WorkspaceInput(self._workspace.root, tuple(self._input(package) for package in measured))
+        packages = tuple(self._input(package) for package in measured)
+        # What plug-ins export stands beside their log, and like it is not kept where nothing is.
+        kept = str(self._log.parent / ARTIFACTS) if self._log is not None else ""
+        given = WorkspaceInput(self._workspace.root, packages, artifacts=kept)
         return run_plugins(
             self.members,
             given,

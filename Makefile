@@ -4,7 +4,7 @@ WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo demo-live demo-ros2 testbed test slow quick lint parts docs lock lock-ros2 bench clean
+.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs lock lock-ros2 bench clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -29,11 +29,15 @@ testbed: .venv/stamp
 
 test: lint parts
 	$(BIN)/pytest -n auto -m "not slow and not browser"
-	$(BIN)/pytest -m "slow or browser"
+	$(BIN)/pytest -m "(slow or browser) and not table"
 
 # Speed, size and long fuzzing alone; wants an otherwise idle machine.
 slow: lint parts
-	$(BIN)/pytest -m slow
+	$(BIN)/pytest -m "slow and not table"
+
+# Every fault of docs/faults.md, injected into real robots on three hosts; wants an otherwise idle machine, and root.
+faults: lint parts
+	$(BIN)/pytest -m table
 
 # An answer in two minutes: no real tools, no browser, no whole runs, nothing slow, and fewer examples.
 quick: lint

@@ -37,6 +37,7 @@ def test_a_crash_and_a_rate_that_drops_are_told(generation):
 
 
 @pytest.mark.slow
+@pytest.mark.table
 @pytest.mark.timeout(360)
 def test_every_fault_is_told(generation):
     rows = list(fault_table.run_all(generation))

@@ -72,8 +72,9 @@ def test_loads_and_faults_show_in_what_is_heard(kind):
 def test_a_clock_offset_moves_the_stamps_of_a_host(kind):
     with Bed(HOSTS) as bed, kind(bed, faked_clocks=["base"]) as robot:
         with shifted(bed["base"], -0.25):
+            time.sleep(1.1)  # faketime reads the offset once a second
             shifted_ages = robot.stamp_ages("brain", "/odom", 1.0)
-        time.sleep(1.1)  # faketime reads the offset once a second
+        time.sleep(1.1)
         ages = robot.stamp_ages("brain", "/odom", 1.0)
         assert robot.listen("brain", 1.0, topics=["/odom"]).rates["/odom"] == pytest.approx(50, rel=0.1)
     assert statistics.median(shifted_ages) - statistics.median(ages) == pytest.approx(0.25, abs=0.03)

@@ -68,6 +68,7 @@ def test_loads_and_faults_show_in_what_is_heard(kind):
 
 
 @pytest.mark.slow
+@pytest.mark.table
 @pytest.mark.skipif(library() is None, reason="faketime is not installed: apt-get install faketime")
 def test_a_clock_offset_moves_the_stamps_of_a_host(kind):
     with Bed(HOSTS) as bed, kind(bed, faked_clocks=["base"]) as robot:

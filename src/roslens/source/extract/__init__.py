@@ -1,0 +1,1 @@
+"""What source says of the computation graph: lowered, evaluated, assembled; never executed."""

@@ -65,8 +65,8 @@ class Call(msgspec.Struct, frozen=True, array_like=True, tag="call"):
 class Operation(msgspec.Struct, frozen=True, array_like=True, tag="op"):
     """An operator with its operands.
 
-    ``+`` ``-`` ``*`` ``/`` ``%`` ``<<`` ``==`` ``!=`` ``<`` ``>`` ``<=`` ``>=`` ``in`` ``and`` ``or`` ``not``, and ``?:``
-    (condition, then, else).
+    ``+`` ``-`` ``*`` ``/`` ``%`` ``<<`` ``==`` ``!=`` ``<`` ``>`` ``<=`` ``>=`` ``in`` ``and`` ``or`` ``not``, and
+    ``?:`` (condition, then, else).
     """
 
     operator: str

@@ -1,0 +1,172 @@
+"""What source says of nodes: the facts from which a configuration is assembled, each with its evidence.
+
+Names are as the code gives them, not yet resolved: ``scan``, ``/scan``, ``~/scan`` (private to the node). What a
+``NodeHandle`` or sub-node puts in front is part of them.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.model.qos import Qos
+from roslens.source.extract.text import Text
+
+
+class Sure(str, Enum):
+    """How sure a fact is.
+
+    - certain: written there, or computed from constants
+    - likely: a default that may be set otherwise, or one of several classes that may be meant
+    - possible: bounded evaluation gave up, and this is the best guess
+    """
+
+    CERTAIN = "certain"
+    LIKELY = "likely"
+    POSSIBLE = "possible"
+
+
+class Evidence(msgspec.Struct, frozen=True, array_like=True, order=True):
+    """Where a fact comes from: a place in a file of the workspace, and in words how it was resolved."""
+
+    path: str
+    line: int
+    column: int = 0
+    how: str = "written"
+    sure: Sure = Sure.CERTAIN
+
+
+class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
+    """An endpoint that a node makes.
+
+    Attributes:
+        role: what it does.
+        name: of the topic, service or action, as given.
+        type: ``package/Type`` (ROS 1) or ``package/msg/Type`` (ROS 2); a hole where unknown.
+        evidence: where it is made.
+        qos: of it; empty texts and zeros are unknown; None in ROS 1.
+        qos_unknown: reason why a part of ``qos`` is unknown; empty where nothing is.
+        queue: size of the queue in ROS 1; -1 where unknown.
+        latched: whether it keeps the last message for those who come late (ROS 1).
+        callback: qualified name of what is called; empty where unknown.
+        group: callback group, as a name in the source; empty of the default one.
+        conditions: what must hold for it to be made, as written, outermost first.
+        sites: where it publishes or calls.
+    """
+
+    role: Role
+    name: Text
+    type: Text
+    evidence: Evidence
+    qos: Qos | None = None
+    qos_unknown: str = ""
+    queue: int = -1
+    latched: bool = False
+    callback: str = ""
+    group: str = ""
+    conditions: tuple[str, ...] = ()
+    sites: tuple[Evidence, ...] = ()
+
+
+class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A parameter that a node declares, reads or writes.
+
+    Attributes:
+        name: as given.
+        evidence: where.
+        access: ``declared``, ``read`` or ``written``.
+        type: ``bool``, ``int``, ``double``, ``string``, ``bool_array`` …; empty where unknown.
+        default: as text; None where there is none, a hole where it is unknown.
+        range: as ``least..greatest`` where the declaration gives one.
+        conditions: what must hold for it to be reached.
+    """
+
+    name: Text
+    evidence: Evidence
+    access: str
+    type: str = ""
+    default: Text | None = None
+    range: str = ""
+    conditions: tuple[str, ...] = ()
+
+
+class TimerFact(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A timer: its period in seconds, None where unknown."""
+
+    period_s: float | None
+    evidence: Evidence
+    callback: str = ""
+    group: str = ""
+
+
+class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Something that becomes a node when it is started: a program's main function, a component, a nodelet.
+
+    Attributes:
+        unit: qualified name of the class, or ``main`` or ``<module>`` of a file.
+        path: file in which it is.
+        line: of the class or function.
+        generation: ``ros1`` or ``ros2``.
+        kind: ``node``, ``lifecycle``, ``component``, ``nodelet`` or ``plugin``.
+        name: that it gives itself; a hole where it does not.
+        namespace: that it gives itself.
+        endpoints: in source order.
+        parameters: likewise.
+        timers: likewise.
+        remaps: that code adds: from and to.
+        uses: units whose facts are part of it (base classes, owned objects), for people.
+        unresolved: what could not be evaluated, with the reason.
+    """
+
+    unit: str
+    path: str
+    line: int
+    generation: str
+    kind: str = "node"
+    name: Text = Text()
+    namespace: Text = Text()
+    endpoints: tuple[EndpointFact, ...] = ()
+    parameters: tuple[ParameterFact, ...] = ()
+    timers: tuple[TimerFact, ...] = ()
+    remaps: tuple[tuple[Text, Text], ...] = ()
+    uses: tuple[str, ...] = ()
+    unresolved: tuple[tuple[Evidence, str], ...] = ()
+
+
+class TargetKind(str, Enum):
+    """What a build makes."""
+
+    EXECUTABLE = "executable"
+    LIBRARY = "library"
+    COMPONENT = "component"
+    NODELET = "nodelet"
+    PLUGIN = "plugin"
+    SCRIPT = "script"
+
+
+class Target(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What the build of a package makes and installs.
+
+    Attributes:
+        kind: what it is.
+        package: that builds it.
+        name: of the executable or library; of a component, nodelet or plug-in the name by which it is loaded.
+        sources: files of the workspace it is made of, those of libraries of the same package that it links included.
+        evidence: where the build says so.
+        entry: class of a component, nodelet or plug-in (``ns::Class``); ``module:function`` of a Python entry point.
+        library: in which a component, nodelet or plug-in lies; empty where unknown.
+        installed: whether ``ros2 run`` or ``rosrun`` finds it.
+        conditions: under which the build makes it, as written.
+    """
+
+    kind: TargetKind
+    package: str
+    name: str
+    sources: tuple[str, ...]
+    evidence: Evidence
+    entry: str = ""
+    library: str = ""
+    installed: bool = True
+    conditions: tuple[str, ...] = ()

@@ -1,0 +1,31 @@
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roslens.source.extract.text import Hole, Text, unknown
+
+HOLES = st.builds(Hole, st.sampled_from(["argument", "parameter"]), default=st.none() | st.text(max_size=3))
+PARTS = st.lists(st.text(max_size=3) | HOLES, max_size=6)
+
+
+def test_known_pieces_are_joined_and_holes_kept():
+    text = Text.of("/", "robot", Hole('argument "n"'), "", "/sc", Text.of("an"))
+    assert text.parts == ("/robot", Hole('argument "n"'), "/scan")
+    assert text.pattern == "/robot*/scan"
+    assert str(text) == '/robot{argument "n"}/scan'
+    assert text.known is None
+    assert text.usual is None
+
+
+def test_defaults_of_holes_make_the_usual_text():
+    text = Text.of("/", unknown('parameter "topic"', parameter="topic", default="scan"))
+    assert text.usual == "/scan"
+    assert text.holes[0].parameter == "topic"
+
+
+@given(PARTS)
+def test_joining_keeps_order_and_is_stable(parts):
+    text = Text.of(*parts)
+    assert Text.of(text) == text
+    assert text.pattern == "".join(part if isinstance(part, str) else "*" for part in parts)
+    assert (text.known is None) == bool(text.holes)
+    assert not any(isinstance(a, str) and isinstance(b, str) for a, b in zip(text.parts, text.parts[1:], strict=False))

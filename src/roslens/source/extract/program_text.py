@@ -1,0 +1,202 @@
+"""A program of :mod:`~roslens.source.extract.program` as text that is short enough to be written and read by hand.
+
+::
+
+    import fs = boost::filesystem
+    class ns.Talker(rclcpp.Node)
+      rate_: int = 3
+    function ns.Talker.Talker(name: const std::string & = "x") of ns.Talker
+      init rclcpp.Node("talker")
+      self->pub_ = create_publisher<T>((name + "/out"), 1)
+      if use_:
+        return
+    function#1 ns.Talker.Talker.lambda(m: T)
+    body
+      ns.TOPIC: const char * = "chatter"
+
+A member of an object is ``of->name`` in both languages, as a dot belongs to names. ``function#1`` is the one that
+``lambda#1`` means. Text that is opaque stands between backquotes, the parts of a format in ``format[…]``.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+
+from roslens.source.extract.program import (
+    Assign,
+    Branch,
+    Call,
+    Class,
+    Evaluate,
+    Expression,
+    Field,
+    Format,
+    Function,
+    Item,
+    Lambda,
+    Literal,
+    Loop,
+    Mapping,
+    Member,
+    Name,
+    Opaque,
+    Operation,
+    Parameter,
+    Program,
+    Return,
+    Sequence,
+    Statement,
+)
+
+
+def program_text(program: Program, *, lines: bool = False) -> str:
+    """Return ``program`` as text.
+
+    Args:
+        program: what to write.
+        lines: whether calls end with ``@line:column`` and the rest with ``@line``.
+    """
+    return "".join(f"{line}\n" for line in _Writer(lines).program(program))
+
+
+def expression_text(expression: Expression) -> str:
+    """Return ``expression`` as text, without positions."""
+    return _Writer(lines=False).expression(expression)
+
+
+class _Writer:
+    def __init__(self, lines: bool) -> None:
+        self._lines = lines
+
+    def program(self, program: Program) -> Iterator[str]:
+        for header, line in program.includes:
+            yield f"include {header}{self._at(line)}"
+        for scope in program.using:
+            yield f"using {scope}"
+        for name, meaning in program.imports.items():
+            yield f"import {name} = {meaning}"
+        for name, value in program.macros.items():
+            yield f"macro {name} = {self.expression(value)}"
+        for one in program.classes:
+            yield from self._class(one)
+        for number, function in enumerate(program.functions):
+            yield from self._function(function, number)
+        if program.body:
+            yield "body"
+            yield from _indented(self._block(program.body))
+        for line, reason in program.incomplete:
+            yield f"incomplete {line}: {reason}"
+
+    def _at(self, line: int) -> str:
+        return f" @{line}" if self._lines else ""
+
+    def _class(self, one: Class) -> Iterator[str]:
+        bases = f"({', '.join(one.bases)})" if one.bases else ""
+        yield f"class {one.qualified_name}{_angles(one.templates)}{bases}{self._at(one.line)}"
+        for field in one.fields:
+            yield f"  {self._field(field)}"
+
+    def _field(self, field: Field) -> str:
+        return f"{field.name}{self._typed(field.type, field.value)}{self._at(field.line)}"
+
+    def _typed(self, type_: str, value: Expression | None) -> str:
+        return (f": {type_}" if type_ else "") + (f" = {self.expression(value)}" if value is not None else "")
+
+    def _function(self, function: Function, number: int) -> Iterator[str]:
+        for decorator in function.decorators:
+            yield f"@{self.expression(decorator)}"
+        word = f"function#{number}" if function.name == "lambda" else "function"
+        parameters = ", ".join(map(self._parameter, function.parameters))
+        owner = f" of {function.class_name}" if function.class_name else ""
+        name = f"{function.qualified_name}{_angles(function.templates)}"
+        yield f"{word} {name}({parameters}){owner}{self._at(function.line)}"
+        for line in self._block(function.initialisers):
+            yield f"  init {line}"
+        yield from _indented(self._block(function.body))
+
+    def _parameter(self, parameter: Parameter) -> str:
+        return f"{parameter.name}{self._typed(parameter.type, parameter.default)}"
+
+    def _block(self, statements: Iterable[Statement]) -> Iterator[str]:
+        for statement in statements:
+            yield from self._statement(statement)
+
+    def _statement(self, statement: Statement) -> Iterator[str]:
+        at = self._at(statement.line)
+        if isinstance(statement, Assign):
+            target = self.expression(statement.target) + (f": {statement.declared}" if statement.declared else "")
+            value = "" if statement.value is None else f" {statement.operator} {self.expression(statement.value)}"
+            yield f"{target}{value}{at}"
+        elif isinstance(statement, Evaluate):
+            yield f"{self.expression(statement.expression)}{at}"
+        elif isinstance(statement, Return):
+            value = "" if statement.value is None else f" {self.expression(statement.value)}"
+            yield f"return{value}{at}"
+        elif isinstance(statement, Branch):
+            yield f"if {self.expression(statement.condition)}:{at}"
+            yield from _indented(self._block(statement.then))
+            if statement.otherwise:
+                yield "else:"
+                yield from _indented(self._block(statement.otherwise))
+        else:
+            yield f"{self._loop(statement)}:{at}"
+            yield from _indented(self._block(statement.body))
+
+    def _loop(self, loop: Loop) -> str:
+        over = "" if loop.over is None else self.expression(loop.over)
+        if loop.target is not None:
+            return f"for {self.expression(loop.target)} in {over}"
+        return f"while {over}" if over else "loop"
+
+    def expression(self, expression: Expression) -> str:
+        if isinstance(expression, Literal):
+            return json.dumps(expression.value, ensure_ascii=False)
+        if isinstance(expression, Name):
+            return expression.name
+        if isinstance(expression, Member):
+            return f"{self.expression(expression.of)}->{expression.name}"
+        if isinstance(expression, Item):
+            return f"{self.expression(expression.of)}[{self.expression(expression.key)}]"
+        if isinstance(expression, Call):
+            return self._call(expression)
+        if isinstance(expression, Operation):
+            return self._operation(expression)
+        if isinstance(expression, Mapping):
+            pairs = [f"{self.expression(key)}: {self.expression(value)}" for key, value in expression.items]
+            return f"{{{', '.join(pairs)}}}"
+        if isinstance(expression, Lambda):
+            return f"lambda#{expression.function}"
+        if isinstance(expression, Opaque):
+            return f"`{expression.text}`"
+        return self._several(expression)
+
+    def _several(self, expression: Sequence | Format) -> str:
+        if isinstance(expression, Format):
+            return f"format[{self._listed(expression.parts)}]"
+        return f"[{self._listed(expression.items)}]"
+
+    def _listed(self, expressions: Iterable[Expression]) -> str:
+        return ", ".join(map(self.expression, expressions))
+
+    def _call(self, call: Call) -> str:
+        arguments = [self.expression(argument) for argument in call.arguments]
+        arguments += [f"{name}={self.expression(value)}" for name, value in call.keywords]
+        at = f"@{call.line}:{call.column}" if self._lines else ""
+        return f"{self.expression(call.function)}{_angles(call.templates)}({', '.join(arguments)}){at}"
+
+    def _operation(self, operation: Operation) -> str:
+        operands = [self.expression(operand) for operand in operation.operands]
+        if operation.operator == "?:" and len(operands) == 3:
+            return f"({operands[0]} ? {operands[1]} : {operands[2]})"
+        if len(operands) == 1:
+            return f"({operation.operator} {operands[0]})"
+        return f"({f' {operation.operator} '.join(operands)})"
+
+
+def _angles(names: tuple[str, ...]) -> str:
+    return f"<{', '.join(names)}>" if names else ""
+
+
+def _indented(lines: Iterable[str]) -> Iterator[str]:
+    return (f"  {line}" for line in lines)

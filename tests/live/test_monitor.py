@@ -10,9 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from live.time_line import moments, reference, tallies
 
+from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.monitor import Monitor
+from roslens.live.signals import BY_KEY
 from roslens.live.window import MAX_BUCKETS
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
 from roslens.model.sample import Sample
 from roslens.model.tally import Moments, Observer, Tally
@@ -193,6 +196,24 @@ class TestOverload:
         assert len(monitor.tree(10.0).children[0].children) == 10_000
 
 
+ALL_KINDS = """\
+kind: reference
+name: r
+defaults: {grace: 0 s, severity: warning}
+constraints:
+  - {topic: /scan, rate: 30..40 Hz}
+  - {node: /gone, expected: always}
+fields:
+  - {topic: /scan, field: x, range: 1..2}
+chains:
+  - {topics: [/scan, /map], age: <= 1 s}
+"""
+
+
+def load(name, text):
+    return load_reference([GivenText(name, text.encode())], BY_KEY)
+
+
 class TestReplacedReference:
     def test_what_did_not_change_keeps_its_state_and_what_went_is_told(self):
         monitor = Monitor(RULES, start=0.0)
@@ -206,6 +227,26 @@ class TestReplacedReference:
         after = {v.expectation: (v.state, v.since) for v in monitor.standing()}
         assert after["scan"] == before["scan"]
         assert changed == {"gap": State.UNKNOWN, "new": State.HIGH}
+
+    def test_what_is_only_told_otherwise_keeps_its_state_and_is_told_so(self):
+        first = load("r.yaml", ALL_KINDS)
+        monitor = Monitor(first, start=0.0)
+        for at, tally in tallies({"topic": "/scan", "to": 10, "hz": 20}):
+            monitor.add_tally(tally)
+            monitor.tick(at)
+        before = {v.expectation: (v.state, v.since) for v in monitor.standing()}
+        assert {key: state for key, (state, _) in before.items()} == {
+            "r.topic.scan.rate": State.LOW,
+            "r.node.gone.presence": State.ABSENT,
+            "r.chain.scan.map.age": State.UNKNOWN,
+            "r.field.scan.x.value": State.UNKNOWN,
+        }
+        monitor.replace_reference(load("r.yaml", "# moved by a line\n" + ALL_KINDS.replace("warning", "error")))
+        assert monitor.tick(10.1) == ()
+        after = monitor.standing()
+        assert {v.expectation: (v.state, v.since) for v in after} == before
+        assert {v.where for v in after} == {"r.yaml:6", "r.yaml:7", "r.yaml:9", "r.yaml:11"}
+        assert {v.severity for v in after} == {Severity.ERROR}
 
     def test_a_reference_that_cannot_be_read_leaves_the_old_one(self):
         monitor = Monitor(RULES, start=0.0)

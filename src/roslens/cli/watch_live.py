@@ -12,6 +12,8 @@ import time
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_screen import screen, time_of_day
@@ -20,7 +22,7 @@ from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.cli.watch_reload import ReferenceFiles
     from roslens.live.publish.endpoint import Endpoint
     from roslens.live.session import Step
     from roslens.store.history import History
@@ -32,7 +34,7 @@ _HOME, _CLEAR_LINE, _CLEAR_BELOW = "\x1b[H", "\x1b[K", "\x1b[J"
 _ENTER, _LEAVE = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"
 
 
-def watch_live(options: argparse.Namespace, reference: Reference, states: frozenset[str]) -> int:
+def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: frozenset[str]) -> int:
     """Watch until the time is over or somebody stops it, and return the exit code.
 
     Raises:
@@ -41,7 +43,7 @@ def watch_live(options: argparse.Namespace, reference: Reference, states: frozen
     length = _length(options.length)
     with contextlib.ExitStack() as stack:
         teller = stack.enter_context(Teller(options, time_of_day))
-        session = Session(reference, start=time.time())
+        session = Session(files.reference, start=time.time())
         sources = _sources(options)
         history = stack.enter_context(_history(options))
         sinks: list[Callable[[Step], None]] = [_keep(session, history)] if history is not None else []
@@ -61,6 +63,9 @@ def watch_live(options: argparse.Namespace, reference: Reference, states: frozen
         def told(step: Step) -> None:
             nonlocal last
             last = step.time
+            if notes := files.look(step.time):
+                step = msgspec.structs.replace(step, notes=notes)
+                session.monitor.replace_reference(files.reference)
             for sink in sinks:
                 sink(step)
 
@@ -180,7 +185,7 @@ def _keep(session: Session, history: History) -> Callable[[Step], None]:
     due = {"values": 0.0, "flush": 0.0, "prune": time.time() + _PRUNE_S}
 
     def keep(step: Step) -> None:
-        history.add_verdicts(step.changes)
+        history.add_verdicts((*step.changes, *step.causes))
         history.add_events(step.events)
         if step.time >= due["values"]:
             due["values"] = step.time + 1.0
@@ -224,8 +229,9 @@ def _screen(teller: Teller, session: Session, page: str | None) -> Iterator[Call
         nonlocal drawn
         teller.count(step)
         notes.extend(str(failure) for failure in step.failures)
+        notes.extend(one.text for one in step.notes)
         passed = time.monotonic() - begun
-        if passed - drawn < _REDRAW_S and not any(one.state.bad for one in step.changes):
+        if passed - drawn < _REDRAW_S and not (step.notes or any(one.state.bad for one in step.changes)):
             return
         drawn = passed
         share = 100 * (time.process_time() - cpu) / max(passed, 0.001)

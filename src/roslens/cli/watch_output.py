@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, TextIO
 
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.streams import wants_color, width_of
-from roslens.cli.watch_screen import alert_line, screen
-from roslens.live.publish.json_lines import event_line, failure_line, verdict_line
+from roslens.cli.watch_screen import alert_line, cause_text, screen
+from roslens.live.note import NoteKind
+from roslens.live.publish.json_lines import cause_line, event_line, failure_line, note_line, verdict_line
 from roslens.report.terminal import Terminal
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ class Teller:
         self._alarms = 0
         self._states: set[str] = set()
         self._failed = 0
+        self._old_reference = False
         self._stream: TextIO = options.output.open("w", encoding="utf-8") if options.output else sys.stdout
 
     def __enter__(self) -> Teller:
@@ -52,16 +54,23 @@ class Teller:
         self._states.update(one.state.value for one in step.changes)
         self._alarms += sum(one.state.bad for one in step.changes)
         self._failed += len(step.failures)
+        for note in step.notes:
+            self._old_reference = note.kind is NoteKind.KEPT
 
     def tell(self, step: Step) -> None:
         """Write the changes of a step."""
         self.count(step)
         if self._options.format == "json":
             lines = [event_line(one) for one in step.events] + [verdict_line(one) for one in step.changes]
+            lines += [cause_line(one) for one in step.causes]
             lines += [failure_line(one) for one in step.failures]
+            lines += [note_line(one) for one in step.notes]
         else:
             shown = [one for one in step.changes if one.state.bad or self._options.verbose]
             lines = [alert_line(self.terminal, one, self._clock(one.since)) for one in shown]
+            lines += [cause_text(self.terminal, one, self._clock(one.time)) for one in step.causes]
+            for note in step.notes:
+                print(f"roslens: {note.text}", file=sys.stderr)
             for failure in step.failures:
                 print(f"roslens: {failure}", file=sys.stderr)
         for line in lines:
@@ -81,7 +90,7 @@ class Teller:
         """Return the exit code: 1 where one of ``states`` came up, 3 where something could not be observed."""
         if self._states & states:
             return FINDINGS
-        return NOT_ANALYSED if nothing_seen or self._failed else CLEAN
+        return NOT_ANALYSED if nothing_seen or self._failed or self._old_reference else CLEAN
 
     @property
     def terminal(self) -> Terminal:

@@ -121,6 +121,13 @@ class PageSource:
             name = shown_name(one.entity.name)
             when = self._clock(one.since)
             yield Happening(one.since, when, f"is {one.state.value}", entity, name, one.state.value, detail)
+        for one in step.causes:
+            entity, name, when = shown_text(str(one.entity)), shown_name(one.entity.name), self._clock(one.time)
+            detail = shown_text(f"because of {one.cause}" if one.cause else "because of nothing else")
+            yield Happening(one.time, when, f"is still {one.state.value}", entity, name, one.state.value, detail)
+        for note in step.notes:
+            when, text = self._clock(note.time), shown_text(note.text)
+            yield Happening(note.time, when, note.kind.value, "", "reference", "", text)
 
 
 def shown_name(name: str) -> str:

@@ -142,6 +142,15 @@ def alert_line(terminal: Terminal, verdict: Verdict, when: str) -> str:
     return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"
 
 
+def cause_text(terminal: Terminal, verdict: Verdict, when: str) -> str:
+    """Return on one line what a fault that goes on is explained by from now on."""
+    why = f"now because of {verdict.cause}" if verdict.cause else "now by itself, because of nothing else"
+    quantity = BY_KEY[verdict.quantity].title.lower() if verdict.quantity in BY_KEY else verdict.quantity
+    text = terminal.clean(f"{verdict.entity}  {quantity} is still {verdict.state.value}, {why}")
+    room = terminal.width - columns(when) - 14
+    return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"
+
+
 def _value(verdict: Verdict) -> str:
     if verdict.value is None or verdict.quantity not in BY_KEY:
         return ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum
+from typing import TypeVar
 
 import msgspec
 
@@ -152,3 +153,12 @@ class Reference(msgspec.Struct, frozen=True, omit_defaults=True):
     presences: tuple[Presence, ...] = ()
     field_checks: tuple[FieldCheck, ...] = ()
     chains: tuple[AgeChain, ...] = ()
+
+
+AnySentence = TypeVar("AnySentence", Expectation, Presence, FieldCheck, AgeChain)
+
+
+def essence(sentence: AnySentence) -> AnySentence:
+    """Return a sentence without what is only told of it: two with the same essence expect the same."""
+    told = Told(sentence.told.id, timing=sentence.told.timing)
+    return msgspec.structs.replace(sentence, told=told)

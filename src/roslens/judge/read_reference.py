@@ -38,7 +38,9 @@ class GivenText(msgspec.Struct, frozen=True):
 Source = Path | GivenText
 
 
-def load_reference(sources: Iterable[Source], known: Mapping[str, Quantity]) -> Reference:
+def load_reference(
+    sources: Iterable[Source], known: Mapping[str, Quantity], touched: set[Path] | None = None
+) -> Reference:
     """Return what documents expect together.
 
     What is included comes first, then the document that includes it, then the next one given.
@@ -46,23 +48,28 @@ def load_reference(sources: Iterable[Source], known: Mapping[str, Quantity]) -> 
     Args:
         sources: files, or texts at hand.
         known: the signals, by key.
+        touched: takes every file that is read, and those that were looked for and are not there.
 
     Raises:
         DocumentError: a document is wrong, or two contradict each other.
     """
-    merged = merge_references(read_references(sources, known))
+    merged = merge_references(read_references(sources, known, touched))
     if merged.contradictions:
         raise merged.contradictions[0].error()
     return merged.reference
 
 
-def read_references(sources: Iterable[Source], known: Mapping[str, Quantity]) -> tuple[ReferenceDocument, ...]:
+def read_references(
+    sources: Iterable[Source], known: Mapping[str, Quantity], touched: set[Path] | None = None
+) -> tuple[ReferenceDocument, ...]:
     """Read documents and what they include, in order of precedence; what is included twice is read once.
+
+    ``touched`` takes every file that is read, and those that were looked for and are not there.
 
     Raises:
         DocumentError: a document is wrong, includes itself, or has the name of another.
     """
-    reader = _Reader(known)
+    reader = _Reader(known, set() if touched is None else touched)
     for source in sources:
         reader.read(source, "", ())
     return tuple(reader.documents)
@@ -71,7 +78,8 @@ def read_references(sources: Iterable[Source], known: Mapping[str, Quantity]) ->
 class _Reader:
     """Reads each document once for each namespace it is in."""
 
-    def __init__(self, known: Mapping[str, Quantity]) -> None:
+    def __init__(self, known: Mapping[str, Quantity], touched: set[Path]) -> None:
+        self._touched = touched
         self.documents: list[ReferenceDocument] = []
         self._known = known
         self._read: set[tuple[str, str]] = set()
@@ -80,6 +88,7 @@ class _Reader:
     def read(self, source: Source, outer: str, line: Sequence[str]) -> None:
         """Read a document that is included into namespace ``outer`` by those in ``line``."""
         if isinstance(source, Path):
+            self._touched.add(source)
             document, folder, path = read_document(source, DOCUMENT_KIND, REFERENCE_KEYS), source.parent, _real(source)
         else:
             document = parse_document(source.content, DOCUMENT_KIND, REFERENCE_KEYS, shown=source.shown)
@@ -91,6 +100,7 @@ class _Reader:
         namespace = _namespace(document, outer)
         for text in document.texts("include"):
             included = Path(os.path.normpath(folder / text))
+            self._touched.add(included)
             if _real(included) in (*line, path):
                 raise document.fault(
                     "include", f"{text!r} includes itself", expected="documents that do not include this"

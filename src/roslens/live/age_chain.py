@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
-from roslens.judge.expectation import AgeChain
+from roslens.judge.expectation import AgeChain, essence
 from roslens.live.sentence import Bounds
 from roslens.live.standing import Standing
 from roslens.model.entity import EntityId, EntityKind
@@ -47,8 +47,12 @@ class AgeChains:
 
     def __init__(self, chains: Iterable[AgeChain], now: float, old: AgeChains | None = None) -> None:
         """Begin with what is expected; what ``old`` has too keeps its state."""
-        known: dict[AgeChain, _Watched] = {one.chain: one for one in old.standing} if old else {}
-        self.standing: list[_Watched] = [known.get(chain) or _Watched(chain, now) for chain in chains]
+        known: dict[AgeChain, _Watched] = {essence(one.chain): one for one in old.standing} if old else {}
+        self.standing: list[_Watched] = []
+        for chain in chains:
+            watched = known.get(essence(chain)) or _Watched(chain, now)
+            watched.chain, watched.told = chain, chain.told
+            self.standing.append(watched)
 
     def judge(self, now: float, look: Look, silence: Silence, appeared: float) -> list[Standing]:
         """Judge every chain; return what changed."""

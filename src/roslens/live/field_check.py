@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 
-from roslens.judge.expectation import FieldCheck
+from roslens.judge.expectation import FieldCheck, essence
 from roslens.live.sentence import Bounds
 from roslens.live.standing import Standing
 from roslens.live.verdict_state import NEVER
@@ -31,8 +31,12 @@ class FieldChecks:
 
     def __init__(self, checks: Iterable[FieldCheck], now: float, old: FieldChecks | None = None) -> None:
         """Begin with what is expected; what ``old`` has too keeps its state."""
-        known: dict[FieldCheck, _Watched] = {one.check: one for one in old.standing} if old else {}
-        self.standing: list[_Watched] = [known.get(check) or _Watched(check, now) for check in checks]
+        known: dict[FieldCheck, _Watched] = {essence(one.check): one for one in old.standing} if old else {}
+        self.standing: list[_Watched] = []
+        for check in checks:
+            watched = known.get(essence(check)) or _Watched(check, now)
+            watched.check, watched.told = check, check.told
+            self.standing.append(watched)
         self.values: dict[str, dict[str, float | None]] = old.values if old else {}
         self._by_topic: dict[str, list[_Watched]] = {}
         for one in self.standing:

@@ -133,8 +133,9 @@ class Measured:
         old = {id(judged.sentence): judged for judged in self.judged}
         self.judged = []
         for sentence in sentences:
-            kept = old.pop(id(sentence), None)
-            self.judged.append(kept if kept is not None else Judged(self.id, sentence, now))
+            kept = old.pop(id(sentence), None) or Judged(self.id, sentence, now)
+            kept.told = sentence.told
+            self.judged.append(kept)
         return list(old.values())
 
     def gather(self) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.expectation import Presence, PresenceMode, Selector
+from roslens.judge.expectation import Presence, PresenceMode, Selector, essence
 from roslens.judge.pattern import Pattern
 from roslens.live.rulebook import Facts, Rulebook, find_all
 from roslens.live.standing import Standing
@@ -63,9 +63,12 @@ class Presences:
 
     def __init__(self, rules: Rulebook, now: float, old: Presences | None = None) -> None:
         """Begin with what is expected; what ``old`` has too keeps its state, and what exists stays."""
-        known: dict[Presence, _Watched] = {one.presence: one for one in old.standing} if old else {}
+        known: dict[Presence, _Watched] = {essence(one.presence): one for one in old.standing} if old else {}
         self._index = rules.presences
-        self.standing: list[_Watched] = [known.get(one) or _Watched(one, now) for one in rules.reference.presences]
+        presences = rules.reference.presences
+        self.standing: list[_Watched] = [known.get(essence(one)) or _Watched(one, now) for one in presences]
+        for watched, presence in zip(self.standing, presences, strict=True):
+            watched.presence, watched.told = presence, presence.told
         self._by_id = {one.told.id: one for one in self.standing}
         self._existing: dict[Key, Facts] = {}
         self._hits: dict[Key, list[tuple[_Watched, bool]]] = {}

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from itertools import product
 from typing import NamedTuple, TypeVar
 
-from roslens.judge.expectation import Expectation, Presence, Reference, Selector
+from roslens.judge.expectation import Expectation, Presence, Reference, Selector, essence
 from roslens.judge.pattern import Pattern
 from roslens.judge.pattern_index import PatternIndex
 from roslens.live.sentence import Sentence
@@ -53,20 +53,23 @@ class Rulebook:
     """
 
     def __init__(self, reference: Reference, old: Rulebook | None = None) -> None:
-        """Read a reference; sentences that ``old`` has too are taken from it.
+        """Read a reference; sentences that ``old`` has too are taken from it, and tell what is told of them now.
 
         Raises:
             ValueError: a pattern of a selector is none.
         """
         self.reference = reference
-        known: dict[Expectation, Sentence] = {one.source: one for one in old.sentences} if old else {}
-        self.sentences: list[Sentence] = [known.get(one) or _sentence(one) for one in reference.expectations]
+        known: dict[Expectation, Sentence] = {essence(one.source): one for one in old.sentences} if old else {}
+        self.sentences: list[Sentence] = [known.get(essence(one)) or _sentence(one) for one in reference.expectations]
         self._index: PatternIndex[Sentence] = PatternIndex((one.source.selector, one) for one in self.sentences)
         self.required: dict[tuple[EntityKind, str], list[Sentence]] = {}
         for one in self.sentences:
             if one.literal is not None:
                 self.required.setdefault((one.kind, one.literal), []).append(one)
         self.presences: PatternIndex[tuple[Presence, bool]] = PatternIndex(_presence_selectors(reference.presences))
+        # Last, since until here something may be wrong, and then everything stays as it is.
+        for kept, source in zip(self.sentences, reference.expectations, strict=True):
+            kept.source, kept.told = source, source.told
 
     def about(self, kind: EntityKind, name: str, facts: Facts = NOTHING_KNOWN) -> tuple[Sentence, ...]:
         """Return the sentences about an entity, in the order of their ids."""

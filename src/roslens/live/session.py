@@ -12,6 +12,7 @@ from roslens.live.graph_union import GraphUnion
 from roslens.live.host_clocks import HostClocks
 from roslens.live.monitor import Monitor
 from roslens.live.node_processes import NodeProcesses
+from roslens.live.note import Note
 from roslens.live.tree import SystemView
 from roslens.live.waiting import Waiting
 from roslens.model.entity import EntityId
@@ -53,6 +54,7 @@ class Step(msgspec.Struct, frozen=True):
         time: of the look, in seconds on the monitor's clock.
         changes: verdicts whose state changed.
         causes: bad verdicts of which only the cause did.
+        notes: what the watch tells of itself.
         events: changes of the graph.
         failures: what observers could not do.
     """
@@ -62,6 +64,7 @@ class Step(msgspec.Struct, frozen=True):
     events: tuple[Event, ...] = ()
     failures: tuple[Failure, ...] = ()
     causes: tuple[Verdict, ...] = ()
+    notes: tuple[Note, ...] = ()
 
 
 class Session:

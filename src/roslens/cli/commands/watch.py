@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -71,17 +72,15 @@ def run(options: argparse.Namespace) -> int:
         UsageError: the options contradict each other or name something that is not there.
         DocumentError: a reference is wrong.
     """
-    from roslens.judge.expectation import Reference
-    from roslens.judge.read_reference import load_reference
-    from roslens.live.signals import BY_KEY
+    from roslens.cli.watch_reload import ReferenceFiles
 
     states = _states(options.fail_on)
-    reference = load_reference(options.reference, BY_KEY) if options.reference else Reference("nothing")
+    files = ReferenceFiles(options.reference, steady=time.monotonic)
     if options.bag:
-        return _replayed(options, reference, states)
+        return _replayed(options, files.reference, states)
     from roslens.cli.watch_live import watch_live
 
-    return watch_live(options, reference, states)
+    return watch_live(options, files, states)
 
 
 def _states(text: str) -> frozenset[str]:

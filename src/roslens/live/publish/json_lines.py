@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
+from roslens.live.note import Note
 from roslens.model.failure import Failure
 from roslens.model.graph import Event
 from roslens.model.verdict import Verdict
@@ -14,6 +15,16 @@ SCHEMA = 1
 def verdict_line(verdict: Verdict) -> str:
     """Return a verdict as a line without its end."""
     return _line("verdict", {**msgspec.to_builtins(verdict), "entity": str(verdict.entity)})
+
+
+def cause_line(verdict: Verdict) -> str:
+    """Return a bad verdict of which only the cause changed, as a line without its end."""
+    return _line("cause", {**msgspec.to_builtins(verdict), "cause": verdict.cause, "entity": str(verdict.entity)})
+
+
+def note_line(note: Note) -> str:
+    """Return what a watch tells of itself as a line without its end."""
+    return _line("note", msgspec.to_builtins(note))
 
 
 def event_line(event: Event) -> str:

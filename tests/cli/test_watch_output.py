@@ -1,0 +1,65 @@
+"""What `roslens watch` writes of a step: causes that change alone, notes, and the exit code."""
+
+from __future__ import annotations
+
+import argparse
+import json
+
+import pytest
+
+from roslens.cli.watch_output import Teller
+from roslens.live.note import Note, NoteKind
+from roslens.live.session import Step
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.verdict import State, Verdict
+
+MAP = Verdict(EntityId(EntityKind.TOPIC, "/map"), "r.map.rate", "rate", State.LOW, 3.0, 9.0, 0.1, ">= 1 Hz")
+EXPLAINED = Verdict(MAP.entity, MAP.expectation, "rate", State.LOW, 3.0, 9.0, 0.1, ">= 1 Hz", cause="node:/slam")
+READ = Note(9.0, NoteKind.RELOADED, "read a.yaml again: 2 sentences")
+KEPT = Note(9.0, NoteKind.KEPT, "the reference as it was before holds on: a.yaml:3:1: no such key", "a.yaml:3:1")
+
+
+@pytest.fixture
+def tell(capsys):
+    """Return what was written to standard output and error for steps, and the exit code."""
+
+    def run(*steps, form="text"):
+        options = argparse.Namespace(output=None, format=form, verbose=False, quiet=False, no_color=True, color=False)
+        with Teller(options, lambda seconds: f"{seconds:.0f} s") as teller:
+            for step in steps:
+                teller.tell(step)
+            code = teller.code(frozenset(), nothing_seen=False)
+        found = capsys.readouterr()
+        return found.out.splitlines(), found.err.splitlines(), code
+
+    return run
+
+
+def test_a_cause_that_changes_alone_is_a_line(tell):
+    out, _, _ = tell(Step(9.0, causes=(EXPLAINED,)), Step(10.0, causes=(MAP,)))
+    assert out[0].split("  ", 1)[1].strip() == "topic:/map  rate is still low, now because of node:/slam"
+    assert out[1].endswith("rate is still low, now by itself, because of nothing else")
+
+
+def test_a_cause_that_changes_alone_is_a_line_of_json_of_its_own(tell):
+    out, _, _ = tell(Step(9.0, causes=(EXPLAINED, MAP)), form="json")
+    first, second = map(json.loads, out)
+    assert (first["is"], first["entity"], first["state"], first["cause"]) == (
+        "cause",
+        "topic:/map",
+        "low",
+        "node:/slam",
+    )
+    assert second["cause"] == ""
+
+
+def test_a_reference_that_is_read_again_is_told(tell):
+    out, err, code = tell(Step(9.0, notes=(READ,)))
+    assert (out, err, code) == ([], ["roslens: read a.yaml again: 2 sentences"], 0)
+    out, _, _ = tell(Step(9.0, notes=(READ,)), form="json")
+    assert json.loads(out[0]) == {"schema": 1, "is": "note", "time": 9.0, "kind": "reloaded", "text": READ.text}
+
+
+def test_a_watch_that_ends_with_an_old_reference_is_not_clean(tell):
+    assert tell(Step(9.0, notes=(KEPT,)))[1:] == ([f"roslens: {KEPT.text}"], 3)
+    assert tell(Step(9.0, notes=(KEPT,)), Step(12.0, notes=(READ,)))[2] == 0

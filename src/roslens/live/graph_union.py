@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+import msgspec
+
 from roslens.live.places import Places
-from roslens.model.graph import Endpoint, Graph, Node
+from roslens.model.graph import Endpoint, Graph, Node, Process
 
 
 class GraphUnion:
@@ -40,14 +44,30 @@ class GraphUnion:
             tuple(nodes[name] for name in sorted(nodes)),
             tuple(sorted({one for graph in graphs for one in graph.endpoints}, key=_order)),
             tuple(sorted({host for graph in graphs for host in graph.hosts})),
-            tuple(sorted({process for graph in graphs for process in graph.processes})),
+            _processes(graphs),
             parameters,
+            {host: found for graph in graphs for host, found in sorted(graph.identities.items())},
         )
         return self.places.place(whole)
 
 
 def _known(node: Node) -> int:
     return bool(node.host) + 2 * bool(node.pid) + bool(node.lifecycle)
+
+
+def _processes(graphs: Iterable[Graph]) -> tuple[Process, ...]:
+    """Return each process once, with the nodes that anybody knows of it."""
+    found: dict[tuple[str, int], Process] = {}
+    for process in sorted(process for graph in graphs for process in graph.processes):
+        known = found.get((process.host, process.pid), process)
+        found[process.host, process.pid] = msgspec.structs.replace(
+            process,
+            command=process.command or known.command,
+            started=process.started or known.started,
+            nodes=tuple(sorted({*known.nodes, *process.nodes})),
+            inner=process.inner or known.inner,
+        )
+    return tuple(found[key] for key in sorted(found))
 
 
 def _order(endpoint: Endpoint) -> tuple[str, ...]:

@@ -1,22 +1,41 @@
 """Where nodes run, by what several observers know of it: one alone sees the processes of its own host.
 
 An observer of ROS 1 knows the address at which a node answers, and a listener which host it is that has this address.
-An observer of ROS 2 knows identifiers of endpoints, in which there are 16 bits of a host and 16 bits of the process id
-(Fast DDS, `adapters/ros2/gid.py`); agents know the processes of their hosts. Bits of a host belong to the one host
-whose agent knows all the processes that are seen with them, where there is but one that is not taken.
+An observer of ROS 2 knows identifiers of endpoints, in which there are 16 bits of a host and 16 bits of a process id
+(Fast DDS, `adapters/ros2/gid.py`). In containers process ids are small and the same everywhere, so they show a host
+only together with something else. A node's proofs say what it was:
+
+- ``counters``: the process of the node counts in the memory of this host, under this name and process id
+- ``address``: the addresses of this host yield the bits (`agent/identity.py`), and those of no other
+- ``gid``: somebody is sure of the place of another node with the same bits
+- ``processes``: nobody tells anything better, and all processes that are seen with the bits are on this host, which
+  has all of no other bits
+
+All is found anew from what is known now. What contradicts itself shows nothing: unknown is better than wrong.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import NamedTuple
 
 import msgspec
 
-from roslens.model.entity import EntityId, EntityKind
+from roslens.live.gid_places import GidPlaces
+from roslens.model.entity import EntityId
 from roslens.model.graph import Change, Event, Graph, Node
 
-_VENDOR = "010f"
-_BITS = 0xFFFF
+
+class _Known(NamedTuple):
+    """The process of a context, and what showed it."""
+
+    host: str
+    pid: int
+    proofs: tuple[str, ...]
+
+    @property
+    def process(self) -> str:
+        return f"{self.host}/{self.pid}"
 
 
 class Places:
@@ -24,8 +43,7 @@ class Places:
 
     def __init__(self) -> None:
         self._host_at: dict[str, str] = {}
-        self._host_by_bits: dict[str, str] = {}
-        self._process_of: dict[str, tuple[str, int]] = {}
+        self._process_of: dict[str, _Known] = {}
         self._ended: set[str] = set()
 
     def know(self, hosts: Mapping[str, str]) -> bool:
@@ -49,77 +67,69 @@ class Places:
 
     def place(self, graph: Graph) -> Graph:
         """Return the graph with what is known of its nodes' places."""
-        processes: dict[str, dict[int, int]] = {}
-        for process in graph.processes:
-            processes.setdefault(process.host, {})[process.pid & _BITS] = process.pid
-        contexts = _contexts(graph)
-        self._match(graph, contexts, processes)
-        self._process_of = {context: known for context, known in self._process_of.items() if context in contexts}
+        sure = {context: (one.host, one.pid) for context, one in self._process_of.items() if "counters" in one.proofs}
+        placed = {node.name: self._host_at.get(node.host, node.host) for node in graph.nodes if node.host}
+        gids = GidPlaces(graph, placed, sure, self._ended)
+        self._remember(gids)
         nodes = []
-        ended = set()
+        gone = set()
         for node in graph.nodes:
-            placed = self._placed(node, contexts, processes)
-            if placed is None:
-                ended.add(node.name)
+            found = self._placed(node, gids)
+            if found is None:
+                gone.add(node.name)
             else:
-                nodes.append(placed)
-        listed = {EntityId(EntityKind.PROCESS, f"{process.host}/{process.pid}").name for process in graph.processes}
-        self._ended &= (
-            listed | {f"{host}/{pid}" for host, pid in self._process_of.values()} | _named(graph, self._host_at)
-        )
+                nodes.append(found)
+        listed = {f"{process.host}/{process.pid}" for process in graph.processes}
+        known = {one.process for one in self._process_of.values()}
+        self._ended &= listed | known | _named(graph, self._host_at)
+        dead = {context for context, one in self._process_of.items() if one.process in self._ended}
         return msgspec.structs.replace(
             graph,
             nodes=tuple(nodes),
-            endpoints=tuple(end for end in graph.endpoints if end.node not in ended),
+            endpoints=tuple(end for end in graph.endpoints if end.node not in gone and end.gid[:24] not in dead),
             hosts=tuple(sorted({self._host_at.get(host, host) for host in graph.hosts})),
         )
 
-    def _match(self, graph: Graph, contexts: dict[str, str], processes: dict[str, dict[int, int]]) -> None:
-        """Find out which host has which bits, one after the other, as the others become taken."""
-        placed = {node.name: node.host for node in graph.nodes if node.host}
-        seen: dict[str, set[int]] = {}
-        for context, node in contexts.items():
-            if node in placed:
-                self._host_by_bits[context[4:8]] = placed[node]
-            else:
-                seen.setdefault(context[4:8], set()).add(int(context[10:12] + context[8:10], 16))
-        moved = True
-        while moved:
-            moved = False
-            for bits in sorted(seen.keys() - self._host_by_bits.keys()):
-                free = sorted(processes.keys() - set(self._host_by_bits.values()))
-                fit = [host for host in free if seen[bits] <= processes[host].keys()]
-                if len(fit) == 1:
-                    self._host_by_bits[bits] = fit[0]
-                    moved = True
+    def _remember(self, gids: GidPlaces) -> None:
+        """Note the process of each context; one that ended is still known where nothing contradicts it."""
+        known: dict[str, _Known] = {}
+        for context in gids.nodes_of:
+            host, pid, proofs = gids.of(context)
+            before = self._process_of.get(context)
+            if pid:
+                known[context] = _Known(host, pid, proofs)
+            elif before is not None and (before.host == host or (not host and "counters" in before.proofs)):
+                known[context] = before
+        self._process_of = known
 
-    def _placed(self, node: Node, contexts: dict[str, str], processes: dict[str, dict[int, int]]) -> Node | None:
+    def _placed(self, node: Node, gids: GidPlaces) -> Node | None:
         if node.host:
             host = self._host_at.get(node.host, node.host)
             if f"{host}/{node.pid}" in self._ended:
                 return None
             return node if host == node.host else msgspec.structs.replace(node, host=host)
-        own = [context for context, name in contexts.items() if name == node.name]
-        hosts = {self._host_by_bits.get(context[4:8], "") for context in own}
-        for context in own:
-            host = self._host_by_bits.get(context[4:8], "")
-            pid = processes.get(host, {}).get(int(context[10:12] + context[8:10], 16))
-            if pid is not None:
-                self._process_of.setdefault(context, (host, pid))
-        found = [self._process_of.get(context) for context in own]
-        alive = [one for one in found if one is None or f"{one[0]}/{one[1]}" not in self._ended]
+        own = gids.contexts_of.get(node.name, ())
+        alive = [context for context in own if not self._is_over(context)]
         if own and not alive:
             return None
+        found = {self._place_of(context, gids) for context in alive}
+        hosts = {one.host for one in found}
         if len(hosts) != 1 or not (host := hosts.pop()):
             return node
-        known = [one for one in alive if one is not None]
-        pid = known[0][1] if len(alive) == len(known) == 1 else 0
-        return msgspec.structs.replace(node, host=host, pid=pid, proofs=("gid",))
+        # A name that several processes bear has no process of its own.
+        one = (
+            found.pop()
+            if len(alive) == 1
+            else _Known("", 0, tuple(sorted({word for one in found for word in one.proofs})))
+        )
+        return msgspec.structs.replace(node, host=host, pid=one.pid, proofs=one.proofs)
 
+    def _is_over(self, context: str) -> bool:
+        known = self._process_of.get(context)
+        return known is not None and known.process in self._ended
 
-def _contexts(graph: Graph) -> dict[str, str]:
-    """Return the node of each context: what all endpoints of a process share of their identifiers."""
-    return {end.gid[:24]: end.node for end in graph.endpoints if end.gid.startswith(_VENDOR) and len(end.gid) >= 24}
+    def _place_of(self, context: str, gids: GidPlaces) -> _Known:
+        return self._process_of.get(context) or _Known(*gids.of(context))
 
 
 def _named(graph: Graph, host_at: Mapping[str, str]) -> set[str]:

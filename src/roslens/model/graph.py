@@ -45,8 +45,8 @@ class Endpoint(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
 class Node(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     """A node and where it runs.
 
-    ``proofs`` name what shows that the node lives in process ``pid`` on ``host`` (``gid``, ``api``, ``command line``,
-    ``memory map``, ``started``); ``pid`` 0 is unknown. ``lifecycle`` is the state of a managed node.
+    ``proofs`` name what shows that the node lives in process ``pid`` on ``host`` (``counters``, ``address``, ``gid``,
+    ``processes``, ``api``, ``command line``, ``memory map``, ``started``); ``pid`` 0 is unknown. ``lifecycle`` is the state of a managed node.
     """
 
     name: str
@@ -57,18 +57,26 @@ class Node(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
 
 
 class Process(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
-    """A process that holds nodes; ``started`` is seconds since the epoch."""
+    """A process that holds nodes; ``started`` is seconds since the epoch.
+
+    ``nodes`` are those that count their traffic in it, by its own word. ``inner`` is its id as it sees itself, where
+    that is another one, as in a container; 0 where it is ``pid``.
+    """
 
     host: str
     pid: int
     command: str = ""
     started: float = 0.0
+    nodes: tuple[str, ...] = ()
+    inner: int = 0
 
 
 class Graph(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that is there at an instant, each part sorted.
 
-    ``generation`` is ``ros1`` or ``ros2``; ``parameters`` maps a node's name to its parameters as text.
+    ``generation`` is ``ros1`` or ``ros2``; ``parameters`` maps a node's name to its parameters as text. ``identities``
+    maps a host to the four hexadecimal digits (of each version of the middleware) that identifiers made on it have in
+    their third and fourth byte.
     """
 
     generation: str
@@ -77,6 +85,7 @@ class Graph(msgspec.Struct, frozen=True, omit_defaults=True):
     hosts: tuple[str, ...] = ()
     processes: tuple[Process, ...] = ()
     parameters: dict[str, dict[str, str]] = {}
+    identities: dict[str, tuple[str, ...]] = {}
 
 
 class Change(str, Enum):

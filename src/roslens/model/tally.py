@@ -68,6 +68,10 @@ class Moments(msgspec.Struct, frozen=True, array_like=True, gc=False):
 
 NOTHING = Moments()
 
+BY_GID = "gid:"
+"""Begins the publisher of a tally whose observer knows its identifier alone, in hexadecimal: ``gid:010f…``. No name of
+ROS has a colon. Such a tally goes no further than to where the graph is known, which has the name."""
+
 
 class Tally(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """The traffic of a connection between two instants.
@@ -76,7 +80,8 @@ class Tally(msgspec.Struct, frozen=True, array_like=True, gc=False):
 
     Attributes:
         topic: its resolved name.
-        publisher: resolved name of the publishing node; empty where the observer cannot tell.
+        publisher: resolved name of the publishing node, or its identifier behind ``BY_GID``; empty where the observer
+            cannot tell.
         subscriber: resolved name of the receiving node; empty for traffic seen at the publisher, or in a recording.
         start: beginning of the stretch.
         end: its end.

@@ -35,6 +35,8 @@ class Frame(msgspec.Struct, frozen=True, array_like=True):
         graph: the whole graph, where it changed.
         failures: what could not be observed.
         shed: records that were dropped since the last frame because the line was down or the budget spent.
+        counted_at: where the counters lie that the tallies were read from, the same for everybody who reads them, so
+            that nothing is counted twice; empty where there are none.
     """
 
     version: int
@@ -47,6 +49,7 @@ class Frame(msgspec.Struct, frozen=True, array_like=True):
     graph: Graph | None = None
     failures: list[Failure] = []
     shed: int = 0
+    counted_at: str = ""
 
 
 class WireError(ValueError):

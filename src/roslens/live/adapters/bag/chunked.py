@@ -22,6 +22,8 @@ LOST = "Its messages are left out. The other parts of the recording are read."
 
 _INDEX_USED = "What the index tells of it is used, its messages are not."
 _SPARSE = 256
+_FAR = 1 << 32
+_PLACE_BITS = 4
 
 
 class Chunk(NamedTuple):
@@ -214,17 +216,20 @@ def _gaps_between(entries: list[Entries], size: int, overhead: int) -> list[Ints
         return []
     offsets = np.concatenate([entry.offsets for entry in entries])
     last = max(size, int(offsets.max()))
-    if last < _SPARSE * len(offsets) and int(offsets.min()) >= 0:
-        # Small messages: writing the next place down at each place is faster than sorting with their order.
-        ordered = np.sort(offsets)
-        following = np.empty(last + 1, np.int64)
-        following[ordered] = np.concatenate([ordered[1:], [last]])
-        sizes = following[offsets] - offsets
+    if last < _SPARSE * len(offsets) and last < _FAR and int(offsets.min()) >= 0:
+        # Small messages: writing the next place down at each place is faster than sorting with their order. No record
+        # is as short as the places are wide.
+        near = offsets.astype(np.uint32)
+        ordered = np.sort(near)
+        following = np.empty((last >> _PLACE_BITS) + 1, np.uint32)
+        following[ordered[:-1] >> _PLACE_BITS] = ordered[1:]
+        following[ordered[-1] >> _PLACE_BITS] = last
+        sizes = following[near >> _PLACE_BITS].astype(np.int64) - offsets
     else:
         order = np.argsort(offsets)
         sizes = np.empty_like(offsets)
         sizes[order] = np.diff(offsets[order], append=last)
-    return _parted(np.clip(sizes - overhead, 0, None), entries)
+    return _parted(np.maximum(sizes - overhead, 0), entries)
 
 
 def _parted(numbers: Ints, entries: list[Entries]) -> list[Ints]:

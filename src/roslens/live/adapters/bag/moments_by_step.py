@@ -1,12 +1,13 @@
-"""Series of values cut into steps: count, sum, squares, least and greatest of each, without a loop over values."""
+"""Series of times cut into steps: count, sum, squares, least and greatest of each, without a loop over values."""
 
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from roslens.live.adapters.bag.block import Ints
 from roslens.model.tally import Moments
+
+_SECOND = 1_000_000_000
 
 
 def edges_of(numbers: Ints) -> Ints:
@@ -16,28 +17,32 @@ def edges_of(numbers: Ints) -> Ints:
     return np.concatenate([np.zeros(1, np.int64), np.flatnonzero(numbers[1:] != numbers[:-1]) + 1])
 
 
-def greatest_by_step(numbers: Ints, values: Ints) -> dict[int, int]:
-    """Return where the first of the greatest values of each step is; ``numbers`` as for :func:`moments_by_step`."""
-    if not len(numbers):
-        return {}
-    edges = edges_of(numbers)
-    greatest = np.repeat(np.maximum.reduceat(values, edges), np.diff(edges, append=len(numbers)))
+def greatest_of(edges: Ints, values: Ints) -> Ints:
+    """Return where the first of the greatest values of each step is; steps begin at ``edges`` and have values."""
+    if not len(edges):
+        return edges
+    greatest = np.repeat(np.maximum.reduceat(values, edges), np.diff(edges, append=len(values)))
     places = np.flatnonzero(values == greatest)
-    firsts = places[edges_of(numbers[places])]
-    return dict(zip(numbers[firsts].tolist(), firsts.tolist(), strict=True))
+    return places[np.searchsorted(places, edges)]
 
 
-def moments_by_step(numbers: Ints, values: npt.NDArray[np.float64]) -> dict[int, Moments]:
-    """Return the moments of the values of each step; ``numbers`` are the steps of the values and do not fall."""
-    if not len(numbers):
+def moments_of(numbers: Ints, edges: Ints, values: Ints) -> dict[int, Moments]:
+    """Return the moments, in seconds, of the nanoseconds of each step.
+
+    Args:
+        numbers: of the steps.
+        edges: where the values of each step begin; each has some.
+        values: nanoseconds.
+    """
+    if not len(edges):
         return {}
-    edges = edges_of(numbers)
+    seconds = values / _SECOND
     columns = (
-        np.diff(edges, append=len(numbers)),
-        np.add.reduceat(values, edges),
-        np.add.reduceat(values * values, edges),
-        np.minimum.reduceat(values, edges),
-        np.maximum.reduceat(values, edges),
+        np.diff(edges, append=len(values)),
+        np.add.reduceat(seconds, edges),
+        np.add.reduceat(seconds * seconds, edges),
+        np.minimum.reduceat(values, edges) / _SECOND,
+        np.maximum.reduceat(values, edges) / _SECOND,
     )
     rows = zip(*(column.tolist() for column in columns), strict=True)
-    return {number: Moments(*row) for number, row in zip(numbers[edges].tolist(), rows, strict=True)}
+    return {number: Moments(*row) for number, row in zip(numbers.tolist(), rows, strict=True)}

@@ -41,6 +41,24 @@ class Source:
             self._window_at, inside = at, 0
         return self._window[inside : inside + length]
 
+    def fill(self, at: int, place: memoryview) -> None:
+        """Put bytes of the file where they are wanted.
+
+        Raises:
+            DamageError: the file ends before, or the system cannot read it.
+        """
+        if at < 0 or len(place) > self.size - at:
+            raise DamageError(f"{len(place):,} bytes at byte {at:,} of a file of {self.size:,}")
+        try:
+            self._file.seek(at)
+            while len(place):
+                taken = self._file.readinto(place)
+                if not taken:
+                    raise DamageError(f"a file that became shorter while it was read: {len(place):,} bytes are missing")
+                place = place[taken:]
+        except OSError as error:
+            raise DamageError(f"bytes that cannot be read: {error.strerror or error}") from None
+
     def _fetch(self, at: int, length: int) -> bytes:
         pieces = []
         try:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sqlite3
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import closing
 from functools import partial
-from itertools import chain, islice
+from itertools import accumulate, chain, islice, pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from urllib.parse import quote
 
 import numpy as np
@@ -16,6 +17,9 @@ import numpy as np
 from roslens.live.adapters.bag.block import FOREVER, Block, Ints, Load, Message, Portion
 from roslens.live.adapters.bag.channel import Channel
 from roslens.live.adapters.bag.damage import DamageError, FailureLog
+from roslens.live.adapters.bag.moments_by_step import edges_of
+from roslens.live.adapters.bag.source import Source
+from roslens.live.adapters.bag.sqlite_pages import Rows, TablePages
 from roslens.live.adapters.bag.stamp import stamps_of
 
 MAGIC = b"SQLite format 3\0"
@@ -29,7 +33,9 @@ _LANGUAGES = {"ros2msg": "msg", "ros2idl": "idl"}
 
 
 class SqlitePart:
-    """A database whose tables are asked for topics, times and lengths; messages are read where they are wanted.
+    """A database whose pages are read for topics, times and lengths; messages are asked for where they are wanted.
+
+    A database that is not as rosbag2 leaves it, damaged, or with a log beside it, is asked for everything.
 
     Raises:
         DamageError: topics cannot be read.
@@ -42,6 +48,7 @@ class SqlitePart:
         self.failures = FailureLog()
         self.counts: Mapping[int, int] = {}
         self.start, self.end = FOREVER, 0
+        self._survey: _Survey | None = None
         try:
             with closing(_connected(path)) as database:
                 self.channels: Mapping[int, Channel] = _channels(database)
@@ -49,7 +56,12 @@ class SqlitePart:
             raise DamageError(f"topics that cannot be read: {error}") from None
         try:
             with closing(_connected(path)) as database:
-                self._count(database)
+                try:
+                    self._survey = _surveyed(path, database)
+                except (DamageError, OSError, *_WRONG):
+                    self._count(database)
+                else:
+                    self.counts, self.start, self.end = self._survey[2:]
         except _WRONG as error:
             self._tell(f"messages that cannot be counted: {error}")
 
@@ -63,6 +75,10 @@ class SqlitePart:
 
     def portions(self, stamped: Collection[int]) -> Iterator[Portion]:
         """Yield topics, times and lengths by time of receipt."""
+        if self._survey is not None:
+            for since, leaves in zip(self._survey.since, self._survey.pages.windows(), strict=True):
+                yield Portion(since, partial(self._read, leaves, stamped))
+            return
         head = f", substr(data, 1, {_HEAD_BYTES})" if stamped else ""
         query = f"SELECT topic_id, timestamp, length(data){head} FROM messages ORDER BY timestamp"  # noqa: S608 - a constant
         for rows in self._rows(query, [], _ROWS):
@@ -123,18 +139,89 @@ class SqlitePart:
             blocks.append(Block(channel, table[rows, 1], table[rows, 2], stamps))
         return blocks
 
+    def _read(self, leaves: Ints, stamped: Collection[int]) -> list[Block]:
+        """Return what leaves of the table hold, topic by topic."""
+        try:
+            rows = self._survey.pages.rows(leaves)
+        except DamageError as damage:
+            self._tell(f"pages that changed while they were read: {damage}")
+            return []
+        blocks = []
+        for channel, mine in _by_channel(rows):
+            if channel not in self.channels:
+                self._tell(f"messages of topic {channel}, which is defined nowhere")
+                continue
+            sizes = rows.sizes[mine]
+            stamps = None
+            if channel in stamped:
+                stamps = stamps_of(rows.content, rows.starts[mine], sizes, self.channels[channel])
+            blocks.append(Block(channel, rows.times[mine], sizes, stamps))
+        return blocks
+
     def _tell(self, what: str) -> None:
         self.failures.add(self.path, what, advice=_STOPPED)
+
+
+class _Survey(NamedTuple):
+    """What the leaves of the table hold: since when each window of them and all later ones, and how much of what."""
+
+    pages: TablePages
+    since: list[int]
+    counts: dict[int, int]
+    start: int
+    end: int
+
+
+def _surveyed(path: Path, database: sqlite3.Connection) -> _Survey:
+    """Look at all leaves of the table of messages once.
+
+    Raises:
+        DamageError: something is not as expected.
+    """
+    columns = [row[1] for row in database.execute("PRAGMA table_info(messages)")]
+    if columns != ["id", "topic_id", "timestamp", "data"] or _logged(path):
+        raise DamageError(f"columns {columns} or a log")
+    root = database.execute("SELECT rootpage FROM sqlite_master WHERE name = 'messages'").fetchone()[0]
+    pages = TablePages(Source(path), int(root))
+    counts: Counter[int] = Counter()
+    since = []
+    last = 0
+    for leaves in pages.windows():
+        rows = pages.rows(leaves)
+        since.append(int(rows.times.min(initial=FOREVER)))
+        last = max(last, int(rows.times.max(initial=0)))
+        channels, counted = np.unique(rows.channels, return_counts=True)
+        counts.update(dict(zip(channels.tolist(), counted.tolist(), strict=True)))
+    # What comes in a later window may be earlier.
+    since = list(accumulate(reversed(since), min))[::-1]
+    return _Survey(pages, since, dict(counts), since[0], last)
+
+
+def _by_channel(rows: Rows) -> Iterator[tuple[int, Ints]]:
+    """Yield the places of the rows of each channel."""
+    channels = rows.channels
+    if len(channels) and int(channels.min()) >= 0 and int(channels.max()) < 1 << 16:
+        channels = channels.astype(np.uint16)  # sorted by digits, several times faster
+    order = np.argsort(channels, kind="stable")
+    edges = [*edges_of(channels[order]).tolist(), len(order)]
+    for begin, end in pairwise(edges):
+        mine = order[begin:end]
+        yield int(rows.channels[mine[0]]), mine
 
 
 def _right(*numbers: object) -> bool:
     return all(type(number) is int for number in numbers)
 
 
+def _logged(path: Path) -> bool:
+    """Return whether a killed recorder left a log beside a database."""
+    log = path.with_name(path.name + "-wal")
+    return log.exists() and log.stat().st_size > 0
+
+
 def _connected(path: Path) -> sqlite3.Connection:
     """Open a database without writing beside it, unless a killed recorder left a log that belongs to it."""
-    log = path.with_name(path.name + "-wal")
-    mode = "mode=ro" if log.exists() and log.stat().st_size else "immutable=1"
+    mode = "mode=ro" if _logged(path) else "immutable=1"
     database = sqlite3.connect(f"file:{quote(str(path.absolute()))}?{mode}", uri=True, check_same_thread=False)
     database.text_factory = lambda content: content.decode(errors="replace")
     try:

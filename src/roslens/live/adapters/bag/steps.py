@@ -8,14 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 from roslens.live.adapters.bag.block import NO_STAMP, Ints
-from roslens.live.adapters.bag.moments_by_step import edges_of, greatest_by_step, moments_by_step
+from roslens.live.adapters.bag.moments_by_step import edges_of, greatest_of, moments_of
 from roslens.model.tally import NOTHING, Observer, Tally
 
 LONGEST_QUIET = 3600
 LATEST = 1 << 62
 """Nanoseconds of the year 2116; what claims to be later is damaged."""
 
-_NANO = 1e-9
+_MANY = 16
 _SECOND = 1_000_000_000
 
 
@@ -124,19 +124,24 @@ class Steps:
         return self._tallies(lane, times[now], sizes[now], None if stamps is None else stamps[now], previous)
 
     def _tallies(self, lane: Lane, times: Ints, sizes: Ints, stamps: Ints | None, last: int | None) -> dict[int, Tally]:
-        numbers = (times - self._start) // self._length
-        edges = edges_of(numbers)
+        numbers, edges = self._parted(times)
         ends = np.append(edges[1:], len(times)) - 1
-        gaps = np.diff(times) if last is None else np.diff(times, prepend=last)
-        of_gaps = numbers[len(times) - len(gaps) :]
-        periods = moments_by_step(of_gaps, gaps * _NANO)
-        begun = (times[len(times) - len(gaps) :] - gaps) / _SECOND
-        longest = {step: float(begun[place]) for step, place in greatest_by_step(of_gaps, gaps).items()}
+        of_gaps, gap_edges, gaps = numbers, edges, np.diff(times, prepend=times[0] if last is None else last)
+        if last is None:  # the first of all has nothing before it
+            gaps = gaps[1:]
+            gap_edges = np.maximum(edges - 1, 0)
+            if not ends[0]:
+                of_gaps, gap_edges = numbers[1:], gap_edges[1:]
+        periods = moments_of(of_gaps, gap_edges, gaps)
+        begun = times[len(times) - len(gaps) :]
+        places = greatest_of(gap_edges, gaps)
+        longest = dict(zip(of_gaps.tolist(), ((begun[places] - gaps[places]) / _SECOND).tolist(), strict=True))
         ages = {}
         if stamps is not None:
-            stamped = stamps != NO_STAMP
-            ages = moments_by_step(numbers[stamped], (times[stamped] - stamps[stamped]) * _NANO)
-        columns = (numbers[edges], ends - edges + 1, np.add.reduceat(sizes, edges), times[edges], times[ends])
+            stamped = np.flatnonzero(stamps != NO_STAMP)
+            stamped_numbers, stamped_edges = self._parted(times[stamped])
+            ages = moments_of(stamped_numbers, stamped_edges, times[stamped] - stamps[stamped])
+        columns = (numbers, ends - edges + 1, np.add.reduceat(sizes, edges), times[edges], times[ends])
         return {
             number: Tally(
                 lane.topic,
@@ -155,6 +160,21 @@ class Steps:
             )
             for number, count, size, first, final in zip(*(column.tolist() for column in columns), strict=True)
         }
+
+    def _parted(self, times: Ints) -> tuple[Ints, Ints]:
+        """Return the numbers of the steps in which the times lie, which do not fall, and where each begins."""
+        if not len(times):
+            return times, times
+        first, last = (int(times[place] - self._start) // self._length for place in (0, -1))
+        if (last - first) * _MANY > len(times):
+            numbers = (times - self._start) // self._length
+            edges = edges_of(numbers)
+            return numbers[edges], edges
+        # Far fewer steps than times: looking each up is faster than dividing all.
+        numbers = np.arange(first, last + 1)
+        edges = np.searchsorted(times, numbers * self._length + self._start)
+        filled = np.diff(edges, append=len(times)) > 0
+        return numbers[filled], edges[filled]
 
 
 def _joined(pieces: list[tuple[Ints, Ints, Ints | None]]) -> tuple[Ints, Ints, Ints | None]:

@@ -1,0 +1,58 @@
+"""What evaluation may read: files of packages of the workspace, by name of the package and path. Nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Protocol
+
+
+class Files(Protocol):
+    """The files of a workspace; paths are relative to its root, with ``/``."""
+
+    def package(self, name: str) -> str | None:
+        """Return the folder of a package; None where the workspace has none of that name."""
+
+    def content(self, path: str) -> bytes | None:
+        """Return the bytes of a file; None where there is none, or it cannot be read."""
+
+
+def joined(folder: str, path: str) -> str:
+    """Return a path below a folder without ``.``, ``..`` and double separators; ``..`` leads out."""
+    pieces: list[str] = []
+    for piece in f"{folder}/{path}".split("/"):
+        if piece == ".." and pieces and pieces[-1] != "..":
+            pieces.pop()
+        elif piece not in ("", "."):
+            pieces.append(piece)
+    return "/".join(pieces)
+
+
+class FolderFiles:
+    """The files below a folder; nothing outside of it is read, not even through links."""
+
+    def __init__(self, root: Path, packages: Mapping[str, str], most_bytes: int = 2_000_000) -> None:
+        """Read below ``root``.
+
+        Args:
+            root: of the workspace.
+            packages: folders of packages below it, by name.
+            most_bytes: larger files are as if they were not there.
+        """
+        self._root = root.resolve()
+        self._packages = dict(packages)
+        self._most_bytes = most_bytes
+
+    def package(self, name: str) -> str | None:
+        """Return the folder of a package; None where the workspace has none of that name."""
+        return self._packages.get(name)
+
+    def content(self, path: str) -> bytes | None:
+        """Return the bytes of a file; None where there is none, or it cannot be read."""
+        try:
+            found = (self._root / path).resolve()
+            if not found.is_relative_to(self._root) or found.stat().st_size > self._most_bytes:
+                return None
+            return found.read_bytes()
+        except (OSError, ValueError, RuntimeError):
+            return None

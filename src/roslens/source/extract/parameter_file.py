@@ -1,0 +1,113 @@
+"""Files of parameters: YAML that ``rosparam load`` or ``--params-file`` reads, flattened to names and texts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.judge.yaml_tree import Items, Node, Scalar, Table, Tree, read_tree
+from roslens.model.errors import DocumentError
+from roslens.source.extract.launched import Setting
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.text import Text
+
+_ROS2 = "ros__parameters"
+
+
+def ros1_parameters(content: bytes, path: str, line: int = 0) -> list[Setting]:
+    """Return the parameters of a file of ROS 1, names joined by ``/`` without one in front.
+
+    Args:
+        content: of the file, or of a ``rosparam`` element.
+        path: of the file, for evidence.
+        line: before the first line of the text.
+
+    Raises:
+        DocumentError: it is no YAML that can be read.
+    """
+    tree = read_tree(content, path)
+    if tree.root is None:
+        return []
+    return [_setting(names, "/", node, tree, line) for names, node in _leaves(tree.root, ())]
+
+
+def ros2_parameters(content: bytes, path: str) -> list[Setting]:
+    """Return the parameters of a file of ROS 2, names joined by ``.``, each with the pattern of nodes it is for.
+
+    Raises:
+        DocumentError: it is no YAML that can be read, or a table that is not ``node: {ros__parameters: …}``.
+    """
+    tree = read_tree(content, path)
+    if tree.root is None:
+        return []
+    found = []
+    for nodes, table in _of_nodes(tree.root, (), tree):
+        pattern = "/" + "/".join(piece.strip("/") for piece in nodes if piece.strip("/"))
+        for names, node in _leaves(table, ()):
+            found.append(_setting(names, ".", node, tree, 0, pattern))
+    return found
+
+
+def _of_nodes(node: Node, above: tuple[str, ...], tree: Tree) -> Iterator[tuple[tuple[str, ...], Node]]:
+    if not isinstance(node, Table):
+        raise DocumentError(
+            "a value outside of ros__parameters",
+            where=tree.location(node.place),
+            expected="node: {ros__parameters: {name: value}}",
+            advice="ROS 2 refuses the whole file; indent the parameters below ros__parameters",
+        )
+    for key, inner in node.nodes.items():
+        if key == _ROS2:
+            yield above, inner
+        else:
+            yield from _of_nodes(inner, (*above, key), tree)
+
+
+def _leaves(node: Node, above: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Node]]:
+    if isinstance(node, Table) and node.nodes:
+        for key, inner in node.nodes.items():
+            if key == "<<" and isinstance(inner, Table):
+                yield from _leaves(inner, above)
+            else:
+                yield from _leaves(inner, (*above, key))
+    else:
+        yield above, node
+
+
+def _setting(names: tuple[str, ...], separator: str, node: Node, tree: Tree, line: int, pattern: str = "") -> Setting:
+    place = tree.location(node.place)
+    evidence = Evidence(place.path, line + place.line, place.column)
+    return Setting(Text.of(separator.join(names)), Text.of(written(node)), evidence, type_of(node), pattern)
+
+
+def written(node: Node) -> str:
+    """Return a node as YAML in one line."""
+    if isinstance(node, Scalar):
+        return node.text
+    if isinstance(node, Items):
+        return f"[{', '.join(written(one) for one in node.nodes)}]"
+    return f"{{{', '.join(f'{key}: {written(one)}' for key, one in node.nodes.items())}}}"
+
+
+def type_of(node: Node) -> str:
+    """Return the type that YAML gives a value."""
+    if isinstance(node, Items):
+        kinds = {type_of(one) for one in node.nodes}
+        if kinds == {"int", "double"}:
+            return "double_array"
+        return f"{kinds.pop()}_array" if len(kinds) == 1 else "list"
+    if isinstance(node, Table):
+        return "map"
+    return type_of_text(node.text) if node.plain else "string"
+
+
+def type_of_text(text: str) -> str:
+    """Return the type that YAML gives a plain text: ``bool``, ``int``, ``double`` or ``string``."""
+    if text.lower() in ("true", "false", "yes", "no", "on", "off"):
+        return "bool"
+    for kind, convert in (("int", lambda one: int(one, 0)), ("double", float)):
+        try:
+            convert(text)
+        except ValueError:
+            continue
+        return kind
+    return "double" if text.lower() in (".inf", "-.inf", ".nan") else "string"

@@ -1,0 +1,23 @@
+from roslens.source.extract.files import FolderFiles, joined
+
+
+def test_paths_are_joined_without_dots():
+    assert joined("a/b", "../c/./d.yaml") == "a/c/d.yaml"
+    assert joined("", "a//b") == "a/b"
+    assert joined("a", "../../b") == "../b"
+
+
+def test_nothing_outside_is_read(tmp_path):
+    inside = tmp_path / "workspace"
+    inside.mkdir()
+    (tmp_path / "secret").write_text("secret")
+    (inside / "file").write_text("content")
+    (inside / "link").symlink_to(tmp_path / "secret")
+    (inside / "loop").symlink_to(inside / "loop")
+    (inside / "large").write_bytes(b"x" * 11)
+    files = FolderFiles(inside, {"robot": "src/robot"}, most_bytes=10)
+    assert files.content("file") == b"content"
+    for path in ("link", "../secret", "loop", "large", "gone", "", "a\0b", str(tmp_path / "secret")):
+        assert files.content(path) is None
+    assert files.package("robot") == "src/robot"
+    assert files.package("other") is None

@@ -1,0 +1,49 @@
+import pytest
+
+from roslens.model.errors import DocumentError
+from roslens.source.extract.parameter_file import ros1_parameters, ros2_parameters
+
+ROS2 = b"""\
+/**:
+  ros__parameters:
+    use_sim_time: true
+lidar:
+  ros__parameters:
+    filter: {window: 5, weights: [0.5, 1]}
+    name: "7"
+/front:
+  camera:
+    ros__parameters:
+      rate: 1e1
+"""
+
+
+def told(settings):
+    return [(one.node, str(one.name), str(one.value), one.type, one.evidence.line) for one in settings]
+
+
+def test_files_of_ros2_are_keyed_to_nodes():
+    assert told(ros2_parameters(ROS2, "a.yaml")) == [
+        ("/**", "use_sim_time", "true", "bool", 3),
+        ("/lidar", "filter.window", "5", "int", 6),
+        ("/lidar", "filter.weights", "[0.5, 1]", "double_array", 6),
+        ("/lidar", "name", "7", "string", 7),
+        ("/front/camera", "rate", "1e1", "double", 11),
+    ]
+
+
+def test_what_ros2_refuses_is_an_error_with_its_place():
+    with pytest.raises(DocumentError, match=r"a\.yaml:2:9: a value outside of ros__parameters") as caught:
+        ros2_parameters(b"lidar:\n  rate: 5\n", "a.yaml")
+    assert "indent" in caught.value.advice
+
+
+def test_files_of_ros1_are_flattened():
+    content = b"base: &b {p: 1}\nother:\n  <<: *b\n  empty: {}\nangles: [1, 2]\n"
+    assert told(ros1_parameters(content, "g.yaml", 10)) == [
+        ("", "base/p", "1", "int", 11),
+        ("", "other/p", "1", "int", 11),
+        ("", "other/empty", "{}", "map", 14),
+        ("", "angles", "[1, 2]", "int_array", 15),
+    ]
+    assert ros1_parameters(b"", "g.yaml") == ros2_parameters(b"", "g.yaml") == []

@@ -114,3 +114,31 @@ def test_a_test_with_expectations(bag, tmp_path, capsys):
     expect.write_text("kind: reference test\nothers: allowed\nalarms:\n  - {entity: 'topic:/scan', at: 10 s}\n")
     assert main(["reference", "test", ROVER, "--bag", bag, "--expect", str(expect)]) == 1
     assert f"{expect}:4: not raised: topic:/scan at 10 s (within 0.5 s)" in capsys.readouterr().err
+
+
+SCAM = (
+    "kind: reference\nname: r\nconstraints:\n  - {topic: '/scam*', rate: 1..2 Hz}\n"
+    "  - {topic: /odom, type: nav_msgs/Path, rate: 1..2 Hz}\n  - {node: /nobody*, cpu: <= 5 %}\n"
+)
+ABOUT_NOTHING = [
+    "r.topic.odom.rate is about nothing: no topic /odom of type {} is there. /odom is there, but of type {}".format(
+        "nav_msgs/Path", "sensor_msgs/Imu"
+    ),
+    "r.topic.scam*.rate is about nothing: no topic /scam* is there. Did you mean '/scan'?",
+]
+
+
+def test_what_is_about_nothing_is_told_at_the_end(bag, tmp_path, capsys):
+    scam = tmp_path / "r.yaml"
+    scam.write_text(SCAM)
+    told = [f"{scam}:{line}: {text}" for line, text in zip((5, 4), ABOUT_NOTHING, strict=True)]
+    main(["watch", "--bag", bag, "--reference", str(scam), "--no-color"])
+    out = capsys.readouterr().out.splitlines()
+    assert out[-5:-2] == ["2 sentences are about nothing that was seen:", *(f"  {one}" for one in told)]
+    main(["watch", "--bag", bag, "--reference", str(scam), "--format", "json"])
+    lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [line["text"] for line in lines if line["is"] == "note"] == told
+    main(["reference", "test", str(scam), "--bag", bag])
+    assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in told]
+    assert main(["reference", "check", str(scam), "--bag", bag]) == 0
+    assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in told]

@@ -34,6 +34,9 @@ def test_a_graph_is_full_of_subjects():
     )
 
 
+NOBODY = "connection /scan to /nobody is there. /scan is there, but to /amcl"
+
+
 def test_what_matches_nothing_is_told_with_the_nearest_name():
     text = b"""\
 kind: reference
@@ -53,8 +56,37 @@ chains:
     reference = load_reference([GivenText("r.yaml", text)], BY_KEY)
     assert [str(one) for one in unmatched(reference, subjects_of(GRAPH))] == [
         "r.yaml:13: r.chain.scan.map.age is about nothing: no topic /map is there",
-        "r.yaml:6: r.connection.scan.nobody.rate is about nothing: no connection /scan to /nobody is there",
+        f"r.yaml:6: r.connection.scan.nobody.rate is about nothing: no {NOBODY}",
         "r.yaml:11: r.field.scan.x.value is about nothing: no topic /mode is there",
         "r.yaml:9: r.node.lidar.presence is about nothing: no node /driver is there",
         "r.yaml:5: r.topic.scam.rate is about nothing: no topic /scam is there. Did you mean '/scan'?",
     ]
+
+
+def told(constraint, kinds=tuple(EntityKind), graph=GRAPH):
+    text = f"kind: reference\nname: r\nconstraints:\n  - {constraint}\n"
+    reference = load_reference([GivenText("r.yaml", text.encode())], BY_KEY)
+    return [one.advice for one in unmatched(reference, subjects_of(graph), kinds)]
+
+
+def test_patterns_get_names_too_and_types_are_told():
+    assert told("{topic: '/scann/*', rate: 1..2}") == ["Did you mean '/scan'?"]
+    assert told("{topic: '/*can', type: sensor_msgs/msg/PointCloud2, rate: 1..2}") == [
+        "/scan is there, but of type sensor_msgs/msg/LaserScan"
+    ]
+    assert told("{node: /lidar, on: base, cpu: <= 5 %}") == ["/lidar is there, but on robot-1"]
+    assert told("{topic: /zzz, rate: 1..2}") == [""]
+
+
+def test_connections_are_where_their_publisher_is():
+    graph = Graph(
+        "ros2",
+        (Node("/a", "one"), Node("/b", "two")),
+        (Endpoint("/a", Role.PUBLISHER, "/x", "t/T"), Endpoint("/b", Role.SUBSCRIPTION, "/x", "t/T")),
+    )
+    assert told("{connection: /x, on: one, rate: 1..2}", graph=graph) == []
+    assert told("{connection: /x, on: two, rate: 1..2}", graph=graph) == ["/x is there, but on one"]
+
+
+def test_what_cannot_be_seen_is_not_missed():
+    assert told("{host: base, cpu: <= 5 %}", kinds=(EntityKind.TOPIC,)) == []

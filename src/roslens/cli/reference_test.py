@@ -31,6 +31,7 @@ def test(options: argparse.Namespace) -> int:
         DocumentError: a document is wrong.
         UsageError: there is no recording.
     """
+    from roslens.cli.about_nothing import RECORDED, about_nothing
     from roslens.judge.read_reference import load_reference
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.alarms import AlarmLog
@@ -42,11 +43,13 @@ def test(options: argparse.Namespace) -> int:
     reference = load_reference([Path(file) for file in options.files], BY_KEY)
     bag = open_bag(options.bag)
     log = AlarmLog()
-    replay(bag, reference, told=lambda step: log.add(step.changes))
+    session = replay(bag, reference, told=lambda step: log.add(step.changes))
     alarms = log.alarms()
     for alarm in alarms:
         print(_line(alarm, bag.start))
     outcome = compare(alarms, expected, bag.start)
+    for note in about_nothing(session, reference, bag.end, RECORDED):
+        print(f"roslens: {note.text}", file=sys.stderr)
     for failure in bag.failures:
         print(f"roslens: {failure}", file=sys.stderr)
     for missing in outcome.missing:

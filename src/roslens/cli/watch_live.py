@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.cli.about_nothing import about_nothing, kinds_of
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_screen import screen, time_of_day
@@ -74,12 +75,9 @@ def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: froze
 
         run(session, sources, wall=time.time, stopped=stopped, told=told)
     teller = Teller(argparse.Namespace(**{**vars(options), "output": None}), time_of_day) if on_screen else teller
-    return _ended(teller, session, states, begun, last)
-
-
-def _ended(teller: Teller, session: Session, states: frozenset[str], begun: float, last: float) -> int:
     # As it was when it was last looked at: to end the observers takes a while, in which nothing is heard of anybody.
-    teller.end(session, last, f"after {time.monotonic() - begun:.0f} s:")
+    missed = about_nothing(session, files.reference, last, kinds_of(session))
+    teller.end(session, last, f"after {time.monotonic() - begun:.0f} s:", missed)
     return teller.code(states, nothing_seen=not session.records)
 
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, TextIO
 
+from roslens.cli.about_nothing import lines_of
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.streams import wants_color, width_of
 from roslens.cli.watch_screen import alert_line, cause_text, screen
-from roslens.live.note import NoteKind
+from roslens.live.note import Note, NoteKind
 from roslens.live.publish.json_lines import cause_line, event_line, failure_line, note_line, verdict_line
 from roslens.report.terminal import Terminal
 
@@ -76,15 +77,28 @@ class Teller:
         for line in lines:
             print(line, file=self._stream, flush=True)
 
-    def end(self, session: Session, time: float, title: str) -> None:
-        """Write how it was at the end."""
+    def end(self, session: Session, time: float, title: str, missed: Sequence[Note] = ()) -> None:
+        """Write how it was at the end, and the sentences that were about nothing."""
         if self._options.format == "json":
+            for note in missed:
+                print(note_line(note), file=self._stream, flush=True)
             return
         self.tell(session.look(time))
         if self._options.quiet:
             return
         lines = screen(self.terminal, session.tree(time), (), title=title, height=_ENDLESS, clock=self._clock)
-        print("", *lines, "", self._sum(session), sep="\n", file=self._stream, flush=True)
+        clean = [self.terminal.clean(line) for line in lines_of(missed)]
+        print(
+            "",
+            *lines,
+            *([""] if clean else []),
+            *clean,
+            "",
+            self._sum(session),
+            sep="\n",
+            file=self._stream,
+            flush=True,
+        )
 
     def code(self, states: frozenset[str], *, nothing_seen: bool) -> int:
         """Return the exit code: 1 where one of ``states`` came up, 3 where something could not be observed."""

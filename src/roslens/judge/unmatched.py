@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 import msgspec
 
@@ -15,7 +15,7 @@ from roslens.judge.reference_document import Sentence
 from roslens.judge.sentence_words import selector_words
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Graph, Role
-from roslens.plugins.nearest import did_you_mean
+from roslens.plugins.nearest import nearest_few
 
 
 class Subject(msgspec.Struct, frozen=True, order=True):
@@ -27,6 +27,11 @@ class Subject(msgspec.Struct, frozen=True, order=True):
     type: str = ""
     publisher: str = ""
     subscriber: str = ""
+
+
+MOST_NAMED = 3
+MOST_ADVISED = 50
+"""Sentences for which names are looked up that might have been meant."""
 
 
 class Unmatched(msgspec.Struct, frozen=True):
@@ -43,7 +48,9 @@ class Unmatched(msgspec.Struct, frozen=True):
         return f"{text}. {self.advice}" if self.advice else text
 
 
-def unmatched(reference: Reference, subjects: Iterable[Subject]) -> list[Unmatched]:
+def unmatched(
+    reference: Reference, subjects: Iterable[Subject], kinds: Collection[EntityKind] = tuple(EntityKind)
+) -> list[Unmatched]:
     """Return the sentences that match nothing, sorted by id.
 
     That something must always be there, or never, is about what is not there too, and so never among them.
@@ -51,18 +58,19 @@ def unmatched(reference: Reference, subjects: Iterable[Subject]) -> list[Unmatch
     Args:
         reference: what is expected.
         subjects: everything that has been seen.
+        kinds: of entities that can be seen at all; a recording, for one, knows of no host.
     """
     asked = [(selector, sentence) for sentence in sentences_of(reference) for selector in _selectors(sentence)]
     index = PatternIndex((selector, number) for number, (selector, _) in enumerate(asked))
     matched: set[int] = set()
-    names: dict[EntityKind, set[str]] = defaultdict(set)
+    there: dict[EntityKind, dict[str, list[Subject]]] = defaultdict(dict)
     for subject in subjects:
-        names[subject.kind].add(subject.name)
+        there[subject.kind].setdefault(subject.name, []).append(subject)
         matched.update(_find(index, subject))
+    missing = [pair for number, pair in enumerate(asked) if number not in matched and pair[0].kind in kinds]
     return [
-        Unmatched(sentence, selector, _advice(selector, names[selector.kind]))
-        for number, (selector, sentence) in enumerate(asked)
-        if number not in matched
+        Unmatched(sentence, selector, _advice(selector, there[selector.kind]) if number < MOST_ADVISED else "")
+        for number, (selector, sentence) in enumerate(missing)
     ]
 
 
@@ -84,7 +92,7 @@ def subjects_of(graph: Graph) -> tuple[Subject, ...]:
             found.add(Subject(EntityKind.SERVICE, endpoint.name, hosts.get(endpoint.node, ""), endpoint.type))
     for topic, (publishers, subscribers) in ends.items():
         found |= {
-            Subject(EntityKind.CONNECTION, topic, hosts.get(subscriber, ""), type_, publisher, subscriber)
+            Subject(EntityKind.CONNECTION, topic, hosts.get(publisher, ""), type_, publisher, subscriber)
             for publisher, type_ in publishers
             for subscriber in subscribers
         }
@@ -120,8 +128,26 @@ def _escaped(name: str) -> str:
     return "".join(f"\\{char}" if char in "*?{},\\" else char for char in name)
 
 
-def _advice(selector: Selector, names: set[str]) -> str:
-    literal = Pattern.parse(selector.name).literal
-    if literal is None or literal in names:
-        return ""
-    return did_you_mean(literal, names)
+def _advice(selector: Selector, there: dict[str, list[Subject]]) -> str:
+    """Return what might have been meant: another name, or the same with another type or other ends."""
+    pattern = Pattern.parse(selector.name)
+    without = [Pattern.parse(text) for text in selector.without]
+    named = [name for name in there if pattern.matches(name) and not any(one.matches(name) for one in without)]
+    if named:
+        first = min(named)
+        return f"{first} is there{_otherwise(selector, there[first])}"
+    near = nearest_few(selector.name, there)
+    return f"Did you mean {' or '.join(map(repr, near))}?" if near else ""
+
+
+def _otherwise(selector: Selector, subjects: Sequence[Subject]) -> str:
+    """Return what an entity of the right name has instead of what the selector asks for."""
+    words = []
+    for word, attribute in (("of type", "type"), ("from", "publisher"), ("to", "subscriber"), ("on", "host")):
+        wanted = getattr(selector, attribute)
+        if not wanted:
+            continue
+        found = sorted({getattr(one, attribute) for one in subjects} - {""})
+        if not any(Pattern.parse(wanted).matches(one) for one in found):
+            words.append(f"{word} {' or '.join(found[:MOST_NAMED])}" if found else f"{word} nothing that is known")
+    return f", but {', '.join(words)}" if words else ", but not with all of this at once"

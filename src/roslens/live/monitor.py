@@ -82,6 +82,11 @@ class Monitor:
         self._wait_all(required(self._world, self._rules, start))
 
     @property
+    def world(self) -> World:
+        """Everything that is known now."""
+        return self._world
+
+    @property
     def refused(self) -> int:
         """Records that could not be true, in whole or in part, and those for which there was no room."""
         return self._implausible + self._world.refused

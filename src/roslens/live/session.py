@@ -8,11 +8,13 @@ from typing import Protocol, cast
 import msgspec
 
 from roslens.judge.expectation import Reference
+from roslens.judge.unmatched import Subject
 from roslens.live.graph_union import GraphUnion
 from roslens.live.host_clocks import HostClocks
 from roslens.live.monitor import Monitor
 from roslens.live.node_processes import NodeProcesses
 from roslens.live.note import Note
+from roslens.live.seen import Seen
 from roslens.live.tree import SystemView
 from roslens.live.waiting import Waiting
 from roslens.model.entity import EntityId
@@ -80,6 +82,7 @@ class Session:
         self.records = 0
         self._processes = NodeProcesses()
         self._graphs = GraphUnion()
+        self._seen = Seen()
         self._graph_changed = False
         self._clocks = HostClocks()
         self._hosts: dict[str, str] = {}
@@ -122,6 +125,7 @@ class Session:
             whole = self._graphs.whole()
             self._hosts = {node.name: node.host for node in whole.nodes if node.host}
             self._processes.add_graph("", whole)
+            self._seen.add_graph(whole)
             self.monitor.add_graph(whole, now)
             self._graph_changed = False
         changes, causes = self._parted(self.monitor.tick(now))
@@ -144,6 +148,10 @@ class Session:
     def graph(self) -> Graph:
         """Return what is there now, as far as any observer knows."""
         return self._graphs.whole()
+
+    def seen(self) -> tuple[Subject, ...]:
+        """Return everything that was there at any time since the watch began."""
+        return self._seen.subjects(self.monitor.world)
 
     def tree(self, now: float) -> SystemView:
         """Return the system with its worst states and latest values."""

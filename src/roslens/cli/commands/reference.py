@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 TEXT = "Check, explain, draft, test or import references: documents that say how a running robot should behave."
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
+  roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
   roslens reference explain base.yaml topic:/scan
   roslens reference draft --bag drive.bag -o robot.yaml
   roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml
@@ -39,6 +40,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     actions = parser.add_subparsers(title="actions", dest="action", metavar="ACTION", required=True)
     check = actions.add_parser("check", help=_CHECK, description=_CHECK)
     check.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
+    check.add_argument(
+        "--bag", type=Path, nargs="+", metavar="FILE", help="say what of it is about nothing in a recording"
+    )
     check.add_argument("-q", "--quiet", action="store_true", help="no table of what is expected")
     check.set_defaults(act=_check)
     explain = actions.add_parser("explain", help=_EXPLAIN, description=_EXPLAIN)
@@ -73,7 +77,17 @@ def _check(options: argparse.Namespace) -> int:
         print(f"roslens: {contradiction.error()}", file=sys.stderr)
     if not options.quiet:
         print(_table(merged))
+    for text in _about_nothing(merged, options.bag) if options.bag else ():
+        print(f"roslens: {text}", file=sys.stderr)
     return BAD_INPUT if merged.contradictions else CLEAN
+
+
+def _about_nothing(merged: Merged, bag: Sequence[Path]) -> list[str]:
+    from roslens.cli.about_nothing import RECORDED
+    from roslens.judge.unmatched import subjects_of, unmatched
+    from roslens.live.adapters.bag.open_bag import open_bag
+
+    return [str(one) for one in unmatched(merged.reference, subjects_of(open_bag(bag).graph()), RECORDED)]
 
 
 def _explain(options: argparse.Namespace) -> int:

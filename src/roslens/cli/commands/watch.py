@@ -93,6 +93,7 @@ def _states(text: str) -> frozenset[str]:
 
 
 def _replayed(options: argparse.Namespace, reference: Reference, states: frozenset[str]) -> int:
+    from roslens.cli.about_nothing import RECORDED, about_nothing
     from roslens.cli.watch_output import Teller
     from roslens.cli.watch_screen import since_start
     from roslens.live.adapters.bag.open_bag import open_bag
@@ -114,7 +115,8 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
 
         session = replay(bag, reference, told=told)
         amount = f"{bag.messages:,} messages in {bag.end - bag.start:.1f} s"
-        teller.end(session, bag.end, f"{shown}: {amount}; at its end:")
+        missed = about_nothing(session, reference, bag.end, RECORDED)
+        teller.end(session, bag.end, f"{shown}: {amount}; at its end:", missed)
     if page is not None:
         page.show(session, bag.end, f"{amount}, read to the end")
     return teller.code(states, nothing_seen=not bag.messages)

@@ -109,12 +109,20 @@ def nested(before: str, after: str, middle: str = "x") -> bytes:
         b"if a: f()\n" + b"elif a: f()\n" * 3000,
         b"match a:\n" + b"  case 1: f()\n" * 3000,
         b"try: f()\n" + b"except A: f()\n" * 3000,
+        b"".join(
+            b" " * depth + b"try: f()\n" + (b" " * depth + b"except A: f()\n") * 40 + b" " * depth + b"except:\n"
+            for depth in range(60)
+        )
+        + b" " * 60
+        + b"a"
+        + b".a" * 90
+        + b"()\n",
         b"".join(b" " * depth + b"if a:\n" for depth in range(500)) + b" " * 500 + b"f()\n",
         b"a = [x" + b" for x in y" * 3000 + b"]",
         b"a = [" + b"f(), " * 3000 + b"]",
         b"a = " * 3000 + b"1",
     ],
-    ids=range(16),
+    ids=range(17),
 )
 def test_depth_is_limited(content):
     assert check(content)

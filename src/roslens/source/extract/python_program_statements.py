@@ -294,7 +294,7 @@ class Statements(Expressions):
             self.pending += self.block(rest.child_by_field_name("body"))
 
     def _on_try(self, node: Node) -> None:
-        then = self.block(node.child_by_field_name("body"))
+        depth, then = self._depth, self.block(node.child_by_field_name("body"))
         handlers: list[tuple[str, tuple[Statement, ...]]] = []
         last: tuple[Statement, ...] = ()
         for child in node.children:
@@ -305,11 +305,16 @@ class Statements(Expressions):
                 parts = self.parts(child)
                 block = parts[-1] if parts and parts[-1].kind_id == _BLOCK else None
                 if kind in _ARMS:
+                    if self._depth >= DEEPEST:
+                        self._too_deep(child)
+                        continue
+                    self._depth += 1
                     head = self.source[child.start_byte : block.start_byte if block is not None else child.end_byte]
                     caught = b" ".join(head.split()).decode("utf-8", "backslashreplace").rstrip(" :")[:80]
                     handlers.append((caught, self.block(block)))
                 else:
                     last = self.block(block)
+        self._depth = depth
         otherwise = self._handled(handlers, self.line(node))
         if then or otherwise:
             self.pending.append(Branch(_NO_EXCEPTION, then, otherwise, self.line(node)))
@@ -318,10 +323,7 @@ class Statements(Expressions):
     def _handled(self, handlers: list[tuple[str, tuple[Statement, ...]]], line: int) -> tuple[Statement, ...]:
         otherwise: tuple[Statement, ...] = ()
         for number, (caught, body) in enumerate(reversed(handlers)):
-            if number > DEEPEST:
-                otherwise = (*body, *otherwise)
-            else:
-                otherwise = body if number == 0 else (Branch(Opaque(caught), body, otherwise, line),)
+            otherwise = body if number == 0 else (Branch(Opaque(caught), body, otherwise, line),)
         return otherwise
 
     def _on_with(self, node: Node) -> None:

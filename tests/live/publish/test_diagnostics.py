@@ -35,7 +35,7 @@ def test_a_status_says_what_is_wrong_and_all_values():
     (status,) = diagnostics(
         [verdict(State.LOW, value=12.34567, text="check the cable"), verdict(quantity="latency", value=0.0123)]
     )
-    assert status.name == "roslens/topic//scan"
+    assert status.name == "roslens: topic /scan"
     assert status.message == "rate is low: 12.35 Hz, expected 25..35 Hz; check the cable"
     assert status.values == (
         ("latency", "12.3 ms"), ("latency state", "ok"), ("rate", "12.35 Hz"), ("rate state", "low"),
@@ -44,8 +44,16 @@ def test_a_status_says_what_is_wrong_and_all_values():
 
 def test_one_status_an_entity_sorted():
     statuses = diagnostics([verdict(), verdict(entity=BASE, quantity="cpu"), verdict(quantity="latency")])
-    assert [status.name for status in statuses] == ["roslens/host/base", "roslens/topic//scan"]
+    assert [status.name for status in statuses] == ["roslens: host base", "roslens: topic /scan"]
     assert [status.hardware_id for status in statuses] == ["base", ""]
+
+
+def test_the_hardware_is_the_host_where_the_entity_is():
+    process = EntityId(EntityKind.PROCESS, "base/42")
+    statuses = diagnostics([verdict(entity=process, quantity="cpu")])
+    assert [status.hardware_id for status in statuses] == ["base"]
+    (status,) = diagnostics([verdict()], lambda entity: f"host of {entity.name}")
+    assert status.hardware_id == "host of /scan"
 
 
 def test_sentences():

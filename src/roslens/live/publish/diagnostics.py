@@ -1,44 +1,43 @@
 """Verdicts as a diagnostic_msgs/DiagnosticArray, which every ROS tool for diagnostics reads.
 
-One status per entity, named ``roslens/<kind>/<name>``. Levels are those of REP-107: OK 0, WARN 1, ERROR 2, STALE 3. A
+One status per entity, named ``roslens: <kind> <name>``. Levels are those of REP-107: OK 0, WARN 1, ERROR 2, STALE 3. A
 sentence of severity error is ERROR when it is broken, others are WARN; what is unknown is STALE only where nothing at
 all is known of the entity.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-
-import msgspec
+from collections.abc import Callable, Iterable, Sequence
 
 from roslens.judge.amount import amount_text
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
+from roslens.model.outgoing import Status
 from roslens.model.verdict import State, Verdict
 
 OK, WARN, ERROR, STALE = range(4)
 
 
-class Status(msgspec.Struct, frozen=True):
-    """A diagnostic_msgs/DiagnosticStatus."""
-
-    level: int
-    name: str
-    message: str
-    hardware_id: str
-    values: tuple[tuple[str, str], ...]
+def own_host(entity: EntityId) -> str:
+    """Return the host that the name of an entity tells; empty where it tells none."""
+    if entity.kind is EntityKind.HOST:
+        return entity.name
+    return entity.name.rpartition("/")[0] if entity.kind is EntityKind.PROCESS else ""
 
 
-def diagnostics(verdicts: Iterable[Verdict]) -> tuple[Status, ...]:
-    """Return one status for each entity, sorted by name."""
+def diagnostics(verdicts: Iterable[Verdict], host_of: Callable[[EntityId], str] = own_host) -> tuple[Status, ...]:
+    """Return one status for each entity, sorted by name; ``host_of`` tells on which hardware it is."""
     of_entity: dict[EntityId, list[Verdict]] = {}
     for verdict in verdicts:
         of_entity.setdefault(verdict.entity, []).append(verdict)
-    return tuple(_status(entity, found) for entity, found in sorted(of_entity.items(), key=lambda pair: str(pair[0])))
+    return tuple(
+        _status(entity, found, host_of(entity))
+        for entity, found in sorted(of_entity.items(), key=lambda pair: str(pair[0]))
+    )
 
 
-def _status(entity: EntityId, verdicts: Sequence[Verdict]) -> Status:
+def _status(entity: EntityId, verdicts: Sequence[Verdict], host: str) -> Status:
     level, message = OK, "ok"
     if verdicts and all(verdict.state in (State.UNKNOWN, State.SUSPENDED) for verdict in verdicts):
         level, message = STALE, "nothing is known" if verdicts[0].state is State.UNKNOWN else "suspended"
@@ -53,8 +52,7 @@ def _status(entity: EntityId, verdicts: Sequence[Verdict]) -> Status:
         for verdict in sorted(verdicts, key=lambda one: one.expectation)
         for pair in ((verdict.quantity, _shown(verdict)), (f"{verdict.quantity} state", verdict.state.value))
     )
-    host = entity.name if entity.kind is EntityKind.HOST else ""
-    return Status(level, f"roslens/{entity.kind.value}/{entity.name}", message, host, values)
+    return Status(level, f"roslens: {entity.kind.value} {entity.name}", message, host, values)
 
 
 def sentence(verdict: Verdict) -> str:

@@ -43,7 +43,39 @@ from rclpy.lifecycle import LifecycleNode
 rclpy.init()
 node = LifecycleNode('arm', namespace='/demo')
 node.trigger_configure()
+node.create_timer(4.0, lambda: node.trigger_activate())
 rclpy.spin(node)
+"""
+
+TELLING = """
+import rclpy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.parameter import Parameter
+rclpy.init()
+arm, eye = (rclpy.create_node(name, namespace='/demo') for name in ('arm', 'eye'))
+arm.declare_parameter('rate', 10)
+arm.declare_parameter('api_key', 'hunter2')
+arm.declare_parameter('gains', [0.5, 1.0])
+told = eye.create_publisher(DiagnosticArray, '/diagnostics', 10)
+turn = 0
+def tick():
+    global turn
+    turn += 1
+    arm.set_parameters([Parameter('rate', value=10 + turn // 20), Parameter('api_key', value=f'hunter{turn}')])
+    level = DiagnosticStatus.ERROR if turn > 30 else DiagnosticStatus.OK
+    told.publish(DiagnosticArray(status=[DiagnosticStatus(level=level, name='motor', message='hot')]))
+arm.create_timer(0.2, tick)
+executor = SingleThreadedExecutor()
+executor.add_node(arm)
+executor.add_node(eye)
+executor.spin()
+"""
+SILENT = """
+import rclpy, time
+rclpy.init()
+node = rclpy.create_node('silent', namespace='/demo')
+time.sleep(1000)
 """
 
 
@@ -75,6 +107,9 @@ class Seen:
     @property
     def graph(self):
         return next((frame.graph for frame in reversed(self.frames) if frame.graph), None)
+
+    def events(self):
+        return [event for frame in self.frames for event in frame.events]
 
     def nodes(self):
         return {node.name: node for node in self.graph.nodes} if self.graph else {}
@@ -168,6 +203,34 @@ def test_a_tap_counts_what_the_nodes_count(ros2_python, tmp_path):
 def test_a_managed_node_tells_its_state(ros2_python, tmp_path):
     with robot(ros2_python, tmp_path, codes=[MANAGED], names=["/demo/arm"]) as (seen, _):
         seen.until(lambda: seen.nodes()["/demo/arm"].lifecycle == "inactive")
+
+        states = ("inactive is now active", "node:/demo/arm")
+        seen.until(lambda: any((event.detail, event.entity) == states for event in seen.events()))
+        assert seen.nodes()["/demo/arm"].lifecycle == "active"
+
+
+def test_nodes_of_one_process_tell_parameters_and_diagnostics(ros2_python, tmp_path):
+    nodes = ("/demo/arm", "/demo/eye")
+    with robot(ros2_python, tmp_path, codes=[TELLING, SILENT], names=(*nodes, "/demo/silent")) as (seen, processes):
+        seen.until(lambda: set(nodes) <= seen.graph.parameters.keys())
+        assert {seen.nodes()[name].pid for name in nodes} == {processes[0].pid}
+        assert sum(process.pid == processes[0].pid for process in seen.graph.processes) == 1
+        publishers = {end.node for end in seen.graph.endpoints if (end.name, end.role) == ("/rosout", Role.PUBLISHER)}
+        assert publishers == {*nodes, "/demo/silent"}
+        assert "/demo/silent" not in seen.graph.parameters
+
+        arm = seen.graph.parameters["/demo/arm"]
+        assert (arm["gains"], arm["use_sim_time"], arm["api_key"]) == ("[0.5, 1.0]", "false", "***")
+        before = int(arm["rate"])
+        seen.until(lambda: any(event.entity == "parameter:/demo/arm/rate" for event in seen.events()))
+        changed = [event.detail for event in seen.events() if event.entity == "parameter:/demo/arm/rate"]
+        assert changed[0] == f"{before} is now {before + 1}"
+        seen.until(lambda: any("'motor' is ERROR, was OK: hot" in event.detail for event in seen.events()))
+        seen.until(lambda: int(seen.graph.parameters["/demo/arm"]["rate"]) > before)
+        told = [event for event in seen.events() if event.detail.startswith("diagnostics: ")]
+        assert [event.entity for event in told] == ["node:/demo/eye"]
+        shown = [frame.graph.parameters for frame in seen.frames if frame.graph]
+        assert "hunter" not in repr((shown, seen.events(), seen.failures))
 
 
 def test_the_python_is_found(ros2_python):

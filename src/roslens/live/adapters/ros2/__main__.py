@@ -17,8 +17,10 @@ import msgspec
 from roslens.live.adapters.ros2 import TOOL
 from roslens.live.adapters.ros2.graph import OWN, GraphReader
 from roslens.live.adapters.ros2.graph_event import GraphEvent
+from roslens.live.adapters.ros2.heard import Heard
 from roslens.live.adapters.ros2.lifecycle import Lifecycles, StateClient
 from roslens.live.adapters.ros2.observation import Observation
+from roslens.live.adapters.ros2.parameters import NodeQuestions, Parameters
 from roslens.live.adapters.ros2.process_ends import ProcessEnds
 from roslens.live.adapters.ros2.tap import DRAIN_S, Tap
 from roslens.live.inside.counters import CounterReader
@@ -28,6 +30,10 @@ from roslens.model.wire import MAX_FRAME_BYTES, VERSION, Frame, encode_frame
 
 SETTLE_S = 0.08
 """How long changes of the graph are gathered: a node that starts makes a dozen."""
+ASKING_SETTLE_S = 0.4
+"""The same while nodes are asked for their parameters, since every question is a change of the graph."""
+ASK_S = 0.02
+"""How long it is from one look for their answers to the next."""
 MEET_S = 0.5
 """How long the first graph waits: who was there before is met in that time, and did not appear."""
 _LARGEST_DOMAIN = 232
@@ -108,7 +114,8 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
     counters.read(time.time())
     tap = Tap(node, options.tap, options.tap_budget, host) if options.tap else None
     lifecycles = Lifecycles(lambda service: StateClient(node, service))
-    observation = Observation(host, GraphReader(node, host, lifecycles=lifecycles), counters, tap)
+    heard = Heard(node, host, Parameters(lambda name: NodeQuestions(node, name)))
+    observation = Observation(host, GraphReader(node, host, lifecycles=lifecycles), counters, tap, heard)
     try:
         _Turns(observation, speaker, ends, wakes, tap, options.period, polled=event is None).run()
     finally:
@@ -116,6 +123,7 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
             event.close()
         ends.close()
         counters.close()
+        heard.close()
         node.destroy_node()
         rclpy.try_shutdown()
 
@@ -144,6 +152,7 @@ class _Turns:
         self._polled = polled
         self._due = time.monotonic() + period
         self._settled: float | None = time.monotonic() + MEET_S
+        self._asking = False
 
     def run(self) -> None:
         """Go on until the process is stopped."""
@@ -156,6 +165,7 @@ class _Turns:
                 self._tell()
             if self._tap is not None:
                 self._tap.drain()
+            self._asking = self._observation.ask(now)
             with suppress(queue.Empty):
                 self._wake(self._wakes.get(timeout=self._left()))
 
@@ -169,7 +179,9 @@ class _Turns:
     def _left(self) -> float:
         until = self._due if self._settled is None else min(self._due, self._settled)
         left = max(0.0, until - time.monotonic())
-        return min(left, DRAIN_S) if self._tap is not None and self._tap.active else left
+        if self._tap is not None and self._tap.active:
+            return min(left, DRAIN_S)
+        return min(left, ASK_S) if self._asking else left
 
     def _wake(self, pid: int) -> None:
         if pid:
@@ -179,7 +191,7 @@ class _Turns:
 
     def _settle(self) -> None:
         if self._settled is None:
-            self._settled = time.monotonic() + SETTLE_S
+            self._settled = time.monotonic() + (ASKING_SETTLE_S if self._asking else SETTLE_S)
 
     def _say(self, frame: Frame | None) -> None:
         if frame is not None:

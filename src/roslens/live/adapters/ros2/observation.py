@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
+import msgspec
+
 from roslens.live.adapters.ros2 import TOOL
 from roslens.live.adapters.ros2.changes import Changes
 from roslens.live.adapters.ros2.fit import misfits
+from roslens.live.adapters.ros2.heard import Told
+from roslens.live.adapters.ros2.parameters import Parameters
 from roslens.live.inside.counters import Counted, joined
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
@@ -43,7 +47,18 @@ class Taps(Protocol):
     def shed(self) -> int: ...  # noqa: D102
 
 
+class Hears(Protocol):
+    """What listens to what nodes and monitors tell of themselves."""
+
+    parameters: Parameters
+
+    def choose(self, graph: Graph) -> None: ...  # noqa: D102
+    def take(self, now: float, node_of: Callable[[str], str | None]) -> Told: ...  # noqa: D102
+
+
 SWEEP_PER_S = 20
+PARAMETERS_S = 5.0
+"""A graph of which only parameters changed is told so often at most; each change is an event at once."""
 _GRACE_S = 60.0
 
 
@@ -55,13 +70,18 @@ class Observation:
         graphs: reads the graph.
         counters: reads what nodes count themselves.
         taps: own subscriptions; None without.
+        heard: what nodes and monitors tell of themselves; None to leave that out.
     """
 
-    def __init__(self, host: str, graphs: Graphs, counters: Counters, taps: Taps | None = None) -> None:
+    def __init__(
+        self, host: str, graphs: Graphs, counters: Counters, taps: Taps | None = None, heard: Hears | None = None
+    ) -> None:
         self._host = host
         self._graphs = graphs
         self._counters = counters
         self._taps = taps
+        self._heard = heard
+        self._parameters_told = float("-inf")
         self._changes = Changes()
         self._graph: Graph | None = None
         self._there: set[tuple[str, str]] = set()
@@ -80,8 +100,14 @@ class Observation:
     def changed(self, now: float) -> Frame | None:
         """Return the graph and what happened, at seconds since the epoch; None where nothing did."""
         graph = self._graphs.update()
+        if self._heard is not None:
+            self._heard.choose(graph)
+            # What is known of parameters since is no reason to tell the whole at once.
+            graph = msgspec.structs.replace(graph, parameters=self._graph.parameters if self._graph else {})
         if graph == self._graph:
             return None
+        if self._heard is not None:
+            graph = msgspec.structs.replace(graph, parameters=self._heard.parameters.known())
         self._remember_names(graph, now)
         self._graph = graph
         self._there = {(end.node, end.name) for end in graph.endpoints}
@@ -109,8 +135,36 @@ class Observation:
             tallies += self._taps.tallies(now, self._name_of)
             failures += self._taps.failures()
             shed = self._taps.shed()
+        told = self._listened(now)
         stale = self._graphs.sweep(max(1, round(SWEEP_PER_S * seconds)))
-        return self._frame(now, tallies=tallies, failures=failures, shed=shed), stale
+        frame = self._frame(
+            now, tallies=tallies + told.tallies, failures=failures + told.failures, shed=shed, events=told.events,
+            graph=self._with_parameters(now),
+        )  # fmt: skip
+        return frame, stale
+
+    def ask(self, now: float) -> bool:
+        """Ask nodes for their parameters; return whether that is to go on soon. ``now`` is of a clock without jumps."""
+        if self._heard is None:
+            return False
+        self._heard.parameters.again(now)
+        self._heard.parameters.turn(now)
+        return self._heard.parameters.busy
+
+    def _listened(self, now: float) -> Told:
+        if self._heard is None:
+            return Told()
+        return self._heard.take(now, self._name_of)
+
+    def _with_parameters(self, now: float) -> Graph | None:
+        """Return the graph anew where parameters are other than it says."""
+        if self._heard is None or self._graph is None or not self._heard.parameters.news:
+            return None
+        if now - self._parameters_told < PARAMETERS_S:
+            return None
+        self._parameters_told = now
+        self._graph = msgspec.structs.replace(self._graph, parameters=self._heard.parameters.known())
+        return self._graph
 
     def _stands(self, tally: Tally) -> bool:
         """Tell whether a connection is still there: what was taken apart is silent, and that is no news."""

@@ -18,7 +18,9 @@ OWN = "/_roslens_"
 _UNKNOWN = "_NODE_NAME"
 _FOREVER_S = 1e9
 _TRIES = 3
-_ACTION = "/_action/send_goal"
+_HIDDEN = "/_action/"
+_ACTION = f"{_HIDDEN}send_goal"
+_ROLES = {Role.SERVICE_SERVER: Role.ACTION_SERVER, Role.SERVICE_CLIENT: Role.ACTION_CLIENT}
 _GOAL = "_SendGoal"
 
 Listed = dict[str, tuple[int, frozenset[tuple[Role, str, str]]]]
@@ -261,8 +263,12 @@ def _seconds(duration: Any) -> float:
 
 
 def _with_actions(ends: list[Endpoint]) -> Iterator[Endpoint]:
-    roles = {Role.SERVICE_SERVER: Role.ACTION_SERVER, Role.SERVICE_CLIENT: Role.ACTION_CLIENT}
+    """Yield the services that make an action as one endpoint of the action; its topics stay, for they have traffic."""
+    actions = {(end.node, end.role, end.name.removesuffix(_ACTION)) for end in ends if end.name.endswith(_ACTION)}
     for end in ends:
-        yield end
-        if end.role in roles and end.name.endswith(_ACTION):
-            yield Endpoint(end.node, roles[end.role], end.name.removesuffix(_ACTION), end.type.removesuffix(_GOAL))
+        action, hidden, _ = end.name.partition(_HIDDEN)
+        role = _ROLES.get(end.role)
+        if role is None or not hidden or (end.node, end.role, action) not in actions:
+            yield end
+        elif end.name.endswith(_ACTION):
+            yield Endpoint(end.node, role, action, end.type.removesuffix(_GOAL))

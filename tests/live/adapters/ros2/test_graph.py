@@ -163,12 +163,22 @@ def test_what_a_process_held_goes_with_it_and_comes_back_with_another():
     assert {n.name: n.pid for n in one.update().nodes} == {"/ns/listener": 8, "/ns/talker": 9}
 
 
-def test_actions_are_told_beside_their_services():
+def test_the_services_of_an_action_are_one_endpoint_and_its_topics_stay():
     node = FakeNode()
-    node.add("arm", "service", "/move/_action/send_goal", 7, "a/action/Move_SendGoal")
-    node.add("arm", "p", "/t", 7)
-    (action,) = (end for end in reader(node).update().endpoints if end.role is Role.ACTION_SERVER)
-    assert (action.name, action.type) == ("/move", "a/action/Move")
+    for service in ("send_goal", "cancel_goal", "get_result"):
+        node.add("arm", "service", f"/move/_action/{service}", 7, "a/action/Move_SendGoal")
+        node.add("hand", "client", f"/move/_action/{service}", 7, "a/action/Move_SendGoal")
+    node.add("arm", "service", "/reset", 7, "a/srv/Reset")
+    node.add("odd", "client", "/move/_action/get_result", 7, "a/action/Move_GetResult")
+    node.add("arm", "p", "/move/_action/feedback", 7, "a/action/Move_FeedbackMessage")
+    ends = {(end.node, end.role, end.name, end.type) for end in reader(node).update().endpoints}
+    assert ends == {
+        ("/ns/arm", Role.ACTION_SERVER, "/move", "a/action/Move"),
+        ("/ns/hand", Role.ACTION_CLIENT, "/move", "a/action/Move"),
+        ("/ns/arm", Role.SERVICE_SERVER, "/reset", "a/srv/Reset"),
+        ("/ns/odd", Role.SERVICE_CLIENT, "/move/_action/get_result", "a/action/Move_GetResult"),
+        ("/ns/arm", Role.PUBLISHER, "/move/_action/feedback", "a/action/Move_FeedbackMessage"),
+    }
 
 
 def test_a_node_that_leaves_while_it_is_asked_breaks_nothing():

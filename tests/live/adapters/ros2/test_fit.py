@@ -1,6 +1,7 @@
 import pytest
 
-from roslens.live.adapters.ros2.fit import incompatible, misfits
+from roslens.live.adapters.ros2 import fit
+from roslens.live.adapters.ros2.fit import MOST_PAIRS, incompatible, misfits
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
 
@@ -48,3 +49,15 @@ def test_another_type_is_named():
 
 def test_what_fits_or_is_unknown_is_no_failure():
     assert list(misfits([end(Role.PUBLISHER), end(Role.SUBSCRIPTION, Qos("reliable"))])) == []
+
+
+def test_many_ends_are_compared_by_kind_and_many_misfits_are_bounded(monkeypatch):
+    compared = []
+    inner = fit._misfit
+    monkeypatch.setattr(fit, "_misfit", lambda *ends: compared.append(ends) or inner(*ends))
+    publishers = [end(Role.PUBLISHER, Qos("reliable"), f"/p{number}") for number in range(200)]
+    subscriptions = [end(Role.SUBSCRIPTION, Qos("reliable"), f"/s{number}") for number in range(200)]
+    assert list(misfits([*publishers, *subscriptions])) == []
+    assert len(compared) == 1
+    lax = [end(Role.PUBLISHER, Qos("best_effort"), f"/p{number}") for number in range(200)]
+    assert len(list(misfits([*lax, *subscriptions]))) == MOST_PAIRS

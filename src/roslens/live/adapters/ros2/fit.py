@@ -3,24 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import islice, product
 
 from roslens.live.adapters.ros2 import TOOL
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
 
+MOST_PAIRS = 100
+"""Of one topic and one reason, which are told."""
+
+_Kind = tuple[str, str, "Qos | None"]
+_Groups = dict[_Kind, dict[str, Endpoint]]
+
 
 def misfits(endpoints: Iterable[Endpoint]) -> Iterator[Failure]:
-    """Yield one failure per pair of endpoints of different nodes or the same that exchange nothing, and why."""
-    by_topic: dict[str, tuple[list[Endpoint], list[Endpoint]]] = {}
+    """Yield one failure per pair of nodes, or of a node with itself, that exchange nothing over a topic, and why.
+
+    What decides is the same of most ends of a topic: each kind of publisher is held against each kind of subscription,
+    so that 200 of both cost no more than one of both.
+    """
+    by_topic: dict[str, tuple[_Groups, _Groups]] = {}
     for endpoint in endpoints:
         if endpoint.role in (Role.PUBLISHER, Role.SUBSCRIPTION):
-            ends = by_topic.setdefault(endpoint.name, ([], []))
-            ends[endpoint.role is Role.SUBSCRIPTION].append(endpoint)
+            groups = by_topic.setdefault(endpoint.name, ({}, {}))[endpoint.role is Role.SUBSCRIPTION]
+            groups.setdefault((endpoint.type, endpoint.hash, endpoint.qos), {}).setdefault(endpoint.node, endpoint)
     for topic, (publishers, subscriptions) in sorted(by_topic.items()):
         told = set()
-        for publisher in publishers:
-            for subscription in subscriptions:
+        for sending, receiving in product(publishers.values(), subscriptions.values()):
+            if _misfit(topic, *(next(iter(group.values())) for group in (sending, receiving))) is None:
+                continue
+            for publisher, subscription in islice(product(sending.values(), receiving.values()), MOST_PAIRS):
                 failure = _misfit(topic, publisher, subscription)
                 if failure is not None and failure not in told:
                     told.add(failure)

@@ -142,3 +142,12 @@ def test_what_is_about_nothing_is_told_at_the_end(bag, tmp_path, capsys):
     assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in told]
     assert main(["reference", "check", str(scam), "--bag", bag]) == 0
     assert capsys.readouterr().err.splitlines() == [f"roslens: {one}" for one in told]
+
+
+def test_the_graph_goes_into_a_file(bag, tmp_path, capsys):
+    out = tmp_path / "graph.yaml"
+    assert main(["watch", "--bag", bag, "-q", "--graph-out", str(out)]) == 0
+    text = out.read_text()
+    assert 'name: "/scan"' in text
+    assert main(["watch", "--bag", bag, "-q", "--graph-out", "/proc/none/graph.yaml"]) == 2
+    assert "--graph-out '/proc/none/graph.yaml'" in capsys.readouterr().err

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.cli.about_nothing import about_nothing, kinds_of
+from roslens.cli.graph_file import write_graph
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_screen import screen, time_of_day
@@ -77,6 +78,8 @@ def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: froze
     teller = Teller(argparse.Namespace(**{**vars(options), "output": None}), time_of_day) if on_screen else teller
     # As it was when it was last looked at: to end the observers takes a while, in which nothing is heard of anybody.
     missed = about_nothing(session, files.reference, last, kinds_of(session))
+    if options.graph_out is not None:
+        write_graph(session.graph(), options.graph_out)
     teller.end(session, last, f"after {time.monotonic() - begun:.0f} s:", missed)
     return teller.code(states, nothing_seen=not session.records)
 

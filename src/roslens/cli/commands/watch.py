@@ -25,6 +25,7 @@ EXAMPLES = """\
   roslens watch --bag drive.mcap                            without a reference: what is there, how fast
   roslens watch --listen 0.0.0.0:7411 --key-file key        agents on other hosts report to this one
   roslens watch --prometheus 9411                           values and states for Prometheus
+  roslens watch --for 10s --graph-out graph.yaml            what is there, as rosgraph_msgs/Graph
   roslens watch --serve 8080                                a page that shows it: http://127.0.0.1:8080/"""
 
 _BAD = ("low", "high", "absent")
@@ -61,6 +62,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the result there")
     parser.add_argument("--prometheus", type=int, metavar="PORT", help="serve values for Prometheus on this machine")
     parser.add_argument("--serve", metavar="[HOST:]PORT", help="show it in a browser (a port alone: on this machine)")
+    parser.add_argument(
+        "--graph-out", type=Path, metavar="FILE", help="write the graph there at the end (rosgraph_msgs/Graph, YAML)"
+    )
     parser.add_argument("--history", type=Path, metavar="FILE", help="keep series and verdicts in this file (SQLite)")
     add_stream_arguments(parser)
 
@@ -94,6 +98,7 @@ def _states(text: str) -> frozenset[str]:
 
 def _replayed(options: argparse.Namespace, reference: Reference, states: frozenset[str]) -> int:
     from roslens.cli.about_nothing import RECORDED, about_nothing
+    from roslens.cli.graph_file import write_graph
     from roslens.cli.watch_output import Teller
     from roslens.cli.watch_screen import since_start
     from roslens.live.adapters.bag.open_bag import open_bag
@@ -117,6 +122,8 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
         amount = f"{bag.messages:,} messages in {bag.end - bag.start:.1f} s"
         missed = about_nothing(session, reference, bag.end, RECORDED)
         teller.end(session, bag.end, f"{shown}: {amount}; at its end:", missed)
+    if options.graph_out is not None:
+        write_graph(session.graph(), options.graph_out)
     if page is not None:
         page.show(session, bag.end, f"{amount}, read to the end")
     return teller.code(states, nothing_seen=not bag.messages)

@@ -219,17 +219,19 @@ def _gaps_between(entries: list[Entries], size: int, overhead: int) -> list[Ints
     if last < _SPARSE * len(offsets) and last < _FAR and int(offsets.min()) >= 0:
         # Small messages: writing the next place down at each place is faster than sorting with their order. No record
         # is as short as the places are wide.
-        near = offsets.astype(np.uint32)
-        ordered = np.sort(near)
-        following = np.empty((last >> _PLACE_BITS) + 1, np.uint32)
-        following[ordered[:-1] >> _PLACE_BITS] = ordered[1:]
-        following[ordered[-1] >> _PLACE_BITS] = last
-        sizes = following[near >> _PLACE_BITS].astype(np.int64) - offsets
+        ordered = np.sort(offsets.astype(np.uint32)).astype(np.int64)
+        following = np.empty((last >> _PLACE_BITS) + 1, np.int64)
+        places = ordered >> _PLACE_BITS
+        following[places[:-1]] = ordered[1:]
+        following[places[-1]] = last
+        sizes = following[offsets >> _PLACE_BITS]
+        sizes -= offsets
     else:
         order = np.argsort(offsets)
         sizes = np.empty_like(offsets)
         sizes[order] = np.diff(offsets[order], append=last)
-    return _parted(np.maximum(sizes - overhead, 0), entries)
+    sizes -= overhead
+    return _parted(np.maximum(sizes, 0, out=sizes), entries)
 
 
 def _parted(numbers: Ints, entries: list[Entries]) -> list[Ints]:

@@ -57,6 +57,17 @@ class Layout(Protocol):
         ...
 
 
+def cut(channels: list[tuple[int, int]], times: Ints, offsets: Ints) -> list[Entries]:
+    """Return the columns of channels that follow each other, given how many each has, channel by channel."""
+    found = []
+    begin = 0
+    for channel, count in channels:
+        end = begin + count
+        found.append(Entries(channel, times[begin:end], offsets[begin:end]))
+        begin = end
+    return found
+
+
 def numbers_at(content: Bytes, at: Ints, kind: type[_Number]) -> npt.NDArray[_Number]:
     """Return the little-endian numbers at any places of the content."""
     width = np.dtype(kind).itemsize

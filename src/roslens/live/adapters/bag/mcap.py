@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 import zlib
 from typing import NamedTuple
 
@@ -25,6 +26,7 @@ from roslens.live.adapters.bag.source import Source
 
 _FOOTER_BYTES = PREFIX.size + 20
 _INDEX_HEAD = PREFIX.size + 6
+_PLACE = struct.Struct("<HQ")
 _REINDEX = "What is there is read. `mcap recover` writes a whole file."
 
 
@@ -126,15 +128,13 @@ def _statistics(cursor: Cursor) -> tuple[int, dict[int, int]]:
 def _chunk_of(cursor: Cursor) -> Chunk:
     """Read a chunk index record."""
     start, end, at, length = cursor.u64(), cursor.u64(), cursor.u64(), cursor.u64()
-    pairs = Cursor(cursor.take(cursor.u32()))
-    places = []
-    while pairs.left:
-        channel = pairs.u16()
-        places.append((pairs.u64(), channel))
+    pairs = cursor.take(cursor.u32())
     index_length = cursor.u64()
     compression, packed, size = cursor.text(), cursor.u64(), cursor.u64()
     index_at = at + length
-    places.sort()
+    if len(pairs) % _PLACE.size:
+        raise DamageError(f"places of an index in {len(pairs):,} bytes")
+    places = sorted((place, channel) for channel, place in _PLACE.iter_unpack(pairs))
     ends = [place for place, _ in places] + [index_at + index_length]
     counts = {
         channel: max(following - place - _INDEX_HEAD, 0) // 16

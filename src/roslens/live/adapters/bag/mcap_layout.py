@@ -11,7 +11,7 @@ from roslens.live.adapters.bag.block import FOREVER, Bytes, Ints
 from roslens.live.adapters.bag.channel import Channel
 from roslens.live.adapters.bag.cursor import Cursor
 from roslens.live.adapters.bag.damage import DamageError
-from roslens.live.adapters.bag.layout import Entries, Walk, numbers_at, walked
+from roslens.live.adapters.bag.layout import Entries, Walk, cut, numbers_at, walked
 
 MAGIC = b"\x89MCAP0\r\n"
 
@@ -19,6 +19,7 @@ HEADER, FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK, MESSAGE_INDEX, CHUNK_INDEX = ra
 STATISTICS, DATA_END = 0x0B, 0x0F
 
 PREFIX = struct.Struct("<BQ")
+_INDEX = struct.Struct("<HI")
 _MESSAGE = struct.Struct("<HIQQ")
 _LANGUAGES = {"ros1msg": "msg", "ros2msg": "msg", "ros2idl": "idl", "omgidl": "idl"}
 
@@ -68,24 +69,26 @@ class McapLayout:
 
     def entries(self, region: bytes) -> list[Entries]:
         """Read message index records."""
-        found = []
-        at = 0
-        while at + PREFIX.size <= len(region):
+        pieces = []
+        at, end = 0, len(region)
+        while at + PREFIX.size <= end:
             kind, length = PREFIX.unpack_from(region, at)
             at += PREFIX.size
-            if length > len(region) - at:
-                raise DamageError(f"an index record of {length:,} bytes where {len(region) - at:,} are left")
+            if length > end - at:
+                raise DamageError(f"an index record of {length:,} bytes where {end - at:,} are left")
             if kind == MESSAGE_INDEX:
                 if length < 6:
                     raise DamageError(f"an index record of {length} bytes")
-                channel, size = struct.unpack_from("<HI", region, at)
+                channel, size = _INDEX.unpack_from(region, at)
                 if size > length - 6 or size % 16:
                     raise DamageError(f"an index of {size:,} bytes in a record of {length:,}")
-                table = np.frombuffer(region, "<i8", size // 8, at + 6)
                 if size:
-                    found.append(Entries(channel, table[0::2], table[1::2]))
+                    pieces.append((channel, region[at + 6 : at + 6 + size]))
             at += length
-        return found
+        # Joined first: two columns are taken apart faster than two of each channel.
+        table = np.frombuffer(b"".join([piece for _, piece in pieces]), "<i8").reshape(-1, 2)
+        times, offsets = table[:, 0].copy(), table[:, 1].copy()
+        return cut([(channel, len(piece) // 16) for channel, piece in pieces], times, offsets)
 
     def locate(self, content: Bytes, offsets: Ints) -> tuple[Ints, Ints] | None:
         """Find messages by where their records begin."""

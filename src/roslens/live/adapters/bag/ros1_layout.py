@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import struct
+from typing import NamedTuple
 
 import numpy as np
 
 from roslens.live.adapters.bag.block import Bytes, Ints
 from roslens.live.adapters.bag.channel import Channel
 from roslens.live.adapters.bag.damage import DamageError
-from roslens.live.adapters.bag.layout import Entries, Walk, numbers_at, walked
+from roslens.live.adapters.bag.layout import Entries, Walk, cut, numbers_at, walked
 
 MAGIC = b"#ROSBAG V2.0\n"
 
@@ -73,6 +74,46 @@ def operation(fields: dict[str, bytes]) -> int:
     return number(fields, "op", 1)
 
 
+class _Form(NamedTuple):
+    """How the header of an index record is written: those of a bag differ in two numbers alone.
+
+    ``around`` is what stands before, between and behind the numbers, of which ``first`` and ``second`` are the places;
+    ``turned`` says that the count comes first.
+    """
+
+    around: tuple[bytes, bytes, bytes]
+    first: int
+    second: int
+    turned: bool
+
+    @classmethod
+    def of(cls, head: bytes) -> _Form | None:
+        """Return the form of a record's beginning up to its content; None where the numbers cannot be told."""
+        head = head[:-4]
+        if head.count(b"conn=") != 1 or head.count(b"count=") != 1:
+            return None
+        channel, count = head.index(b"conn=") + 5, head.index(b"count=") + 6
+        first, second = min(channel, count), max(channel, count)
+        return cls((head[:first], head[first + 4 : second], head[second + 4 :]), first, second, first == count)
+
+    def read(self, region: bytes, at: int) -> tuple[int, int, int, int] | None:
+        """Return channel, count, and start and length of the content, of a record of this form; None if it is none."""
+        before, between, behind = self.around
+        end = at + self.second + 4 + len(behind)
+        if (
+            end + 4 > len(region)
+            or not region.startswith(before, at)
+            or not region.startswith(between, at + self.first + 4)
+            or not region.startswith(behind, at + self.second + 4)
+        ):
+            return None
+        first, second = _U32.unpack_from(region, at + self.first)[0], _U32.unpack_from(region, at + self.second)[0]
+        length = _U32.unpack_from(region, end)[0]
+        if length > len(region) - end - 4:
+            return None
+        return (second, first, end + 4, length) if self.turned else (first, second, end + 4, length)
+
+
 class Ros1Layout:
     """What is known of a bag's connections, and how its chunks are read."""
 
@@ -103,28 +144,28 @@ class Ros1Layout:
         """Read the index records behind a chunk."""
         pieces = []
         at = 0
+        form = None
         while at < len(region):
-            fields, start, length = split(region, at)
+            known = form.read(region, at) if form is not None else None
+            if known is None:
+                fields, start, length = split(region, at)
+                if operation(fields) != INDEX:
+                    break
+                channel, count = number(fields, "conn", 4), number(fields, "count", 4)
+                form = _Form.of(region[at:start])
+            else:
+                channel, count, start, length = known
             at = start + length
-            if operation(fields) != INDEX:
-                break
-            count = number(fields, "count", 4)
             if count * 12 > length:
                 raise DamageError(f"an index of {count:,} messages in a record of {length:,} bytes")
             if count:
-                pieces.append((number(fields, "conn", 4), np.frombuffer(region, "<u4", count * 3, start)))
+                pieces.append((channel, region[start : start + count * 12]))
         if not pieces:
             return []
-        table = np.concatenate([piece for _, piece in pieces]).reshape(-1, 3)
-        times = table[:, 0].astype(np.int64) * _SECOND + table[:, 1]
-        offsets = table[:, 2].astype(np.int64)
-        found = []
-        begin = 0
-        for channel, piece in pieces:
-            end = begin + len(piece) // 3
-            found.append(Entries(channel, times[begin:end], offsets[begin:end]))
-            begin = end
-        return found
+        table = np.frombuffer(b"".join([piece for _, piece in pieces]), "<u4").reshape(-1, 3)
+        times = table[:, 0] * np.int64(_SECOND)
+        times += table[:, 1]
+        return cut([(channel, len(piece) // 12) for channel, piece in pieces], times, table[:, 2].astype(np.int64))
 
     def locate(self, content: Bytes, offsets: Ints) -> tuple[Ints, Ints] | None:
         """Find messages by where their records begin."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from roslens.live.adapters.bag.damage import DamageError
 
-_WINDOW = 1 << 16
+_WINDOW = 1 << 13
 
 
 class Source:

@@ -6,16 +6,32 @@ import select
 import sys
 from collections.abc import Callable, Mapping, Sequence
 
+import msgspec
+
 from roslens.live.adapters.child import Child, find_ros2_python, ros2_command
+from roslens.live.publish.downlink import Downlink
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
+
+
+class Publishes(msgspec.Struct, frozen=True):
+    """What an observer publishes in ROS for the monitor.
+
+    Attributes:
+        diagnostics: diagnostic_msgs/DiagnosticArray on /diagnostics.
+        rated: topic of roslens_msgs/RatedSignals; empty for none.
+    """
+
+    diagnostics: bool = False
+    rated: str = ""
 
 
 class ChildSource:
     """A process that observes, asked for its frames."""
 
-    def __init__(self, child: Child, *, steady: Callable[[], float]) -> None:
-        """Read ``child``; ``steady`` is a clock that never jumps."""
+    def __init__(self, child: Child, *, steady: Callable[[], float], downlink: Downlink | None = None) -> None:
+        """Read ``child``; ``steady`` is a clock that never jumps, ``downlink`` leads to the child."""
+        self.downlink = downlink
         self._child = child
         self._steady = steady
 
@@ -36,25 +52,44 @@ class ChildSource:
 
 
 def ros1_source(
-    master: str, taps: Sequence[str], environment: Mapping[str, str], *, steady: Callable[[], float]
-) -> ChildSource:
+    master: str, taps: Sequence[str], environment: Mapping[str, str], *, steady: Callable[[], float],
+    publishes: Publishes | None = None,
+) -> ChildSource:  # fmt: skip
     """Return what observes the ROS 1 system of ``master``; empty is that of the environment."""
-    words = ["--statistics", *(["--master", master] if master else []), *_taps(taps)]
+    words = ["--statistics", *(["--master", master] if master else []), *_taps(taps), *_published(publishes)]
     command = [sys.executable, "-m", "roslens.live.adapters.ros1", *words]
-    return ChildSource(Child("ros1", command, environment), steady=steady)
+    return _source("ros1", command, environment, steady, publishes)
 
 
 def ros2_source(
-    python: str, domain: int | None, taps: Sequence[str], environment: Mapping[str, str], *, steady: Callable[[], float]
-) -> ChildSource:
+    python: str, domain: int | None, taps: Sequence[str], environment: Mapping[str, str], *,
+    steady: Callable[[], float], publishes: Publishes | None = None,
+) -> ChildSource:  # fmt: skip
     """Return what observes the ROS 2 system of a domain, with a Python in which rclpy is.
 
     Raises:
         UsageError: there is no such Python.
     """
     found = find_ros2_python(python, environment)
-    words = [*(["--domain", str(domain)] if domain is not None else []), *_taps(taps)]
-    return ChildSource(Child("ros2", ros2_command(found, words), environment), steady=steady)
+    words = [*(["--domain", str(domain)] if domain is not None else []), *_taps(taps), *_published(publishes)]
+    return _source("ros2", ros2_command(found, words), environment, steady, publishes)
+
+
+def _source(
+    name: str, command: Sequence[str], environment: Mapping[str, str], steady: Callable[[], float],
+    publishes: Publishes | None,
+) -> ChildSource:  # fmt: skip
+    downlink = Downlink() if publishes is not None else None
+    return ChildSource(Child(name, command, environment, downlink), steady=steady, downlink=downlink)
+
+
+def _published(publishes: Publishes | None) -> list[str]:
+    if publishes is None:
+        return []
+    return [
+        *(["--diagnostics"] if publishes.diagnostics else []),
+        *(["--rated", publishes.rated] if publishes.rated else []),
+    ]
 
 
 def _taps(patterns: Sequence[str]) -> list[str]:

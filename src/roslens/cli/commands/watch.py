@@ -25,6 +25,7 @@ EXAMPLES = """\
   roslens watch --bag drive.mcap                            without a reference: what is there, how fast
   roslens watch --listen 0.0.0.0:7411 --key-file key        agents on other hosts report to this one
   roslens watch --prometheus 9411                           values and states for Prometheus
+  roslens watch --ros2 --diagnostics                        verdicts go back into ROS, for rqt and aggregators
   roslens watch --for 10s --graph-out graph.yaml            what is there, as rosgraph_msgs/Graph
   roslens watch --serve 8080                                a page that shows it: http://127.0.0.1:8080/"""
 
@@ -61,6 +62,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--format", choices=("text", "json"), default="text", help="json: a line for each change")
     parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the result there")
     parser.add_argument("--prometheus", type=int, metavar="PORT", help="serve values for Prometheus on this machine")
+    parser.add_argument(
+        "--diagnostics", action="store_true", default=None, help="publish diagnostic_msgs on /diagnostics in ROS"
+    )
+    parser.add_argument(
+        "--publish-statistics", metavar="TOPIC", help="publish roslens_msgs/RatedSignals on this topic in ROS"
+    )
     parser.add_argument("--serve", metavar="[HOST:]PORT", help="show it in a browser (a port alone: on this machine)")
     parser.add_argument(
         "--graph-out", type=Path, metavar="FILE", help="write the graph there at the end (rosgraph_msgs/Graph, YAML)"
@@ -104,9 +111,9 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.replay import replay
 
-    for name in ("listen", "prometheus", "history", "master", "domain", "length"):
+    for name in ("listen", "prometheus", "history", "diagnostics", "publish_statistics", "master", "domain", "length"):
         if getattr(options, name) is not None:
-            option = "for" if name == "length" else name
+            option = "for" if name == "length" else name.replace("_", "-")
             raise UsageError(f"--{option} with --bag", expected="one of them", advice="A recording is read to its end")
     bag = open_bag(options.bag)
     shown, clock = ", ".join(str(path) for path in options.bag), since_start(bag.start)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from roslens.live.inside.environment import undone
 from roslens.live.inside.slots import VARIABLE as COUNTERS
+from roslens.live.publish.downlink import Downlink
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame, FrameReader, WireError
@@ -98,12 +99,16 @@ class Child:
         name: of the adapter, for messages.
         command: what to run.
         environment: to run it in.
+        downlink: what is written to its standard input; None where it is told nothing.
     """
 
-    def __init__(self, name: str, command: Sequence[str], environment: Mapping[str, str]) -> None:
+    def __init__(
+        self, name: str, command: Sequence[str], environment: Mapping[str, str], downlink: Downlink | None = None
+    ) -> None:
         self._name = name
         self._command = list(command)
         self._environment = clean_environment(environment)
+        self._downlink = downlink
         self._process: subprocess.Popen[bytes] | None = None
         self._reader = FrameReader()
         self._partial = b""
@@ -150,7 +155,8 @@ class Child:
         self.starts += 1
         try:
             self._process = subprocess.Popen(
-                self._command, env=self._environment, stdin=subprocess.DEVNULL,
+                self._command, env=self._environment,
+                stdin=subprocess.DEVNULL if self._downlink is None else subprocess.PIPE,
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0,
             )  # fmt: skip
         except OSError as error:
@@ -158,6 +164,8 @@ class Child:
         for stream in (self._process.stdout, self._process.stderr):
             if stream is not None:
                 os.set_blocking(stream.fileno(), False)
+        if self._downlink is not None and self._process.stdin is not None:
+            self._downlink.attach(self._process.stdin)
         return []
 
     def _frames(self) -> list[Frame | Failure]:
@@ -211,6 +219,8 @@ class Child:
             for stream in (self._process.stdout, self._process.stderr):
                 if stream is not None:
                     stream.close()
+        if self._downlink is not None:
+            self._downlink.detach()
         self._process = None
 
 

@@ -22,9 +22,11 @@ from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.observation import Observation
 from roslens.live.adapters.ros1.place import is_local, own_address
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
+from roslens.live.adapters.ros1.saying import Saying
 from roslens.live.adapters.ros1.speak import Speaker
 from roslens.live.adapters.ros1.told import ToldServer
 from roslens.live.adapters.ros1.xml_rpc import CallError, split_uri
+from roslens.live.publish.asked import when_asked
 
 DEFAULT_MASTER = "http://localhost:11311"
 _SETTLE_S = 0.25
@@ -41,6 +43,8 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--tap-budget", type=_share, default=0.05, metavar="PERCENT", help="CPU of the tap (5)")
     parser.add_argument("--tap-rate", type=_positive, default=5000.0, metavar="N", help="messages/s of the tap (5000)")
     parser.add_argument("--tap-bytes", type=_positive, default=50e6, metavar="N", help="bytes/s of the tap (50e6)")
+    parser.add_argument("--diagnostics", action="store_true", help="publish what is asked on standard input")
+    parser.add_argument("--rated", default="", metavar="TOPIC", help="publish rated signals that are asked there too")
     options = parser.parse_args(words)
     try:
         split_uri(options.master)
@@ -74,6 +78,11 @@ def _pattern(text: str) -> Pattern:
         raise argparse.ArgumentTypeError(str(error)) from None
 
 
+def _complain(text: str) -> None:
+    sys.stderr.write(f"error: {text}\n")
+    sys.stderr.flush()
+
+
 def _stop(*_: object) -> None:
     raise SystemExit(0)
 
@@ -94,15 +103,19 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     at = ""
     with suppress(UnresolvedError):
         at = resolver.address(own)
+    listened = at if is_local(at) else ""
+    saying = _saying(options, listened, own, caller)
     told = ToldServer(
-        at if is_local(at) else "", own, options.master, lambda topic, uris: wakes.put(("told", topic, uris))
-    )
+        listened, own, options.master, lambda topic, uris: wakes.put(("told", topic, uris)),
+        saying.answers if saying else None,
+    )  # fmt: skip
     ends = Ends(lambda name: wakes.put(("ended", name, ())))
-    follower = Follower(Master(options.master, caller, resolver), caller, told.uri)
+    publications = saying.publications if saying else ()
+    follower = Follower(Master(options.master, caller, resolver), caller, told.uri, publications)
     observation = Observation(follower, caller, resolver, socket.gethostname(), time.time, ends)
     limits = Limits(options.tap_budget, options.tap_rate, options.tap_bytes)
     listening = Listening(caller, resolver, time.time, socket.gethostname(), limits)
-    ear = Ear(observation, listening, tuple(options.tap), options.statistics)
+    ear = Ear(observation, listening, tuple(options.tap), options.statistics, caller)
     try:
         _turn(options.period, observation, ear, speaker, wakes)
     finally:
@@ -111,6 +124,17 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
         observation.close()
         ends.close()
         told.close()
+        if saying:
+            saying.close()
+
+
+def _saying(options: argparse.Namespace, address: str, own: str, caller: str) -> Saying | None:
+    """Publish what comes on standard input, where that was asked for."""
+    if not (options.diagnostics or options.rated):
+        return None
+    saying = Saying(address, own, caller, diagnostics=options.diagnostics, rated=options.rated)
+    when_asked(0, saying.publish, _complain)
+    return saying
 
 
 def _turn(period: float, observation: Observation, ear: Ear, speaker: Speaker, wakes: queue.SimpleQueue[Wake]) -> None:

@@ -25,12 +25,19 @@ class Ear:
     """Adds what is heard to the rounds of an observation."""
 
     def __init__(
-        self, observation: Observation, listening: Listening, taps: Sequence[Pattern], statistics: bool
+        self,
+        observation: Observation,
+        listening: Listening,
+        taps: Sequence[Pattern],
+        statistics: bool,
+        caller: str = "",
     ) -> None:
+        """Listen by ``taps``, and to ``statistics``; what is told of the node ``caller``, ourselves, is left out."""
         self._observation = observation
         self._listening = listening
         self._taps = taps
         self._statistics = statistics
+        self._caller = caller
         self._rounds = 0
 
     def round(self, moved: frozenset[str] = frozenset()) -> Frame:
@@ -48,10 +55,13 @@ class Ear:
             taken.failures.append(Failure(TOOL, f"nobody publishes {TOPIC}", "subscribers that do", advice))
         return msgspec.structs.replace(
             frame,
-            tallies=[*frame.tallies, *(self._without_framing(tally) for tally in taken.tallies)],
+            tallies=[*frame.tallies, *(self._without_framing(tally) for tally in taken.tallies if self._known(tally))],
             failures=[*frame.failures, *taken.failures],
             shed=frame.shed + taken.shed,
         )
+
+    def _known(self, tally: Tally) -> bool:
+        return not self._caller or tally.publisher != self._caller
 
     def _without_framing(self, tally: Tally) -> Tally:
         """Take the lengths before messages off what rospy told of itself."""

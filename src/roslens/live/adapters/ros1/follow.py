@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import msgspec
 
@@ -34,13 +34,19 @@ class Step(msgspec.Struct, frozen=True):
 class Follower:
     """Keeps registrations and types as the master last told them, and ourselves registered to be told of changes.
 
+    Args:
+        master: to follow.
+        caller: our own name.
+        api: the URI of our own API; empty to register for nothing.
+        publications: topics that we publish, with the types of their messages.
+
     Attributes:
         state: registrations, ours left out.
         types: of topics by name.
         there: whether the master answered last.
     """
 
-    def __init__(self, master: Master, caller: str, api: str) -> None:
+    def __init__(self, master: Master, caller: str, api: str, publications: Sequence[tuple[str, str]] = ()) -> None:
         self.state = SystemState()
         self.types: dict[str, str] = {}
         self.there = False
@@ -48,6 +54,7 @@ class Follower:
         self._master = master
         self._caller = caller
         self._api = api
+        self._publications = publications
         self._pid = 0
         self._type_failures: tuple[Failure, ...] = ()
 
@@ -90,6 +97,8 @@ class Follower:
     def _register(self) -> None:
         if self._api:
             self._master.subscribe(TOPIC_OF_ALL, "*", self._api)
+            for topic, type_ in self._publications:
+                self._master.publish(topic, type_, self._api)
 
     def home(self, node: str, fresh: bool = False) -> str:
         """Return the URI of the API of a node.
@@ -103,6 +112,8 @@ class Follower:
         """Take our registration back; what goes wrong is passed to ``ignore``."""
         if self._pid and self._api:
             try:
+                for topic, _ in self._publications:
+                    self._master.unpublish(topic, self._api)
                 self._master.unsubscribe(TOPIC_OF_ALL, self._api)
             except CallError as error:
                 ignore(str(error))

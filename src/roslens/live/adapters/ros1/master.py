@@ -160,6 +160,22 @@ class Master:
         """
         self._call("unregisterSubscriber", topic, api)
 
+    def publish(self, topic: str, type_: str, api: str) -> None:
+        """Register as a publisher, which subscribers are told of.
+
+        Raises:
+            CallError: the master does not register it.
+        """
+        self._call("registerPublisher", topic, type_, api)
+
+    def unpublish(self, topic: str, api: str) -> None:
+        """Take the registration back.
+
+        Raises:
+            CallError: the master does not answer.
+        """
+        self._call("unregisterPublisher", topic, api)
+
     def close(self) -> None:
         """Hang up."""
         self._line.close()

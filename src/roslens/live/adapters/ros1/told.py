@@ -6,7 +6,7 @@ import os
 import socket
 import threading
 import xmlrpc.client
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
@@ -16,6 +16,7 @@ _LARGEST = 4_000_000
 _PATIENCE_S = 5.0
 
 Update = Callable[[str, tuple[str, ...]], None]
+Answer = Callable[[list[Any]], list[Any]]
 
 
 class ToldServer:
@@ -26,10 +27,13 @@ class ToldServer:
         host: by which others reach that address.
         master_uri: told to who asks.
         told: called with topic and URIs of all its publishers, in a thread of the server.
+        more: what else is answered, by method.
     """
 
-    def __init__(self, address: str, host: str, master_uri: str, told: Update) -> None:
-        answers: dict[str, Callable[[list[Any]], list[Any]]] = {
+    def __init__(
+        self, address: str, host: str, master_uri: str, told: Update, more: Mapping[str, Answer] | None = None
+    ) -> None:
+        answers: dict[str, Answer] = {
             "publisherUpdate": self._updated,
             "getPid": lambda _: [1, "", os.getpid()],
             "getBusStats": lambda _: [1, "", [[], [], []]],
@@ -40,6 +44,7 @@ class ToldServer:
             "paramUpdate": lambda _: [1, "", 0],
             "shutdown": lambda _: [0, "an observer is ended where it was started", 0],
             "requestTopic": lambda _: [0, "an observer publishes nothing", 0],
+            **(more or {}),
         }
         self._told = told
         family = socket.AF_INET6 if ":" in address else socket.AF_INET
@@ -65,7 +70,7 @@ class ToldServer:
         self._thread.join()
 
 
-def answer_to(body: bytes, answers: dict[str, Callable[[list[Any]], list[Any]]]) -> bytes:
+def answer_to(body: bytes, answers: Mapping[str, Answer]) -> bytes:
     """Return the answer to a call, which may be no call at all."""
     value: list[Any]
     try:
@@ -77,7 +82,7 @@ def answer_to(body: bytes, answers: dict[str, Callable[[list[Any]], list[Any]]])
     return xmlrpc.client.dumps((value,), methodresponse=True).encode()
 
 
-def _handler(answers: dict[str, Callable[[list[Any]], list[Any]]]) -> type[BaseHTTPRequestHandler]:
+def _handler(answers: Mapping[str, Answer]) -> type[BaseHTTPRequestHandler]:
     class Handler(BaseHTTPRequestHandler):
         protocol_version = "HTTP/1.1"
         timeout = _PATIENCE_S

@@ -22,9 +22,11 @@ from roslens.live.adapters.ros2.lifecycle import Lifecycles, StateClient
 from roslens.live.adapters.ros2.observation import Observation
 from roslens.live.adapters.ros2.parameters import NodeQuestions, Parameters
 from roslens.live.adapters.ros2.process_ends import ProcessEnds
+from roslens.live.adapters.ros2.saying import Saying
 from roslens.live.adapters.ros2.tap import DRAIN_S, Tap
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.slots import folder_of
+from roslens.live.publish.asked import when_asked
 from roslens.model.failure import Failure
 from roslens.model.wire import MAX_FRAME_BYTES, VERSION, Frame, encode_frame
 
@@ -46,6 +48,8 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--period", type=_period, default=1.0, metavar="S", help="seconds between frames")
     parser.add_argument("--tap", action="append", default=[], metavar="PATTERN", help="subscribe to these topics too")
     parser.add_argument("--tap-budget", type=_percent, default=10.0, metavar="PERCENT", help="of a core for --tap")
+    parser.add_argument("--diagnostics", action="store_true", help="publish what is asked on standard input")
+    parser.add_argument("--rated", default="", metavar="TOPIC", help="publish rated signals that are asked there too")
     options = parser.parse_args(words)
     if options.domain is not None and not 0 <= options.domain <= _LARGEST_DOMAIN:
         parser.error(f"--domain {options.domain}: expected 0 to {_LARGEST_DOMAIN}")
@@ -89,6 +93,11 @@ class _Speaker:
         self._into.flush()
 
 
+def _complain(text: str) -> None:
+    sys.stderr.write(f"error: {text}\n")
+    sys.stderr.flush()
+
+
 def _stop(*_: object) -> None:
     raise SystemExit(0)
 
@@ -105,6 +114,7 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
     host = socket.gethostname()
     wakes: queue.SimpleQueue[int] = queue.SimpleQueue()
     ends = ProcessEnds(wakes.put)
+    saying = _saying(options, node, speaker, host)
     event = None
     try:
         event = GraphEvent(node, lambda: wakes.put(0))
@@ -124,8 +134,21 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
         ends.close()
         counters.close()
         heard.close()
+        if saying is not None:
+            saying.close()
         node.destroy_node()
         rclpy.try_shutdown()
+
+
+def _saying(options: argparse.Namespace, node: Any, speaker: _Speaker, host: str) -> Saying | None:
+    """Publish what comes on standard input, where that was asked for."""
+    if not (options.diagnostics or options.rated):
+        return None
+    saying = Saying(node, diagnostics=options.diagnostics, rated=options.rated)
+    if saying.failures:
+        speaker.say(Frame(VERSION, f"{host}/{TOOL}", 0, time.time(), failures=saying.failures))
+    when_asked(0, saying.publish, _complain)
+    return saying
 
 
 def _without_events(host: str, error: Exception) -> Frame:

@@ -57,6 +57,7 @@ class GraphReader:
         self._tries: Counter[str] = Counter()
         self._dead: set[str] = set()
         self._names: dict[str, str] = {}
+        self._own: set[str] = set()
         self._again: set[str] = set()
         self._round: Iterator[str] = iter(())
         self._own_host = ""
@@ -69,6 +70,10 @@ class GraphReader:
     def node_of(self, gid: str) -> str | None:
         """Return the node of an endpoint; None of one that never was there or is there no more."""
         return self._names.get(gid)
+
+    def own(self, gid: str) -> bool:
+        """Whether an endpoint is one of an observer, which is no part of what is observed."""
+        return gid in self._own
 
     def pids(self) -> set[int]:
         """Return the processes of this host that are known to hold nodes."""
@@ -138,6 +143,7 @@ class GraphReader:
                 end = _endpoint(role, topic, info)
                 if end.node.startswith(OWN):
                     self._own_host = host_bits(end.gid)
+                    self._own.add(end.gid)
                     continue
                 ends.append(end)
                 self._names[end.gid] = end.node

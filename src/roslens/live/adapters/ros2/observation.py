@@ -28,6 +28,7 @@ class Graphs(Protocol):
     def sweep(self, most: int) -> bool: ...  # noqa: D102
     def ended(self, pid: int) -> bool: ...  # noqa: D102
     def node_of(self, gid: str) -> str | None: ...  # noqa: D102
+    def own(self, gid: str) -> bool: ...  # noqa: D102
     def pids(self) -> set[int]: ...  # noqa: D102
 
 
@@ -127,7 +128,8 @@ class Observation:
 
     def period(self, now: float, seconds: float) -> tuple[Frame, bool]:
         """Return what was counted since the last period, and whether the graph had changed unnoticed."""
-        counted = joined(self._counters.read(now), self._name_of, self._host)
+        heard = [one for one in self._counters.read(now) if not self._graphs.own(one.gid)]
+        counted = joined(heard, self._name_of, self._host)
         tallies = [tally for tally in counted if tally.count or self._stands(tally)]
         failures = self._counters.failures()
         shed = 0

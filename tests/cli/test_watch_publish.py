@@ -1,0 +1,96 @@
+import argparse
+
+import pytest
+
+from roslens.cli.watch_publish import publish_through, wanted
+from roslens.judge.expectation import Presence, PresenceMode, Reference, Selector, Told
+from roslens.live.child_source import ChildSource, Publishes
+from roslens.live.publish.turns import PERIOD_S
+from roslens.live.session import Session
+from roslens.model.entity import EntityKind
+from roslens.model.errors import UsageError
+from roslens.model.outgoing import MAX_BYTES, OutgoingReader
+
+REFERENCE = Reference(
+    "r", presences=(Presence(Told("r.scan"), Selector(EntityKind.TOPIC, "/scan"), PresenceMode.ALWAYS),)
+)
+
+
+class Line:
+    """Keeps what is said."""
+
+    def __init__(self, lost=0):
+        self.said = b""
+        self.lost = lost
+
+    def say(self, frame):
+        self.said += frame
+
+    @property
+    def frames(self):
+        return list(OutgoingReader().feed(self.said))
+
+
+def source(line):
+    return ChildSource(None, steady=float, downlink=line)
+
+
+def options(**given):
+    return argparse.Namespace(**{"diagnostics": None, "publish_statistics": None, **given})
+
+
+def test_what_is_wanted():
+    assert wanted(options()) is None
+    assert wanted(options(diagnostics=True)) == Publishes(True)
+    assert wanted(options(publish_statistics="/roslens/rated")).rated == "/roslens/rated"
+
+
+@pytest.mark.parametrize("topic", ["", "rated", "/", "/a//b", "/1a", "/a/", "/a b", "/" + "x" * 300])
+def test_a_topic_that_is_none_is_refused(topic):
+    with pytest.raises(UsageError, match="--publish-statistics"):
+        wanted(options(publish_statistics=topic))
+
+
+def test_where_no_ros_is_observed_nothing_can_be_published():
+    with pytest.raises(UsageError, match="--diagnostics where no ROS is observed"):
+        publish_through([object()], Session(REFERENCE, start=0.0), lambda: REFERENCE, Publishes(True))
+
+
+def test_every_observer_publishes_what_becomes_wrong_at_once():
+    session = Session(REFERENCE, start=0.0)
+    lines = [Line(), Line()]
+    told = publish_through(
+        [source(line) for line in lines], session, lambda: REFERENCE, Publishes(True, "/roslens/rated")
+    )
+    now = 0.0
+    while not (step := session.look(now)).changes:
+        told(step)
+        now += 0.25
+        assert now < 60
+    before = len(lines[0].frames)
+    told(step)
+    assert lines[0].said == lines[1].said
+    diagnostics, rated = lines[0].frames[before:]
+    assert [(one.level, one.name) for one in diagnostics.statuses] == [(1, "roslens: topic /scan")]
+    assert [(one.name, one.sentence, one.state) for one in rated.rated.signals] == [("/scan", "r.scan", 5)]
+    assert before >= now / PERIOD_S
+
+
+def test_messages_that_were_lost_are_told_once():
+    session = Session(REFERENCE, start=0.0)
+    told = publish_through([source(Line(lost=3))], session, lambda: REFERENCE, Publishes(True))
+    told(session.look(0.0))
+    told(session.look(2.0))
+    (failure,) = session.look(4.0).failures or session.monitor.failures
+    assert "could not be published" in failure.what
+
+
+def test_what_is_too_long_for_a_message_is_a_failure_and_no_crash():
+    text = "x" * (MAX_BYTES + 1)
+    told = Told("r.scan", text=text)
+    reference = Reference("r", presences=(Presence(told, Selector(EntityKind.TOPIC, "/scan"), PresenceMode.ALWAYS),))
+    session, line = Session(reference, start=0.0), Line()
+    publish = publish_through([source(line)], session, lambda: reference, Publishes(False, "/rated"))
+    publish(session.look(0.0))
+    assert line.said == b""
+    assert "expected at most" in session.monitor.failures[0].what

@@ -1,0 +1,66 @@
+import os
+import threading
+import time
+
+from roslens.live.publish.downlink import Downlink
+
+
+def pipe():
+    reading, writing = os.pipe()
+    return reading, os.fdopen(writing, "wb", buffering=0)
+
+
+def until(holds, seconds=10):
+    end = time.monotonic() + seconds
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.002)
+
+
+def test_frames_arrive_in_order():
+    reading, stream = pipe()
+    line = Downlink()
+    line.attach(stream)
+    for text in (b"one ", b"two"):
+        line.say(text)
+    found = b""
+    while len(found) < 7:
+        found += os.read(reading, 100)
+    assert (found, line.lost) == (b"one two", 0)
+    line.detach()
+    assert os.read(reading, 1) == b""
+    os.close(reading)
+
+
+def test_who_does_not_read_loses_the_oldest_and_nobody_waits():
+    reading, stream = pipe()
+    line = Downlink(most_waiting=100_000)
+    line.attach(stream)
+    begun = time.monotonic()
+    for _ in range(1000):
+        line.say(b"x" * 10_000)
+    assert time.monotonic() - begun < 2
+    # One is being written, and a pipe and what may wait hold the rest.
+    assert line.lost > 900
+    os.close(reading)
+    until(lambda: threading.active_count() == 1 or not any(t.name == "downlink" for t in threading.enumerate()))
+    assert stream.closed
+
+
+def test_what_is_said_to_one_who_ended_is_lost_and_the_next_one_is_told_again():
+    reading, stream = pipe()
+    line = Downlink()
+    line.say(b"before anybody was there")
+    assert line.lost == 0
+    line.attach(stream)
+    os.close(reading)
+    line.say(b"x")
+    until(lambda: stream.closed)
+    line.say(b"y")
+    assert line.lost == 2
+    reading, stream = pipe()
+    line.attach(stream)
+    line.say(b"again")
+    assert os.read(reading, 100) == b"again"
+    line.detach()
+    os.close(reading)

@@ -10,6 +10,7 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -18,6 +19,7 @@ from roslens.cli.about_nothing import about_nothing, kinds_of
 from roslens.cli.graph_file import write_graph
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
+from roslens.cli.watch_publish import publish_through, wanted
 from roslens.cli.watch_screen import screen, time_of_day
 from roslens.live.session import Session, Source, run
 from roslens.model.errors import UsageError
@@ -25,6 +27,7 @@ from roslens.model.failure import Failure
 
 if TYPE_CHECKING:
     from roslens.cli.watch_reload import ReferenceFiles
+    from roslens.live.child_source import Publishes
     from roslens.live.publish.endpoint import Endpoint
     from roslens.live.session import Step
     from roslens.store.history import History
@@ -46,9 +49,12 @@ def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: froze
     with contextlib.ExitStack() as stack:
         teller = stack.enter_context(Teller(options, time_of_day))
         session = Session(files.reference, start=time.time())
-        sources = _sources(options)
+        publishes = wanted(options)
+        sources = _sources(options, publishes)
         history = stack.enter_context(_history(options))
         sinks: list[Callable[[Step], None]] = [_keep(session, history)] if history is not None else []
+        if publishes is not None:
+            sinks.append(publish_through(sources, session, lambda: files.reference, publishes))
         if options.prometheus is not None:
             stack.callback(_serve(options.prometheus, session).close)
         page = None
@@ -98,7 +104,7 @@ def _length(text: str | None) -> float | None:
     return length
 
 
-def _sources(options: argparse.Namespace) -> list[Source]:
+def _sources(options: argparse.Namespace, publishes: Publishes | None) -> list[Source]:
     from roslens.live.agent.gpu import gpu_reader
     from roslens.live.agent.host import HostSampler
     from roslens.live.agent.processes import ProcessSampler
@@ -107,13 +113,13 @@ def _sources(options: argparse.Namespace) -> list[Source]:
     name = platform.node()
     host, processes = HostSampler(name, gpu=gpu_reader()), ProcessSampler(name)
     sources: list[Source] = [LocalHost(name, host, processes, wall=time.time, steady=time.monotonic)]
-    sources += _of_ros(options)
+    sources += _of_ros(options, publishes)
     if options.listen is not None:
         sources.append(_listener(options))
     return sources
 
 
-def _of_ros(options: argparse.Namespace) -> list[Source]:
+def _of_ros(options: argparse.Namespace, publishes: Publishes | None) -> list[Source]:
     """Return the observers that were asked for; without a word about it, of every ROS that is found here."""
     from roslens.live.child_source import ros1_source, ros2_source
 
@@ -121,12 +127,13 @@ def _of_ros(options: argparse.Namespace) -> list[Source]:
     taps = options.tap
     sources: list[Source] = []
     if options.ros1 or (not asked and (options.master or os.environ.get("ROS_MASTER_URI"))):
-        sources.append(ros1_source(options.master or "", taps, os.environ, steady=time.monotonic))
+        sources.append(ros1_source(options.master or "", taps, os.environ, steady=time.monotonic, publishes=publishes))
+    ros2 = partial(ros2_source, options.python or "", options.domain, taps, os.environ, publishes=publishes)
     if options.ros2:
-        sources.append(ros2_source(options.python or "", options.domain, taps, os.environ, steady=time.monotonic))
+        sources.append(ros2(steady=time.monotonic))
     elif not asked:
         try:
-            sources.append(ros2_source(options.python or "", options.domain, taps, os.environ, steady=time.monotonic))
+            sources.append(ros2(steady=time.monotonic))
         except UsageError as error:
             if options.python or options.domain is not None:
                 raise

@@ -56,6 +56,7 @@ def test_a_program_as_text() -> None:
         ),
         body=(Assign(Name("n.X"), Literal(None), "A *", line=20),),
         incomplete=((12, "}"),),
+        declarations=(Function("f", "n.f", 3, parameters=(Parameter("r", "double", Literal(1.5)),)),),
     )
     assert program_text(program) == (
         "include <a.hpp>\n"
@@ -80,6 +81,7 @@ def test_a_program_as_text() -> None:
         "  loop:\n"
         '    s += "a"\n'
         "function#1 n.T.T.lambda()\n"
+        "declared n.f(r: double = 1.5)\n"
         "body\n"
         "  n.X: A * = null\n"
         "incomplete 12: }\n"

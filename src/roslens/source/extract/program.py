@@ -227,6 +227,8 @@ class Program(msgspec.Struct, frozen=True, omit_defaults=True):
         using: namespaces that are used whole (``using namespace std``; ``from x import *``).
         includes: headers as written, with their line; in Python the imported modules.
         incomplete: lines at which something could not be lowered, and why.
+        declarations: C++: functions declared without a body whose parameters have defaults, which their definition
+            elsewhere does not repeat.
     """
 
     language: str
@@ -238,3 +240,4 @@ class Program(msgspec.Struct, frozen=True, omit_defaults=True):
     using: tuple[str, ...] = ()
     includes: tuple[tuple[str, int], ...] = ()
     incomplete: tuple[tuple[int, str], ...] = ()
+    declarations: tuple[Function, ...] = ()

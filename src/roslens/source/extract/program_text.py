@@ -11,6 +11,7 @@
       if use_:
         return
     function#1 ns.Talker.Talker.lambda(m: T)
+    declared ns.f(rate: double = 10.0)
     body
       ns.TOPIC: const char * = "chatter"
 
@@ -82,6 +83,8 @@ class _Writer:
             yield from self._class(one)
         for number, function in enumerate(program.functions):
             yield from self._function(function, number)
+        for declared in program.declarations:
+            yield f"declared {self._header(declared)}"
         if program.body:
             yield "body"
             yield from _indented(self._block(program.body))
@@ -107,13 +110,15 @@ class _Writer:
         for decorator in function.decorators:
             yield f"@{self.expression(decorator)}"
         word = f"function#{number}" if function.name == "lambda" else "function"
-        parameters = ", ".join(map(self._parameter, function.parameters))
-        owner = f" of {function.class_name}" if function.class_name else ""
-        name = f"{function.qualified_name}{_angles(function.templates)}"
-        yield f"{word} {name}({parameters}){owner}{self._at(function.line)}"
+        yield f"{word} {self._header(function)}"
         for line in self._block(function.initialisers):
             yield f"  init {line}"
         yield from _indented(self._block(function.body))
+
+    def _header(self, function: Function) -> str:
+        parameters = ", ".join(map(self._parameter, function.parameters))
+        owner = f" of {function.class_name}" if function.class_name else ""
+        return f"{function.qualified_name}{_angles(function.templates)}({parameters}){owner}{self._at(function.line)}"
 
     def _parameter(self, parameter: Parameter) -> str:
         return f"{parameter.name}{self._typed(parameter.type, parameter.default)}"

@@ -1,0 +1,152 @@
+"""Which functions and statements of C++ may say something about the graph, judged by text before any node is read.
+
+Most functions compute. What names an interface of ROS, or is short, is lowered whole. Of the others only statements
+stay that call what may lead to such an interface (``initPublishers();``, ``costmap->configure(node)``), with the
+returns and the control structure around them; those without such calls have no body in the program.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from enum import IntEnum
+
+_SHORT = 120
+_ENDPOINTS = (
+    rb"create_(?:publisher|subscription|generic_\w+|service|client|server|timer|wall_timer|callback_group|sub_node|rate)"
+    rb"|advertise|subscribe|[sS]erviceClient"
+)
+_ENDPOINT = re.compile(rb"(?:%s)\w*\s*[<(]" % _ENDPOINTS)
+_WHOLE = re.compile(
+    rb"\b(?:%s|declare_|get_param|set_param|has_param|[gs]etParam|hasParam|searchParam|param(?:Cached)?\s*[<(]"
+    rb"|param::|NodeHandle|make_shared|make_unique|new\s|init\s*\(|create\w*Timer|create\w*(?:Instance|Server|Client)"
+    rb"|registerCallback|add_node|resolve_?[nN]ame|get_node_\w+_interface)"
+    rb"|QoS|Publisher|Subscri(?:ber|ption)|Timer\b|(?:Service|Action)(?:Server|Client)|Transform(?:Listener|Broadcaster)"
+    rb"|return\s+(?:std::string\s*\(\s*)?\"" % _ENDPOINTS
+)
+_CALLED = re.compile(rb"\(\s*(?:>[^;(){}]{0,80}?<\s*)?(\w+)")
+"""Finds the names of calls in a text that runs backwards: a pattern that begins with one fixed byte is fast."""
+_LEADING = re.compile(
+    rb"(?:on_|do_?)?(?:init|setup|set_?[uU]p|configure|create|add|register|load|start|activate|advertise|connect|open|spawn|enable"
+    rb"|declare|make|build|publish|read_?[pP]ar|get_?[pP]ar|update_?[pP]ar|reconfigure|run|on[A-Z_])",
+    re.IGNORECASE,
+)
+_CALL_STATEMENT = re.compile(rb"(?:this\s*->\s*)?(?:[A-Za-z_]\w*(?:::|\.|->))*([A-Za-z_]\w*)\s*\(")
+_STATEMENT_BEGINS = re.compile(
+    rb"[;{})]\s*\n[ \t]*(?:this->)?(?:[A-Za-z_]\w*(?:::|\.|->)){0,3}"
+    rb"(?!if\b|for\b|while\b|return\b|switch\b)[A-Za-z_]\w*\("
+)
+_TEXT_ASSIGNED = re.compile(rb"=\s*(?:std::string\s*\(\s*)?\"")
+_ASSIGNED = re.compile(
+    rb"(?:this\s*->\s*)?(?:[\w.>-]*\w\s*\+?=\s*(?:std::string\s*\(\s*)?\"|\w*(?:topic|name|frame|service|action|prefix)\w*\s*\+?=[^=])",
+    re.IGNORECASE,
+)
+_VALUE_RETURNED = re.compile(rb"\breturn\s*[^\s;]")
+_LOGGING = re.compile(
+    rb"(?:EXPECT|ASSERT|BOOST_CHECK)_\w+\s*\(|(?:ROS|RCLCPP|RCUTILS|NODELET|RTT|CONSOLE_BRIDGE)_(?:DEBUG|INFO|WARN|ERROR|FATAL|LOG|ASSERT|BREAK|STATIC)\w*\s*\("
+    rb"|(?:log(?:Debug|Inform|Warn|Error)|f?printf|puts)\s*\(|std::c(?:out|err)\b|c(?:out|err)\s*<<"
+)
+_DULL = (
+    b"if for while switch catch return sizeof static_cast dynamic_cast reinterpret_cast const_cast decltype "
+    b"defined throw new delete assert abs fabs sqrt pow sin cos tan asin acos atan atan2 hypot floor ceil round "
+    b"lround fmod min max clamp exp log swap move forward get lock unlock try_lock size empty begin end rbegin "
+    b"rend cbegin cend front back push_back emplace_back pop_back push pop emplace insert erase find count at "
+    b"clear resize reserve assign fill sort copy c_str str data length substr reset release what now seconds "
+    b"nanoseconds toSec toNSec fromSec Duration Time stamp sleep sleep_for norm normalize dot cross inverse "
+    b"transpose setZero getX getY getZ getW x y z w getOrigin getRotation setOrigin setRotation setRPY getRPY "
+    b"getYaw createQuaternionMsgFromYaw lookupTransform transform canTransform doTransform toMsg fromMsg "
+    b"distance get_logger get_clock ok make_pair make_tuple tie isnan isinf isfinite numeric_limits infinity "
+    b"epsilon memcpy memset memcmp strcmp strlen free malloc first second load store notify_one notify_all wait "
+    b"wait_for join lock_guard unique_lock scoped_lock mutex recursive_mutex string vector pair shared_lock "
+    b"static_pointer_cast dynamic_pointer_cast to_string stoi stod int double float bool char unsigned size_t "
+    b"uint8_t set value has_value compare exit abort getIndex getCost setCost mapToWorld worldToMap "
+).split()
+_COMPUTING = frozenset(name[::-1] for name in _DULL)
+_KIND_OF: dict[bytes, int] = {}
+_MOST_REMEMBERED = 20_000
+
+
+class Level(IntEnum):
+    """How much of a function is lowered."""
+
+    NOTHING = 0
+    CALLS = 1
+    WHOLE = 2
+
+
+class Relevance:
+    """What of a function may matter.
+
+    Attributes:
+        level: how much of it is lowered.
+    """
+
+    def __init__(self, source: bytes, start: int, end: int) -> None:
+        """Judge the body that stands from ``start`` to ``end``."""
+        self._source = source
+        self._leading: list[int] = []
+        self._others: list[int] = []
+        if end - start < _SHORT or _WHOLE.search(source, start, end):
+            self.level = Level.WHOLE
+            return
+        body = source[start:end]
+        for match in _CALLED.finditer(body[::-1]):
+            kind = _kind(match[1])
+            if kind:
+                (self._leading if kind == _LEADS else self._others).append(end - match.end())
+        self._leading.reverse()
+        self._others.reverse()
+        texts = [start + match.start() for match in _TEXT_ASSIGNED.finditer(body)] if b'"' in body else []
+        if self._leading or texts or (self._others and _STATEMENT_BEGINS.search(body)):
+            self.level = Level.CALLS
+            self._others = sorted([*self._others, *texts])
+            self._returns = [start + match.start() for match in _VALUE_RETURNED.finditer(body)]
+        else:
+            self.level = Level.NOTHING
+
+    def may_lead(self, start: int, end: int) -> bool:
+        """Return whether a simple statement or expression may lead to an interface."""
+        if self.level is Level.WHOLE or _any_within(self._leading, start, end):
+            return True
+        if _any_within(self._others, start, end):
+            call = _CALL_STATEMENT.match(self._source, start, end)
+            if call and _kind(call[1][::-1]):
+                return True
+        return _ASSIGNED.match(self._source, start, end) is not None
+
+    def may_hold(self, start: int, end: int) -> bool:
+        """Return whether a block or control statement may hold something that stays."""
+        return (
+            self.level is Level.WHOLE
+            or _any_within(self._leading, start, end)
+            or _any_within(self._others, start, end)
+            or _any_within(self._returns, start, end)
+        )
+
+
+def is_logging(source: bytes, start: int, end: int) -> bool:
+    """Return whether a statement only tells people something; an interface made in its arguments makes it more."""
+    return _LOGGING.match(source, start, end) is not None and not _ENDPOINT.search(source, start, end)
+
+
+_LEADS = 2
+
+
+def _kind(name: bytes) -> int:
+    """Return whether a called function may lead to an interface by its name (2), may hold (1) or computes (0).
+
+    The name runs backwards.
+    """
+    kind = _KIND_OF.get(name)
+    if kind is None:
+        kind = _LEADS if _LEADING.match(name[::-1]) else 1
+        if name in _COMPUTING or name.isupper():
+            kind = 0
+        if len(_KIND_OF) < _MOST_REMEMBERED:
+            _KIND_OF[name] = kind
+    return kind
+
+
+def _any_within(positions: list[int], start: int, end: int) -> bool:
+    place = bisect_left(positions, start)
+    return place < len(positions) and positions[place] < end

@@ -1,0 +1,387 @@
+"""Statements of C++ as those of a program: assignments, calls, returns, and the control structure around them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+
+from tree_sitter import Node
+
+from roslens.source.extract.cpp_expressions import Expressions
+from roslens.source.extract.cpp_lowered import Lowered, opaque
+from roslens.source.extract.cpp_relevance import Level, Relevance, is_logging
+from roslens.source.extract.cpp_types import declared_name, declared_type, name_and_templates
+from roslens.source.extract.program import (
+    Assign,
+    Branch,
+    Call,
+    Evaluate,
+    Expression,
+    Loop,
+    Name,
+    Opaque,
+    Operation,
+    Return,
+    Sequence,
+    Statement,
+)
+from roslens.source.syntax.cpp_names import function_declarator
+
+_IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
+_POINTING = ("pointer_declarator", "reference_declarator")
+_DIRECT = ("argument_list", "initializer_list")
+
+Statements = list[Statement]
+
+
+class StatementLowering:
+    """Lowers statements into lists.
+
+    Attributes:
+        on_definition: what lowers a class, alias, function or directive among statements; says whether it was one.
+    """
+
+    on_definition: Callable[[Node, Statements], bool]
+
+    def __init__(self, lowered: Lowered, expressions: Expressions) -> None:
+        """Lower for ``lowered``."""
+        self._lowered = lowered
+        self._expressions = expressions
+        self._lower = expressions.lower
+        self._relevance: Relevance | None = None
+        self._whole = True
+
+    def body(self, node: Node) -> tuple[Statement, ...]:
+        """Return what the body of a function says, as far as it may matter."""
+        relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte)
+        if relevance.level is Level.NOTHING:
+            return ()
+        before = self._relevance, self._whole
+        self._relevance, self._whole = relevance, relevance.level is Level.WHOLE
+        try:
+            return self.block(node)
+        finally:
+            self._relevance, self._whole = before
+
+    def _may_lead(self, node: Node) -> bool:
+        return self._whole or self._relevance is None or self._relevance.may_lead(node.start_byte, node.end_byte)
+
+    def block(self, node: Node | None) -> tuple[Statement, ...]:
+        """Return the statements of a block, or of the one statement in its place."""
+        out: Statements = []
+        if node is not None:
+            self.add(node.named_children if node.type in _BLOCKS else (node,), out)
+        return tuple(out)
+
+    def add(self, nodes: Iterable[Node], out: Statements) -> None:
+        """Add what ``nodes`` say to ``out``."""
+        for node in nodes:
+            handler = _HANDLERS.get(node.type)
+            if handler is not None:
+                handler(self, node, out)
+            elif node.type not in _SILENT and not self.on_definition(node, out):
+                self._evaluate(node, node, out)
+
+    def _nested(self, node: Node, out: Statements) -> None:
+        """Add what a block inside a block says, or the rest of what does not parse."""
+        if not self._lowered.too_deep(node):
+            self._lowered.depth += 1
+            self.add(node.named_children, out)
+            self._lowered.depth -= 1
+
+    def _labeled(self, node: Node, out: Statements) -> None:
+        self.add([child for child in node.named_children if child.type != "statement_identifier"], out)
+
+    def _expression(self, node: Node, out: Statements) -> None:
+        if not self._may_lead(node) or is_logging(self._lowered.source, node.start_byte, node.end_byte):
+            return
+        for inner in node.named_children:
+            if inner.type == "assignment_expression":
+                self._assign(inner, out)
+            elif inner.type != "comment":
+                self._evaluate(inner, node, out)
+
+    def _evaluate(self, inner: Node, node: Node, out: Statements) -> None:
+        text = self._lowered.text(inner)
+        if b"(" in text or b"<<" in text or b"{" in text:
+            expression = self._lower(inner)
+            if isinstance(expression, Call | Operation):
+                out.append(Evaluate(expression, node.start_point.row + 1))
+
+    def _assign(self, node: Node, out: Statements) -> None:
+        left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+        operator = node.child_by_field_name("operator")
+        if left is None or right is None:
+            return
+        if right.type == "assignment_expression" and not self._lowered.too_deep(node):
+            self._lowered.depth += 1
+            self._assign(right, out)
+            self._lowered.depth -= 1
+            right = right.child_by_field_name("left") or right
+        target, value = self._lower(left), self._lower(right)
+        sign = operator.type if operator is not None else "="
+        if sign not in ("=", "+="):
+            value, sign = Operation(sign[:-1], (target, value)), "="
+        out.append(Assign(target, value, "", sign, node.start_point.row + 1))
+
+    def _declaration(self, node: Node, out: Statements) -> None:
+        if self._may_lead(node):
+            self.declare(node, out)
+
+    def declare(self, node: Node, out: Statements, prefix: str | None = None) -> None:
+        """Add what a declaration of variables says; ``prefix`` is the scope with its dot, None of local ones."""
+        type_ = node.child_by_field_name("type")
+        declarators = node.children_by_field_name("declarator")
+        if type_ is not None and type_.child_by_field_name("body") is not None:
+            self.on_definition(type_, out)
+        if type_ is None or not declarators:
+            return
+        before = self._lowered.source[node.start_byte : declarators[0].start_byte]
+        single = node.child_by_field_name("value")
+        for declarator in declarators:
+            self._declare(node, type_, declarator, before, single, prefix, out)
+
+    def _declare(
+        self,
+        node: Node,
+        type_: Node,
+        whole: Node,
+        before: bytes,
+        value: Node | None,
+        prefix: str | None,
+        out: Statements,
+    ) -> None:
+        declarator, kind = whole, whole.type
+        if kind == "init_declarator":
+            declarator = whole.child_by_field_name("declarator") or whole
+            value = whole.child_by_field_name("value")
+        written = self._lowered.text(declarator)
+        made: Expression | None = None
+        if kind == "function_declarator":
+            name_node = whole.child_by_field_name("declarator")
+            if prefix is not None or name_node is None:
+                return
+            made = self._vexing(type_, whole, node)
+            if made is None:
+                return
+            written = self._lowered.text(name_node)
+        elif kind in _POINTING and b"(" in written and function_declarator(whole) is not None:
+            return
+        elif value is not None:
+            made = self._initial(node, type_, declarator, written, value)
+        target = _target(written, prefix or "")
+        if target is not None:
+            out.append(Assign(target, made, declared_type(before, written), "=", node.start_point.row + 1))
+
+    def _initial(self, node: Node, type_: Node, declarator: Node, written: bytes, value: Node) -> Expression:
+        """Return the value of a declared variable: ``= value``, ``(values)`` or ``{values}``."""
+        between = self._lowered.source[declarator.end_byte : value.start_byte]
+        if value.type not in _DIRECT or b"=" in between:
+            return self._lower(value)
+        if written[:1] in b"*&" or b"[" in written:
+            values = self._expressions.several(value)
+            return values[0] if len(values) == 1 and b"[" not in written else Sequence(values)
+        return self._expressions.construct(self._lowered.text(type_), value, node)
+
+    def _vexing(self, type_: Node, declarator: Node, node: Node) -> Call | None:
+        """Return the call that ``Type name(a, b);`` is inside a function, though it parses as a declaration."""
+        parameters = declarator.child_by_field_name("parameters")
+        nodes = [one for one in parameters.named_children if one.type != "comment"] if parameters is not None else []
+        arguments: list[Expression] = []
+        for one in nodes:
+            if one.type != "parameter_declaration" or one.named_child_count != 1:
+                return None
+            argument = one.named_children[0]
+            if argument.type not in ("type_identifier", "qualified_identifier"):
+                return None
+            arguments.append(self._lower(argument))
+        if not arguments:
+            return None
+        name, templates = name_and_templates(self._lowered.text(type_))
+        row, column = node.start_point
+        return Call(Name(name), tuple(arguments), (), templates, row + 1, column + 1)
+
+    def _return(self, node: Node, out: Statements) -> None:
+        values = [child for child in node.named_children if child.type != "comment"]
+        value = None
+        if values:
+            first = values[0]
+            plain = first.end_byte - first.start_byte < _SHORT_VALUE or self._may_lead(first)
+            value = self._lower(first) if plain else opaque(self._lowered.text(first))
+        out.append(Return(value, node.start_point.row + 1))
+
+    def _throw(self, node: Node, out: Statements) -> None:
+        if self._whole:
+            values = self._expressions.several(node)
+            row, column = node.start_point
+            out.append(Evaluate(Call(Name("throw"), values, (), (), row + 1, column + 1), row + 1))
+
+    def _yield(self, node: Node, out: Statements) -> None:
+        for child in node.named_children:
+            self._evaluate(child, node, out)
+
+    def _left_out(self, node: Node) -> bool:
+        if self._lowered.too_deep(node):
+            return True
+        relevance = self._relevance
+        return not self._whole and relevance is not None and not relevance.may_hold(node.start_byte, node.end_byte)
+
+    def _condition(self, node: Node | None, out: Statements) -> Expression:
+        """Return a condition; what it declares is added to ``out`` before."""
+        if node is None:
+            return Opaque("")
+        if node.type == "condition_clause":
+            first, value = node.child_by_field_name("initializer"), node.child_by_field_name("value")
+            if first is not None:
+                self.add(first.named_children if first.type == "init_statement" else (first,), out)
+            return self._condition(value, out) if value is not None else opaque(self._lowered.text(node))
+        if node.type == "declaration":
+            self.declare(node, out)
+            declarator = node.child_by_field_name("declarator")
+            return Name(declared_name(self._lowered.text(declarator))) if declarator is not None else Opaque("")
+        return self._lower(node) if self._may_lead(node) else opaque(self._lowered.text(node))
+
+    def _if(self, node: Node, out: Statements) -> None:
+        if self._left_out(node):
+            return
+        self._lowered.depth += 1
+        arms: list[tuple[Statements, Expression, tuple[Statement, ...], int]] = []
+        current: Node | None = node
+        while current is not None and current.type == "if_statement":
+            first: Statements = []
+            condition = self._condition(current.child_by_field_name("condition"), first)
+            then = self.block(current.child_by_field_name("consequence"))
+            arms.append((first, condition, then, current.start_point.row + 1))
+            clause = current.child_by_field_name("alternative")
+            current = None
+            if clause is not None:
+                inner = [child for child in clause.named_children if child.type != "comment"]
+                current = inner[0] if inner else None
+        otherwise = self.block(current)
+        for first, condition, then, line in reversed(arms):
+            otherwise = (*first, Branch(condition, then, otherwise, line))
+        out += otherwise
+        self._lowered.depth -= 1
+
+    def _switch(self, node: Node, out: Statements) -> None:
+        if self._left_out(node):
+            return
+        self._lowered.depth += 1
+        subject = self._condition(node.child_by_field_name("condition"), out)
+        body = node.child_by_field_name("body")
+        labels: list[Expression] = []
+        cases: list[tuple[Expression, tuple[Statement, ...], int]] = []
+        otherwise: tuple[Statement, ...] = ()
+        default = False
+        for case in body.named_children if body is not None else ():
+            if case.type != "case_statement":
+                continue
+            value = case.child_by_field_name("value")
+            statements: Statements = []
+            start = value.end_byte if value is not None else -1
+            inner = [child for child in case.named_children if child.start_byte >= start]
+            self.add(inner, statements)
+            default = default or value is None
+            if value is not None:
+                labels.append(Operation("==", (subject, self._lower(value))))
+            if inner:
+                if default:
+                    otherwise = tuple(statements)
+                elif labels:
+                    condition = labels[0] if len(labels) == 1 else Operation("or", tuple(labels))
+                    cases.append((condition, tuple(statements), case.start_point.row + 1))
+                labels, default = [], False
+        for condition, then, line in reversed(cases):
+            otherwise = (Branch(condition, then, otherwise, line),)
+        out += otherwise
+        self._lowered.depth -= 1
+
+    def _loop(self, node: Node, out: Statements) -> None:
+        if self._left_out(node):
+            return
+        self._lowered.depth += 1
+        first = node.child_by_field_name("initializer")
+        if first is not None:
+            self.add((first,), out)
+        condition = node.child_by_field_name("condition")
+        over = self._condition(condition, out) if condition is not None else None
+        body: Statements = [*self.block(node.child_by_field_name("body"))]
+        update = node.child_by_field_name("update")
+        if update is not None and b"(" in self._lowered.text(update):
+            self._evaluate(update, update, body)
+        out.append(Loop(None, over, tuple(body), node.start_point.row + 1))
+        self._lowered.depth -= 1
+
+    def _range(self, node: Node, out: Statements) -> None:
+        if self._left_out(node):
+            return
+        self._lowered.depth += 1
+        declarator, over = node.child_by_field_name("declarator"), node.child_by_field_name("right")
+        first = node.child_by_field_name("initializer")
+        if first is not None:
+            self.add(first.named_children if first.type == "init_statement" else (first,), out)
+        target = _target(self._lowered.text(declarator), "") if declarator is not None else None
+        sequence = self._lower(over) if over is not None else None
+        body = self.block(node.child_by_field_name("body"))
+        out.append(Loop(target or Opaque(""), sequence, body, node.start_point.row + 1))
+        self._lowered.depth -= 1
+
+    def _try(self, node: Node, out: Statements) -> None:
+        if self._left_out(node):
+            return
+        self._lowered.depth += 1
+        then = self.block(node.child_by_field_name("body"))
+        line = node.start_point.row + 1
+        out.append(Branch(Opaque("no exception"), then, self.handlers(node), line))
+        self._lowered.depth -= 1
+
+    def handlers(self, node: Node) -> tuple[Statement, ...]:
+        """Return what the handlers of ``try`` do; each after the first is what else may happen."""
+        otherwise: tuple[Statement, ...] = ()
+        clauses = [child for child in node.named_children if child.type == "catch_clause"]
+        for number, clause in reversed(list(enumerate(clauses))):
+            body = self.block(clause.child_by_field_name("body"))
+            if number == len(clauses) - 1:
+                otherwise = body
+            elif body or otherwise:
+                caught = clause.child_by_field_name("parameters")
+                written = self._lowered.text(caught) if caught is not None else b""
+                condition = opaque(b"catch " + written)
+                otherwise = (Branch(condition, body, otherwise, clause.start_point.row + 1),)
+        return otherwise
+
+
+def _target(declarator: bytes, prefix: str) -> Expression | None:
+    name = declared_name(declarator)
+    if name:
+        return Name(prefix + name)
+    names = _IDENTIFIER.findall(declarator.decode("utf-8", "replace")) if b"[" in declarator else ()
+    return Sequence(tuple(map(Name, names))) if names else None
+
+
+_SHORT_VALUE = 40
+_BLOCKS = ("compound_statement", "translation_unit")
+_SILENT_WORDS = (
+    "comment break_statement continue_statement goto_statement static_assert_declaration empty_statement identifier "
+    "attribute_declaration gnu_asm_expression parameter_list number_literal string_literal"
+)
+_SILENT = frozenset(_SILENT_WORDS.split())
+_KINDS = {
+    "nested": "compound_statement ERROR attributed_statement else_clause init_statement case_statement",
+    "labeled": "labeled_statement",
+    "expression": "expression_statement",
+    "assign": "assignment_expression",
+    "declaration": "declaration",
+    "return": "return_statement co_return_statement",
+    "throw": "throw_statement",
+    "yield": "co_yield_statement",
+    "if": "if_statement",
+    "switch": "switch_statement",
+    "loop": "for_statement while_statement do_statement",
+    "range": "for_range_loop",
+    "try": "try_statement",
+}
+_HANDLERS: dict[str, Callable[[StatementLowering, Node, Statements], None]] = {
+    kind: getattr(StatementLowering, f"_{method}") for method, kinds in _KINDS.items() for kind in kinds.split()
+}
+"""Kind of a node to the method that lowers it."""

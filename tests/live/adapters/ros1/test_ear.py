@@ -7,6 +7,8 @@ from roslens.live.adapters.ros1.stream import Source, Use
 from roslens.model.tally import Observer, Tally
 from roslens.model.wire import VERSION, Frame
 
+TEXT = b"\0\0\0\0"
+STATUS = b"".join([bytes(12), TEXT, b"\1\0\0\0", b"\2", b"\5\0\0\0motor", b"\3\0\0\0hot", TEXT, b"\0\0\0\0"])
 TOLD = Tally("/t", "/a", "/b", 0.0, 1.0, 10, 300, observer=Observer.INSIDE)
 
 
@@ -41,6 +43,23 @@ def test_nothing_is_listened_to_unasked(make):
     ear, _, listening = make()
     assert ear.round().tallies == []
     assert listening.wanted is None
+
+
+def test_other_monitors_are_listened_to_and_their_levels_are_events():
+    class Observing(Observation):
+        publishers = {"/diagnostics": [("/monitor", "http://m:1/"), ("/me", "http://me:1/")]}  # noqa: RUF012
+
+    class Hearing(Listening):
+        def take(self):
+            return Taken(reports=[("/monitor", 5.0, STATUS), ("/monitor", 6.0, b"nonsense"), ("/monitor", 7.0, STATUS)])
+
+    listening = Hearing()
+    frame = Ear(Observing(), listening, [], False, "/me", reports=True).round()
+    assert listening.wanted == [Source(Use.REPORTS, "/diagnostics", "/monitor", "http://m:1/")]
+    (event,) = frame.events
+    assert (event.time, event.entity) == (5.0, "node:/monitor")
+    assert event.detail == "diagnostics: 'motor' is ERROR, was OK: hot"
+    assert "sends no diagnostics" in frame.failures[0].what
 
 
 def test_patterns_choose_topics(make):

@@ -1,6 +1,7 @@
 import itertools
 import os
 import queue
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -8,6 +9,7 @@ from roslens.live.adapters.ros1.ends import Ends
 from roslens.live.adapters.ros1.follow import Follower
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.observation import Observation
+from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.model.graph import Change
 
@@ -15,13 +17,14 @@ ME = "/roslens_me"
 
 
 class Watched:
-    def __init__(self, system, ends=None, wait_s=1.0):
+    def __init__(self, system, ends=None, wait_s=1.0, parameters=None):
         ticks = itertools.count(100)
         resolver = Resolver()
         self.follower = Follower(Master(system.master.uri, ME, resolver), ME, "http://127.0.0.1:9/")
         self.observation = Observation(
-            self.follower, ME, resolver, "vm", lambda: float(next(ticks)), ends=ends, wait_s=wait_s
-        )
+            self.follower, ME, resolver, "vm", lambda: float(next(ticks)), ends=ends, wait_s=wait_s,
+            parameters=parameters,
+        )  # fmt: skip
         self.round = self.observation.round
 
     def close(self):
@@ -216,3 +219,32 @@ def test_nonsense_of_the_master_is_named(system, watch, answer):
     system.master.answers["getSystemState"] = answer
     frame = watch(system).round()
     assert "no ROS master" in frame.failures[0].what
+
+
+def test_parameters_stand_with_the_nodes_and_their_changes_are_events(system, watch):
+    system.node("/talker")
+    tree = {"rate": 10, "talker": {"gain": 0.5, "api_key": "hunter2"}}
+    system.master.answers["subscribeParam"] = lambda caller, api, key: [1, "", tree]
+    system.master.answers["unsubscribeParam"] = [1, "", 1]
+    reads = ThreadPoolExecutor(1)
+    master = Master(system.master.uri, ME, Resolver())
+    asked = []
+    parameters = Parameters(
+        master, "http://127.0.0.1:9/", lambda: 0.0, lambda call: asked.append(reads.submit(call)) or asked[-1]
+    )
+    watched = watch(system, parameters=parameters)
+    first = watched.round()
+    asked[0].result()
+    told = first if first.graph.parameters else watched.round()
+    assert told.graph.parameters == {"": {"/rate": "10"}, "/talker": {"gain": "0.5", "api_key": "***"}}
+    parameters.told("/rate/", 20)
+    changed = watched.round()
+    assert said(changed) == [(Change.CHANGED, "parameter:/rate", "10 is now 20")]
+    assert changed.graph is None
+    later = [frame.graph for _ in range(5) if (frame := watched.round()).graph]
+    assert [graph.parameters[""]["/rate"] for graph in later] == ["20"]
+    system.node("/other")
+    assert watched.round().graph.parameters[""] == {"/rate": "20"}
+    parameters.leave(pytest.fail)
+    assert system.master.calls[-1][0] == "unsubscribeParam"
+    master.close()

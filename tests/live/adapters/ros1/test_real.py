@@ -47,6 +47,26 @@ rospy.spin()
 """
 
 
+TELLING = """
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+rospy.init_node("telling")
+rospy.set_param("~gain", 0.5)
+rospy.set_param("~api_key", "hunter2")
+told = rospy.Publisher("/diagnostics", DiagnosticArray, queue_size=10)
+rate, turn = rospy.Rate(10), 0
+while not rospy.is_shutdown():
+    turn += 1
+    if turn % 10 == 0:
+        rospy.set_param("/shared/count", turn // 10)
+    if turn == 50:
+        rospy.delete_param("~gain")
+    level = DiagnosticStatus.ERROR if turn > 30 else DiagnosticStatus.OK
+    told.publish(DiagnosticArray(status=[DiagnosticStatus(level=level, name="motor", message="hot")]))
+    rate.sleep()
+"""
+
+
 def free_port():
     with socket.create_server(("127.0.0.1", 0)) as server:
         return server.getsockname()[1]
@@ -337,3 +357,21 @@ def test_silence_is_told_by_the_light_logger(ros, observe):
     key = ("/point", "/sender", "/taker", Observer.INSIDE)
     observer.until(lambda frame: any(t.count == 0 for t in traffic([frame], *key)))
     sender.send_signal(signal.SIGCONT)
+
+
+@pytest.mark.slow
+def test_parameters_and_diagnostics(ros, observe):
+    observer = observe("--parameters", "--reports")
+    observer.until_graph()
+    ros.python(TELLING)
+    events = lambda: [event for frame in observer.frames for event in frame.events]  # noqa: E731
+    told = lambda entity: [(one.change, one.detail) for one in events() if one.entity == entity]  # noqa: E731
+    observer.until(lambda frame: (Change.VANISHED, "was 0.5") in told("parameter:/telling/gain"), 30)
+    assert told("parameter:/telling/gain") == [(Change.APPEARED, "is 0.5"), (Change.VANISHED, "was 0.5")]
+    assert told("parameter:/telling/api_key") == [(Change.APPEARED, "is ***")]
+    assert told("parameter:/shared/count")[:2] == [(Change.APPEARED, "is 1"), (Change.CHANGED, "1 is now 2")]
+    assert any(detail == "diagnostics: 'motor' is ERROR, was OK: hot" for _, detail in told("node:/telling"))
+    observer.until(lambda frame: "gain" not in observer.graph.parameters.get("/telling", {"gain": ""}))
+    assert observer.graph.parameters["/telling"] == {"api_key": "***"}
+    assert {"/rosdistro", "/rosversion", "/shared/count"} <= observer.graph.parameters[""].keys()
+    assert "hunter2" not in repr(observer.frames)

@@ -29,6 +29,15 @@ def test_updates_are_passed_on(told):
     caller.close()
 
 
+def test_parameters_are_passed_on(told):
+    told.parameter_told = lambda *update: told.heard.put(update)
+    caller = Caller(told.uri, Resolver())
+    assert caller.call("paramUpdate", "/master", "/a/b/", {"c": [1, 2.5]}) == [1, "", 0]
+    assert told.heard.get(timeout=5) == ("/a/b/", {"c": [1, 2.5]})
+    assert caller.call("paramUpdate", "/master", 7, {})[0] == -1
+    caller.close()
+
+
 def test_who_asks_is_answered_as_by_a_node(told):
     caller = Caller(told.uri, Resolver())
     assert caller.call("getPid", "/x")[0] == 1

@@ -10,6 +10,7 @@ import signal
 import socket
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 
 from roslens.judge.pattern import Pattern
@@ -20,6 +21,7 @@ from roslens.live.adapters.ros1.follow import Follower
 from roslens.live.adapters.ros1.listening import Listening
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.observation import Observation
+from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.place import is_local, own_address
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError
 from roslens.live.adapters.ros1.saying import Saying
@@ -29,6 +31,8 @@ from roslens.live.adapters.ros1.xml_rpc import CallError, split_uri
 from roslens.live.publish.asked import when_asked
 
 DEFAULT_MASTER = "http://localhost:11311"
+PARAMETERS_WAIT_S = 10.0
+"""The longest the parameter server may take to tell all."""
 _SETTLE_S = 0.25
 """A node that registers is told of at its first registration; so much later it has made the others."""
 
@@ -39,6 +43,8 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--master", metavar="URI", default=os.environ.get("ROS_MASTER_URI") or DEFAULT_MASTER)
     parser.add_argument("--period", type=_positive, default=1.0, metavar="S", help="seconds between rounds")
     parser.add_argument("--statistics", action="store_true", help="read what subscribers tell on /statistics")
+    parser.add_argument("--parameters", action="store_true", help="read the parameter server")
+    parser.add_argument("--reports", action="store_true", help="read what other monitors tell on /diagnostics")
     parser.add_argument("--tap", action="append", default=[], type=_pattern, metavar="PATTERN", help="topics to read")
     parser.add_argument("--tap-budget", type=_share, default=0.05, metavar="PERCENT", help="CPU of the tap (5)")
     parser.add_argument("--tap-rate", type=_positive, default=5000.0, metavar="N", help="messages/s of the tap (5000)")
@@ -112,13 +118,18 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     ends = Ends(lambda name: wakes.put(("ended", name, ())))
     publications = saying.publications if saying else ()
     follower = Follower(Master(options.master, caller, resolver), caller, told.uri, publications)
-    observation = Observation(follower, caller, resolver, socket.gethostname(), time.time, ends)
+    parameters = _parameters(options, caller, resolver, told) if options.parameters else None
+    observation = Observation(
+        follower, caller, resolver, socket.gethostname(), time.time, ends, parameters=parameters
+    )  # fmt: skip
     limits = Limits(options.tap_budget, options.tap_rate, options.tap_bytes)
     listening = Listening(caller, resolver, time.time, socket.gethostname(), limits)
-    ear = Ear(observation, listening, tuple(options.tap), options.statistics, caller)
+    ear = Ear(observation, listening, tuple(options.tap), options.statistics, caller, reports=options.reports)
     try:
         _turn(options.period, observation, ear, speaker, wakes)
     finally:
+        if parameters:
+            parameters.leave(lambda _: None)
         follower.leave(lambda _: None)
         listening.close()
         observation.close()
@@ -135,6 +146,16 @@ def _saying(options: argparse.Namespace, address: str, own: str, caller: str) ->
     saying = Saying(address, own, caller, diagnostics=options.diagnostics, rated=options.rated)
     when_asked(0, saying.publish, _complain)
     return saying
+
+
+def _parameters(options: argparse.Namespace, caller: str, resolver: Resolver, told: ToldServer) -> Parameters:
+    """Return what reads the parameter server, over a line and in a thread of its own."""
+    pool = ThreadPoolExecutor(1, "parameters")
+    parameters = Parameters(
+        Master(options.master, caller, resolver, PARAMETERS_WAIT_S), told.uri, time.monotonic, pool.submit
+    )
+    told.parameter_told = parameters.told
+    return parameters
 
 
 def _turn(period: float, observation: Observation, ear: Ear, speaker: Speaker, wakes: queue.SimpleQueue[Wake]) -> None:

@@ -7,13 +7,17 @@ from collections.abc import Iterator, Sequence
 import msgspec
 
 from roslens.judge.pattern import Pattern
-from roslens.live.adapters.ros1.listening import Listening
+from roslens.live.adapters.ros1.listening import EXPECTED, Listening
 from roslens.live.adapters.ros1.names import TOOL
 from roslens.live.adapters.ros1.observation import Observation
 from roslens.live.adapters.ros1.slave import FRAMING
 from roslens.live.adapters.ros1.statistics import TOPIC
 from roslens.live.adapters.ros1.stream import Source, Use
+from roslens.live.diagnostic_array import ArrayError, read_array
+from roslens.live.reported_levels import TOPIC as DIAGNOSTICS
+from roslens.live.reported_levels import ReportedLevels
 from roslens.model.failure import Failure
+from roslens.model.graph import Event
 from roslens.model.tally import Observer, Tally
 from roslens.model.wire import Frame
 
@@ -31,19 +35,23 @@ class Ear:
         taps: Sequence[Pattern],
         statistics: bool,
         caller: str = "",
+        *,
+        reports: bool = False,
     ) -> None:
-        """Listen by ``taps``, and to ``statistics``; what is told of the node ``caller``, ourselves, is left out."""
+        """Listen by ``taps``, to ``statistics`` and to ``reports`` of monitors other than ourselves, ``caller``."""
         self._observation = observation
         self._listening = listening
         self._taps = taps
         self._statistics = statistics
         self._caller = caller
+        self._reports = reports
+        self._levels = ReportedLevels()
         self._rounds = 0
 
     def round(self, moved: frozenset[str] = frozenset()) -> Frame:
         """Return the frame of a round with what was heard until then."""
         frame = self._observation.round(moved)
-        if not self._taps and not self._statistics:
+        if not self._taps and not self._statistics and not self._reports:
             return frame
         self._rounds += 1
         sources = list(self._sources())
@@ -53,8 +61,10 @@ class Ear:
         if self._statistics and not told and self._rounds == SILENT_ROUNDS:
             advice = "Set the parameter /enable_statistics to true before nodes start, or start them through roslens"
             taken.failures.append(Failure(TOOL, f"nobody publishes {TOPIC}", "subscribers that do", advice))
+        events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
         return msgspec.structs.replace(
             frame,
+            events=[*frame.events, *events],
             tallies=[*frame.tallies, *(self._without_framing(tally) for tally in taken.tallies if self._known(tally))],
             failures=[*frame.failures, *taken.failures],
             shed=frame.shed + taken.shed,
@@ -62,6 +72,14 @@ class Ear:
 
     def _known(self, tally: Tally) -> bool:
         return not self._caller or tally.publisher != self._caller
+
+    def _reported(self, node: str, time: float, body: bytes, failures: list[Failure]) -> list[Event]:
+        try:
+            return self._levels.take(node, read_array(body, cdr=False), time)
+        except ArrayError as error:
+            what = f"{node} sends no diagnostics: {error}"
+            failures.append(Failure(TOOL, what, EXPECTED[Use.REPORTS], entity=f"node:{node}", partial=True))
+            return []
 
     def _without_framing(self, tally: Tally) -> Tally:
         """Take the lengths before messages off what rospy told of itself."""
@@ -77,3 +95,5 @@ class Ear:
                     yield Source(Use.TAP, topic, node, uri)
                 if self._statistics and topic == TOPIC:
                     yield Source(Use.STATISTICS, topic, node, uri)
+                if self._reports and topic == DIAGNOSTICS and node != self._caller:
+                    yield Source(Use.REPORTS, topic, node, uri)

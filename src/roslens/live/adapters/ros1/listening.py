@@ -1,4 +1,4 @@
-"""Connections to publishers, all read by one thread: for the tap, within its budget, and for ``/statistics``."""
+"""Connections to publishers, all read by one thread: for the tap, within its budget, statistics and diagnostics."""
 
 from __future__ import annotations
 
@@ -30,6 +30,12 @@ _SETTLE_S = 0.05
 _MUCH = 1_000_000
 """Bytes after which they are settled anyway."""
 _AT_ONCE = 4
+EXPECTED = {
+    Use.TAP: "messages",
+    Use.STATISTICS: "rosgraph_msgs/TopicStatistics",
+    Use.REPORTS: "diagnostic_msgs/DiagnosticArray of at most 1,000,000 bytes",
+}
+"""What is expected of who is listened to."""
 
 
 class Taken(msgspec.Struct):
@@ -38,6 +44,7 @@ class Taken(msgspec.Struct):
     tallies: list[Tally] = []
     failures: list[Failure] = []
     shed: int = 0
+    reports: list[tuple[str, float, bytes]] = []
 
 
 class _Attempt(msgspec.Struct):
@@ -120,8 +127,9 @@ class Listening:
                 tallies, shed = stream.take(now)
                 taken.tallies += tallies
                 taken.shed += shed
+                taken.reports += [(source.publisher, *report) for report in stream.reports()]
                 if stream.problem:
-                    self._fail(stream.problem, "rosgraph_msgs/TopicStatistics", "", source.publisher)
+                    self._fail(stream.problem, EXPECTED[source.use], "", source.publisher)
                     stream.problem = ""
             taken.failures += self._done.failures
             self._done = Taken()

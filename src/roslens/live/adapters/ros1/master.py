@@ -176,6 +176,38 @@ class Master:
         """
         self._call("unregisterPublisher", topic, api)
 
+    def parameters(self) -> Any:
+        """Return all parameters as tables within tables.
+
+        Raises:
+            CallError: the master does not tell.
+        """
+        return self.parameter("/")
+
+    def parameter(self, name: str) -> Any:
+        """Return the value of a parameter; a table where it is a namespace.
+
+        Raises:
+            CallError: there is none, or the master does not tell.
+        """
+        return self._call("getParam", name)
+
+    def subscribe_parameters(self, api: str) -> Any:
+        """Register to be told of all parameters that are set or deleted; return them as they are now.
+
+        Raises:
+            CallError: the master does not register it.
+        """
+        return self._call("subscribeParam", api, "/")
+
+    def unsubscribe_parameters(self, api: str) -> None:
+        """Take that registration back.
+
+        Raises:
+            CallError: the master does not answer.
+        """
+        self._call("unsubscribeParam", api, "/")
+
     def close(self) -> None:
         """Hang up."""
         self._line.close()

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
+import msgspec
+
 from roslens.live.adapters.ros1.bus import Bus, Reading
 from roslens.live.adapters.ros1.contact import Contact, Look
 from roslens.live.adapters.ros1.ends import Ends
 from roslens.live.adapters.ros1.follow import TOPIC_OF_ALL, Follower
 from roslens.live.adapters.ros1.graph import build_graph, changes
+from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
 from roslens.model.failure import Failure
@@ -22,6 +25,8 @@ _AT_ONCE = 8
 _PATIENCE_S = 0.2
 """A round waits no longer for the next answer of a node that answered before; what comes later counts in the next one,
 so that a node that hangs does not make all others seem silent."""
+PARAMETERS_S = 5.0
+"""A graph of which only parameters changed is told so often at most; each change is an event at once."""
 _SEEK_DEAD = 5
 """Rounds after which a dead node is looked up anew, since it may live elsewhere by the same name."""
 
@@ -37,6 +42,7 @@ class Observation:
         clock: seconds since the epoch.
         ends: tells of nodes that end; None where nobody wants to be told at once.
         wait_s: the longest a node may take to answer.
+        parameters: of the master's parameter server; None to leave them out.
     """
 
     def __init__(
@@ -48,7 +54,10 @@ class Observation:
         clock: Callable[[], float],
         ends: Ends | None = None,
         wait_s: float = 1.0,
+        parameters: Parameters | None = None,
     ) -> None:
+        self._parameters = parameters
+        self._parameters_told = float("-inf")
         self._follower = follower
         self._caller = caller
         self._resolver = resolver
@@ -94,13 +103,17 @@ class Observation:
         for look in looks:
             failures += look.failures
         tallies = self._tallies(readings)
+        set_since: list[Event] = []
+        if self._parameters and self._follower.there:
+            set_since, unread = self._parameters.step(self._clock(), restarted=step.restarted)
+            failures += unread
         fresh = [failure for failure in dict.fromkeys(failures) if failure not in self._said]
         self._said = set(failures)
         now = self._clock()
         events, graph = self._renew(now, reasons)
         if step.news:
             events.insert(0, Event(now, Change.CHANGED, f"host:{self._hostname}", step.news))
-        return self._frame(now, tallies, events, graph, fresh)
+        return self._frame(now, tallies, [*events, *set_since], graph, fresh)
 
     def ended(self, names: Iterable[str]) -> Frame | None:
         """Ask only nodes that seem to have ended; None where that was not so."""
@@ -197,11 +210,23 @@ class Observation:
         """Return what changed, and the graph if anything did; the first graph has no events."""
         living = {name: contact.node for name, contact in self._contacts.items() if not contact.dead}
         graph = build_graph(self._follower.state, self._follower.types, living)
-        before, self._graph = self._graph, graph
-        if before == graph:
+        before = self._graph
+        if self._parameters:
+            # What is known of parameters since is no reason to tell the whole at once.
+            graph = msgspec.structs.replace(graph, parameters=before.parameters if before else {})
+        if before == graph and not self._parameters_due(now):
             return [], None
+        if self._parameters:
+            graph = msgspec.structs.replace(graph, parameters=self._parameters.by_node(living))
+        self._graph = graph
         why = {name: contact.reason for name, contact in self._contacts.items() if contact.dead} | reasons
         return (changes(before, graph, now, why) if before else []), graph
+
+    def _parameters_due(self, now: float) -> bool:
+        if not self._parameters or not self._parameters.moved or now - self._parameters_told < PARAMETERS_S:
+            return False
+        self._parameters_told = now
+        return True
 
     def _frame(
         self, now: float, tallies: list[Tally], events: list[Event], graph: Graph | None, failures: list[Failure]

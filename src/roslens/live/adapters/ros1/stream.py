@@ -19,6 +19,8 @@ _BIG = 8_192
 _AT_ONCE = 64
 """Reads of one stream before others have their turn."""
 _MOST_WAITING = 10_000
+_MOST_REPORTS = 100
+_LARGEST_REPORT = 1_000_000
 
 
 class Use(str, Enum):
@@ -26,6 +28,10 @@ class Use(str, Enum):
 
     TAP = "tap"
     STATISTICS = "statistics"
+    REPORTS = "reports"
+
+
+_WHOLE = {Use.STATISTICS: LARGEST, Use.REPORTS: _LARGEST_REPORT}
 
 
 class Source(msgspec.Struct, frozen=True, order=True):
@@ -54,9 +60,10 @@ class Stream:
         self.problem = ""
         self._host = host
         self._taps = source.use is Use.TAP
-        self._reader = HeadReader(HEAD_BYTES if self._taps else LARGEST)
+        self._reader = HeadReader(_WHOLE.get(source.use, HEAD_BYTES))
         self._accumulator = Accumulator(source.topic, source.publisher, told.stamped, now)
         self._told: list[Tally] = []
+        self._reports: list[tuple[float, bytes]] = []
         self._shed = 0
         self._piece = _PIECE
         self._waste = bytearray(262_144)
@@ -96,6 +103,8 @@ class Stream:
         for size, head in begun:
             if self._taps:
                 self._accumulator.message(size, head, now)
+            elif self.source.use is Use.REPORTS:
+                self._report(size, head, now)
             else:
                 self._statistics(head, now)
         if begun and self._taps:
@@ -110,6 +119,19 @@ class Stream:
             self._told.append(read_statistics(body, now, self._host))
         except StatisticsError as error:
             self.problem = f"{self.source.publisher} sends no statistics: {error}"
+
+    def _report(self, size: int, body: bytes, now: float) -> None:
+        if len(body) < size:
+            self.problem = f"{self.source.publisher} sends {size:,} bytes at once, which are passed over"
+        elif len(self._reports) < _MOST_REPORTS:
+            self._reports.append((now, body))
+        else:
+            self._shed += 1
+
+    def reports(self) -> list[tuple[float, bytes]]:
+        """Return messages of other monitors that came since the last time, and when."""
+        reports, self._reports = self._reports, []
+        return reports
 
     def take(self, now: float) -> tuple[list[Tally], int]:
         """Return what came since the last time, and how many records were dropped."""

@@ -20,7 +20,7 @@ Answer = Callable[[list[Any]], list[Any]]
 
 
 class ToldServer:
-    """Answers as a node would and passes ``publisherUpdate`` on.
+    """Answers as a node would and passes ``publisherUpdate`` on, and ``paramUpdate`` to ``parameter_told``.
 
     Args:
         address: to listen at, empty for all of this host; a port of its own is chosen.
@@ -41,12 +41,13 @@ class ToldServer:
             "getMasterUri": lambda _: [1, "", master_uri],
             "getPublications": lambda _: [1, "", []],
             "getSubscriptions": lambda _: [1, "", []],
-            "paramUpdate": lambda _: [1, "", 0],
+            "paramUpdate": self._parameter,
             "shutdown": lambda _: [0, "an observer is ended where it was started", 0],
             "requestTopic": lambda _: [0, "an observer publishes nothing", 0],
             **(more or {}),
         }
         self._told = told
+        self.parameter_told: Callable[[str, Any], None] = lambda _key, _value: None
         family = socket.AF_INET6 if ":" in address else socket.AF_INET
         server = type("Server", (ThreadingHTTPServer,), {"address_family": family, "daemon_threads": True})
         self._server: ThreadingHTTPServer = server((address, 0), _handler(answers))
@@ -62,6 +63,12 @@ class ToldServer:
             self._told(arguments[1], tuple(uri for uri in arguments[2] if isinstance(uri, str)))
             return [1, "", 0]
         return [-1, "expected caller, topic and a list of URIs", 0]
+
+    def _parameter(self, arguments: list[Any]) -> list[Any]:
+        if len(arguments) == 3 and isinstance(arguments[1], str):
+            self.parameter_told(arguments[1], arguments[2])
+            return [1, "", 0]
+        return [-1, "expected caller, key and value", 0]
 
     def close(self) -> None:
         """Stop listening."""

@@ -56,8 +56,8 @@ def ros1_source(
     publishes: Publishes | None = None,
 ) -> ChildSource:  # fmt: skip
     """Return what observes the ROS 1 system of ``master``; empty is that of the environment."""
-    words = ["--statistics", "--parameters", "--reports", *(["--master", master] if master else []), *_taps(taps), *_published(publishes)]
-    command = [sys.executable, "-m", "roslens.live.adapters.ros1", *words]
+    words = [*(["--master", master] if master else []), *_taps(taps), *_published(publishes)]
+    command = [sys.executable, "-m", "roslens.live.adapters.ros1", "--statistics", "--parameters", "--reports", *words]
     return _source("ros1", command, environment, steady, publishes)
 
 

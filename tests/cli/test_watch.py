@@ -151,3 +151,45 @@ def test_the_graph_goes_into_a_file(bag, tmp_path, capsys):
     assert 'name: "/scan"' in text
     assert main(["watch", "--bag", bag, "-q", "--graph-out", "/proc/none/graph.yaml"]) == 2
     assert "--graph-out '/proc/none/graph.yaml'" in capsys.readouterr().err
+
+
+def test_a_draft_from_the_graph_of_a_watch(bag, tmp_path, capsys):
+    graph, draft = tmp_path / "graph.yaml", tmp_path / "draft.yaml"
+    assert main(["watch", "--bag", bag, "-q", "--graph-out", str(graph)]) == 0
+    assert main(["reference", "draft", "--graph", str(graph), "-o", str(draft)]) == 0
+    assert main(["reference", "test", str(draft), "--bag", bag]) == 0
+    assert "no alarm in 80.0 s" in capsys.readouterr().out
+    graph.write_text("nodes:\n- naem: x\n")
+    assert main(["reference", "draft", "--graph", str(graph)]) == 2
+    assert f"{graph}:2:3: unknown key 'naem' of a node" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--bag", "x", "--tap", "/a"], "--tap without --live; expected one of them"),
+        (["--live", "5 Hz"], "--live '5 Hz'"),
+        (["--live", "-5 s"], "--live '-5 s'; expected a time above 0"),
+        (["--graph", "none.yaml"], "none.yaml: cannot read it"),
+        (["--live", "5 s", "--listen", "127.0.0.1:0"], "--listen without a key"),
+    ],
+)
+def test_what_cannot_be_drafted_from_is_said(words, said, capsys):
+    assert main(["reference", "draft", *words]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_a_draft_of_what_runs_where_no_ros_is(tmp_path, capsys, monkeypatch):
+    for name in ("ROS_MASTER_URI", "ROSLENS_ROS2_PYTHON"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("roslens.live.adapters.child._unfit", lambda *_: "No module named 'rclpy'")
+    assert main(["reference", "draft", "--live", "1 s"]) == 3
+    found = capsys.readouterr()
+    assert "constraints: []" in found.out
+    assert "no ROS was found: no $ROS_MASTER_URI" in found.err
+
+
+def test_shells_complete_the_new_options(capsys):
+    assert main(["completion", "bash"]) == 0
+    script = capsys.readouterr().out
+    assert all(option in script for option in ("--graph-out", "--live", "--graph"))

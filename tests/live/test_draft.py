@@ -12,8 +12,10 @@ from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.draft import Observed, percentile, rounded
 from roslens.live.draft_groups import grouped, pattern_of
 from roslens.live.draft_text import draft_text
+from roslens.live.session import Session
 from roslens.live.signals import BY_KEY
-from roslens.model.tally import Moments, Tally
+from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.wire import VERSION, Frame
 
 
 def tallies(topic, times, publisher="/p"):
@@ -85,9 +87,51 @@ def test_too_little_is_left_out():
     assert found.left_out() == ("/once", "/scan")
 
 
-def test_of_two_publishers_the_busier_one_speaks():
+def test_the_rates_of_two_publishers_add_up_as_they_do_when_judged():
     one, other = tallies("/scan", steady(10, 60), "/a"), tallies("/scan", steady(20, 60), "/b")
-    assert lines_of(observed(one, other))["rate"].typical == pytest.approx(20, rel=0.06)
+    found = observed(one, other)
+    lines = lines_of(found)
+    assert lines["rate"].typical == pytest.approx(30, rel=0.06)
+    assert lines["largest_gap"].typical == pytest.approx(0.1, rel=0.06)
+    text = draft_text("mine", found.drafted(), (), "a script").encode()
+    session = Session(load_reference([GivenText("draft.yaml", text)], BY_KEY), start=0.0)
+    for step in zip_longest(one, other):
+        session.take([Frame(VERSION, "s", 0, step[0].end, list(step))])
+        assert [verdict for verdict in session.look(step[0].end).changes if verdict.state.bad] == []
+
+
+def test_stretches_of_any_length_are_spread_over_steps():
+    found, times = Observed(), steady(20, 60)
+    at = 0.0
+    while at < 59:
+        end = at + 0.83
+        inside = [time for time in times if at <= time < end]
+        gaps = Moments(len(inside), 0.05 * len(inside), 0.0, 0.05, 0.05)
+        seen = [("", Observer.INSIDE), ("/b", Observer.INSIDE), ("/b", Observer.TAP)]
+        found.add_live(
+            Tally("/scan", "/a", subscriber, 1e9 + at, 1e9 + end, len(inside), period=gaps, observer=observer)
+            for subscriber, observer in seen
+        )
+        at = end
+    rate = lines_of(found)["rate"]
+    assert rate.typical == pytest.approx(20, rel=0.01)
+    assert rate.outside == 0
+    assert found.drafted()[0].messages == pytest.approx(20 * 59, rel=0.02)
+
+
+@given(st.floats(-1e3, 1e9), st.floats(0, 600))
+def test_shares_are_whole(start, length):
+    shares = Observed()._shares(start, start + length)
+    if shares:
+        assert sum(share for _, share in shares) == pytest.approx(1.0) or start < 0
+        assert [number for number, _ in shares] == list(range(shares[0][0], shares[-1][0] + 1))
+
+
+def test_a_clock_that_jumps_makes_no_endless_windows():
+    found = Observed()
+    found.add_live([Tally("/scan", "/a", "", 0.0, 1.0, 10), Tally("/scan", "/a", "", 1.0, 1e9, 10)])
+    found.add_live([Tally("/scan", "/a", "", -5.0, -4.0, 10), Tally("/scan", "/a", "", 2.0, 1.0, 10)])
+    assert found.left_out() == ("/scan",)
 
 
 def test_likes_are_joined_and_unlikes_are_not():

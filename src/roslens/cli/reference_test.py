@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from roslens.live.expected_alarms import ExpectedAlarm
 
 TEXT = "Say what references would have raised on a recording; with --expect, whether that is right."
+EXAMPLES = """\
+  roslens reference test robot.yaml --bag drive.bag                        what it would have raised, and when
+  roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml   exit code 1 where it is not that"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -45,7 +45,7 @@ def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: froze
     Raises:
         UsageError: the options make no sense, or an address is taken.
     """
-    length = _length(options.length)
+    length = length_of(options.length, "--for") if options.length is not None else None
     with contextlib.ExitStack() as stack:
         teller = stack.enter_context(Teller(options, time_of_day))
         session = Session(files.reference, start=time.time())
@@ -90,18 +90,30 @@ def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: froze
     return teller.code(states, nothing_seen=not session.records)
 
 
-def _length(text: str | None) -> float | None:
+def length_of(text: str, option: str) -> float:
+    """Return the seconds that an option says.
+
+    Raises:
+        UsageError: it is no time above 0.
+    """
     from roslens.judge.amount import parse_amount
 
-    if text is None:
-        return None
     try:
         length = parse_amount(text, "s")
     except ValueError as error:
-        raise UsageError(f"--for {text!r}: {error}", expected="a time such as `60s`") from None
+        raise UsageError(f"{option} {text!r}: {error}", expected="a time such as `60s`") from None
     if length <= 0:
-        raise UsageError(f"--for {text!r}", expected="a time above 0")
+        raise UsageError(f"{option} {text!r}", expected="a time above 0")
     return length
+
+
+def sources_of(options: argparse.Namespace) -> list[Source]:
+    """Return the observers that options ask for, which publish nothing.
+
+    Raises:
+        UsageError: there is no such ROS, or an address is taken.
+    """
+    return _sources(options, None)
 
 
 def _sources(options: argparse.Namespace, publishes: Publishes | None) -> list[Source]:

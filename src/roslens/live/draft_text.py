@@ -9,25 +9,49 @@ from collections.abc import Iterable, Sequence
 from roslens.judge.amount import Limits, amount_text, limits_text
 from roslens.judge.range import plain
 from roslens.live.draft import Drafted, Line
-from roslens.live.draft_groups import pattern_of
+from roslens.live.draft_groups import escaped, pattern_of
+from roslens.live.draft_presence import PLUMBING, There
 from roslens.live.signals import BY_KEY
 
 _PLAIN = re.compile(r"[A-Za-z/~_][A-Za-z0-9_/.-]*\Z")
 _YAML_WORDS = frozenset({"true", "false", "yes", "no", "on", "off", "null", "y", "n"})
 
 
-def draft_text(name: str, drafts: Sequence[Drafted], left_out: Iterable[str], source: str) -> str:
-    """Return the document; ``source`` says in words what was observed."""
+def draft_text(
+    name: str,
+    drafts: Sequence[Drafted],
+    left_out: Iterable[str],
+    source: str,
+    there: Sequence[There] = (),
+    unsteady: Sequence[str] = (),
+) -> str:
+    """Return the document.
+
+    Args:
+        name: of the reference.
+        drafts: what is proposed of topics.
+        left_out: topics of which too little was seen.
+        source: what was observed, in words.
+        there: what is proposed to be there always; of topics with values that goes without saying.
+        unsteady: nodes that came or went, or whose names another start would not make again.
+    """
+    valued = {topic for one in drafts for topic in one.names}
+    always = [one for one in there if one.kind == "node" or one.name not in valued]
     lines = [
         f"# Drafted from {source}. Read it, change it, then take this line away.",
         "kind: reference",
         f"name: {name}",
         f"title: {json.dumps(f'Drafted from {source}', ensure_ascii=False)}",
-        "constraints:" if drafts else "constraints: []",
+        "constraints:" if drafts or always else "constraints: []",
     ]
     for one in drafts:
         lines += _constraint(one)
-    ignored = sorted(left_out)
+    for present in always:
+        lines += _presence(present)
+    if unsteady:
+        lines.append("# Nodes that came or went, or whose names another start would not make again:")
+        lines += [f"#   {_in_comment(node)}" for node in unsteady]
+    ignored = sorted({*left_out} - {one.name for one in always if one.kind == "topic"} - PLUMBING)
     if ignored:
         lines.append("# Too few messages to say anything of:")
         lines += [f"#   {_in_comment(topic)}" for topic in ignored]
@@ -46,6 +70,18 @@ def _constraint(one: Drafted) -> list[str]:
         unit = BY_KEY[line.quantity].unit
         lines.append(f"    {line.quantity}: {limits_text(Limits(line.range), unit)}  # {_evidence(line, unit)}")
     return lines
+
+
+def _presence(one: There) -> list[str]:
+    lines = [f"  - {one.kind}: {_scalar(escaped(one.name))}"]
+    if one.type:
+        lines.append(f"    type: {_scalar(one.type)}")
+    evidence = "in the graph; how often it is not cannot be known from that"
+    if one.hours:
+        word = "about" if one.losses else "at most"
+        rate = f"{word} {plain(float(f'{one.alarms_per_hour:.2g}'))} alarms an hour"
+        evidence = f"there at {one.seen} of {one.looks} looks, lost {one.losses} times: {rate}"
+    return [*lines, f"    expected: always  # {evidence}"]
 
 
 def _evidence(line: Line, unit: str) -> str:

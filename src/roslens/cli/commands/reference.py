@@ -23,6 +23,8 @@ EXAMPLES = """\
   roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
   roslens reference explain base.yaml topic:/scan
   roslens reference draft --bag drive.bag -o robot.yaml
+  roslens reference draft --live 60s -o robot.yaml           from what runs here now
+  roslens reference draft --graph graph.yaml                 what is there, as `watch --graph-out` writes it
   roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml
   roslens reference import arni.yaml -o robot.yaml"""
 
@@ -58,7 +60,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     importing.set_defaults(act=_import)
     for name, module in (("draft", reference_draft), ("test", reference_test)):
-        module.add_arguments(actions.add_parser(name, help=module.TEXT, description=module.TEXT))
+        module.add_arguments(
+            actions.add_parser(
+                name,
+                help=module.TEXT,
+                description=module.TEXT,
+                epilog=f"examples:\n{module.EXAMPLES}",
+                formatter_class=argparse.RawDescriptionHelpFormatter,
+            )
+        )
 
 
 def run(options: argparse.Namespace) -> int:

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli.observers import add_observer_arguments
 from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
 
@@ -36,22 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what to watch, what to hold it against, and where to tell it."""
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
     parser.add_argument("--reference", type=Path, action="append", default=[], metavar="FILE", help="what is expected")
-    parser.add_argument("--ros1", action="store_true", help="observe ROS 1 (default: every ROS that is found)")
-    parser.add_argument("--ros2", action="store_true", help="observe ROS 2 (default: every ROS that is found)")
-    parser.add_argument("--master", metavar="URI", help="of ROS 1 (default: $ROS_MASTER_URI)")
-    parser.add_argument("--domain", type=int, metavar="N", help="of ROS 2 (default: $ROS_DOMAIN_ID)")
-    parser.add_argument(
-        "--python", metavar="FILE", help="a Python with rclpy (default: $ROSLENS_ROS2_PYTHON, this one)"
-    )
-    parser.add_argument(
-        "--tap",
-        action="append",
-        default=[],
-        metavar="PATTERN",
-        help="subscribe to topics that match, within a budget; for nodes that were not started through `roslens run`",
-    )
-    parser.add_argument("--listen", metavar="HOST:PORT", help="take reports of `roslens agent` on other hosts")
-    parser.add_argument("--key-file", type=Path, metavar="FILE", help="the key that agents know too")
+    add_observer_arguments(parser)
     parser.add_argument("--for", dest="length", metavar="TIME", help="end after so long (`60s`, `5 min`)")
     parser.add_argument(
         "--fail-on",

@@ -1,0 +1,53 @@
+"""A watch that rates nothing and remembers everything that a reference can be drafted from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from roslens.judge.expectation import Reference
+from roslens.live.draft import Observed
+from roslens.live.draft_presence import Attendance, types_in
+from roslens.live.session import Session, Step
+from roslens.model.failure import Failure
+from roslens.model.wire import Frame
+
+LOOK_S = 1.0
+
+
+class DraftSession(Session):
+    """Collects traffic, and once a second what is there.
+
+    Attributes:
+        observed: the traffic.
+        attendance: who was there.
+        looked: seconds from the first look at what is there to the last.
+    """
+
+    def __init__(self, *, start: float) -> None:
+        """Watch from ``start`` on."""
+        super().__init__(Reference("nothing"), start=start)
+        self.observed = Observed()
+        self.attendance = Attendance()
+        self.looked = 0.0
+        self._first: float | None = None
+        self._next = start
+
+    def take(self, came: Iterable[Frame | Failure]) -> None:
+        """Take what observers tell."""
+        frames = list(came)
+        for one in frames:
+            if isinstance(one, Frame):
+                self.observed.add_live(one.tallies)
+        super().take(frames)
+
+    def look(self, now: float) -> Step:
+        """Note what is there, and return what is new."""
+        step = super().look(now)
+        if now >= self._next and self.monitor.world.graph is not None:
+            self._next = now + LOOK_S
+            self._first = now if self._first is None else self._first
+            self.looked = now - self._first
+            graph = self.graph()
+            self.attendance.look(graph)
+            self.observed.add_types(types_in(graph).items())
+        return step

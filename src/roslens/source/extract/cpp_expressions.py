@@ -193,7 +193,7 @@ class Expressions:
 
     def _new(self, node: Node) -> Expression:
         type_, values = node.child_by_field_name("type"), node.child_by_field_name("arguments")
-        if type_ is None:
+        if type_ is None or is_primitive(self._lowered.text(type_)):
             return self._other(node)
         name, templates = name_and_templates(self._lowered.text(type_))
         row, column = node.start_point

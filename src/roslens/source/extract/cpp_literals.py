@@ -47,6 +47,9 @@ def _code_point(code: int) -> str:
 def number_value(written: str) -> int | float | None:
     """Return the value of a number, None of what is none: ``0x1F``, ``1'000u``, ``017``, ``1.5f``, ``1e3``."""
     plain = written.replace("'", "")
+    if plain[:1] in ("-", "+"):
+        value = number_value(plain[1:].lstrip())
+        return -value if value is not None and plain[0] == "-" else value
     if len(plain) > _MOST_DIGITS:
         return None
     whole = _WHOLE.match(plain)

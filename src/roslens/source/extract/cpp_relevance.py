@@ -33,7 +33,7 @@ _LEADING = re.compile(
 )
 _CALL_STATEMENT = re.compile(rb"(?:this\s*->\s*)?(?:[A-Za-z_]\w*(?:::|\.|->))*([A-Za-z_]\w*)\s*\(")
 _STATEMENT_BEGINS = re.compile(
-    rb"[;{})]\s*\n[ \t]*(?:this->)?(?:[A-Za-z_]\w*(?:::|\.|->)){0,3}"
+    rb"[;{}\n][ \t]*(?:this->)?(?:[A-Za-z_]\w*(?:::|\.|->)){0,3}"
     rb"(?!if\b|for\b|while\b|return\b|switch\b)[A-Za-z_]\w*\("
 )
 _TEXT_ASSIGNED = re.compile(rb"=\s*(?:std::string\s*\(\s*)?\"")

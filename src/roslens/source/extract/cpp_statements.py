@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from tree_sitter import Node
 
 from roslens.source.extract.cpp_expressions import Expressions
-from roslens.source.extract.cpp_lowered import Lowered, opaque
+from roslens.source.extract.cpp_lowered import DEEPEST, Lowered, opaque
 from roslens.source.extract.cpp_relevance import Level, Relevance, is_logging
 from roslens.source.extract.cpp_types import declared_name, declared_type, name_and_templates
 from roslens.source.extract.program import (
@@ -17,7 +17,9 @@ from roslens.source.extract.program import (
     Call,
     Evaluate,
     Expression,
+    Literal,
     Loop,
+    Member,
     Name,
     Opaque,
     Operation,
@@ -32,6 +34,8 @@ _POINTING = ("pointer_declarator", "reference_declarator")
 _DIRECT = ("argument_list", "initializer_list")
 
 Statements = list[Statement]
+_Arm = tuple[Statements, Expression, tuple[Statement, ...], int]
+"""What stands before a condition, the condition, what it decides, and the line."""
 
 
 class StatementLowering:
@@ -245,7 +249,7 @@ class StatementLowering:
         if self._left_out(node):
             return
         self._lowered.depth += 1
-        arms: list[tuple[Statements, Expression, tuple[Statement, ...], int]] = []
+        arms: list[_Arm] = []
         current: Node | None = node
         while current is not None and current.type == "if_statement":
             first: Statements = []
@@ -257,11 +261,24 @@ class StatementLowering:
             if clause is not None:
                 inner = [child for child in clause.named_children if child.type != "comment"]
                 current = inner[0] if inner else None
-        otherwise = self.block(current)
-        for first, condition, then, line in reversed(arms):
-            otherwise = (*first, Branch(condition, then, otherwise, line))
-        out += otherwise
+        self._chain(arms, self.block(current), node, out)
         self._lowered.depth -= 1
+
+    def _chain(self, arms: list[_Arm], otherwise: tuple[Statement, ...], node: Node, out: Statements) -> None:
+        """Add branches of which each stands in the one before; of more than some hundred the rest stands behind."""
+        if len(arms) > DEEPEST:
+            self._lowered.incomplete.add((node.start_point.row + 1, f"more than {DEEPEST} alternatives"))
+        starts = range(0, len(arms), DEEPEST)
+        for start in starts:
+            chained = otherwise if start == starts[-1] else ()
+            for first, condition, then, line in reversed(arms[start : start + DEEPEST]):
+                if then or chained or not isinstance(condition, _SAYING_NOTHING):
+                    chained = (*first, Branch(condition, then, chained, line))
+                else:
+                    chained = tuple(first)
+            out += chained
+        if not arms:
+            out += otherwise
 
     def _switch(self, node: Node, out: Statements) -> None:
         if self._left_out(node):
@@ -270,7 +287,7 @@ class StatementLowering:
         subject = self._condition(node.child_by_field_name("condition"), out)
         body = node.child_by_field_name("body")
         labels: list[Expression] = []
-        cases: list[tuple[Expression, tuple[Statement, ...], int]] = []
+        cases: list[_Arm] = []
         otherwise: tuple[Statement, ...] = ()
         default = False
         for case in body.named_children if body is not None else ():
@@ -289,11 +306,9 @@ class StatementLowering:
                     otherwise = tuple(statements)
                 elif labels:
                     condition = labels[0] if len(labels) == 1 else Operation("or", tuple(labels))
-                    cases.append((condition, tuple(statements), case.start_point.row + 1))
+                    cases.append(([], condition, tuple(statements), case.start_point.row + 1))
                 labels, default = [], False
-        for condition, then, line in reversed(cases):
-            otherwise = (Branch(condition, then, otherwise, line),)
-        out += otherwise
+        self._chain(cases, otherwise, node, out)
         self._lowered.depth -= 1
 
     def _loop(self, node: Node, out: Statements) -> None:
@@ -309,7 +324,8 @@ class StatementLowering:
         update = node.child_by_field_name("update")
         if update is not None and b"(" in self._lowered.text(update):
             self._evaluate(update, update, body)
-        out.append(Loop(None, over, tuple(body), node.start_point.row + 1))
+        if body or not (over is None or isinstance(over, _SAYING_NOTHING)):
+            out.append(Loop(None, over, tuple(body), node.start_point.row + 1))
         self._lowered.depth -= 1
 
     def _range(self, node: Node, out: Statements) -> None:
@@ -323,7 +339,8 @@ class StatementLowering:
         target = _target(self._lowered.text(declarator), "") if declarator is not None else None
         sequence = self._lower(over) if over is not None else None
         body = self.block(node.child_by_field_name("body"))
-        out.append(Loop(target or Opaque(""), sequence, body, node.start_point.row + 1))
+        if body or not (sequence is None or isinstance(sequence, _SAYING_NOTHING)):
+            out.append(Loop(target or Opaque(""), sequence, body, node.start_point.row + 1))
         self._lowered.depth -= 1
 
     def _try(self, node: Node, out: Statements) -> None:
@@ -360,6 +377,8 @@ def _target(declarator: bytes, prefix: str) -> Expression | None:
 
 
 _SHORT_VALUE = 40
+_SAYING_NOTHING = (Name, Opaque, Literal, Member)
+"""A branch or loop that holds nothing is left out with such a condition."""
 _BLOCKS = ("compound_statement", "translation_unit")
 _SILENT_WORDS = (
     "comment break_statement continue_statement goto_statement static_assert_declaration empty_statement identifier "

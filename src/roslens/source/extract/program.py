@@ -66,7 +66,9 @@ class Operation(msgspec.Struct, frozen=True, array_like=True, tag="op"):
     """An operator with its operands.
 
     ``+`` ``-`` ``*`` ``/`` ``%`` ``<<`` ``==`` ``!=`` ``<`` ``>`` ``<=`` ``>=`` ``in`` ``and`` ``or`` ``not``, and
-    ``?:`` (condition, then, else).
+    ``?:`` (condition, then, else). ``+``, ``<<``, ``and`` and ``or`` in a row may be one with more than two operands.
+    Of C++ also: other operators as written, ``=`` inside an expression, and ``,`` for what holds calls but says
+    nothing else (the calls, then its text).
     """
 
     operator: str
@@ -121,7 +123,7 @@ class Assign(msgspec.Struct, frozen=True, array_like=True, tag="assign"):
 
 
 class Evaluate(msgspec.Struct, frozen=True, array_like=True, tag="eval"):
-    """An expression that stands alone, for what it calls."""
+    """An expression that stands alone, for what it calls; ``throw x`` of C++ is a call of ``throw``."""
 
     expression: Expression
     line: int = 0
@@ -176,8 +178,9 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
         class_name: qualified name of the class it is a member of; empty of none.
         line: of its name.
         parameters: of a Python method without ``self``.
-        initialisers: of members and bases by a constructor, as assignments to ``self.member`` or calls of the base.
-        body: its statements.
+        initialisers: of members and bases by a constructor, as assignments to ``self.member`` or calls of the base. The
+            value of a member with other than one argument is the sequence of them: what it constructs its class says.
+        body: its statements; of a C++ function that only computes it is empty, also where it returns something.
         templates: names of its template parameters, those of its class first.
         decorators: Python's, as expressions.
     """
@@ -221,9 +224,11 @@ class Program(msgspec.Struct, frozen=True, omit_defaults=True):
         functions: every one with a body, lambdas included, in source order.
         classes: in source order.
         body: statements outside functions: globals and constants, and calls of registration macros; Python's module.
+            In C++ the name of a global stands with its namespaces and class, joined by ``.``.
         macros: ``#define`` of a constant: name to value.
         imports: Python: local name to what it means (``rospy``, ``std_msgs.msg.String``); C++: alias of a namespace or
-            type to what it means, and ``using`` of a name.
+            type to what it means, and ``using`` of a name. What is known in a namespace, class or function of C++ only
+            has its scope before it, joined by ``.``; meanings are as written, with ``::`` and template arguments.
         using: namespaces that are used whole (``using namespace std``; ``from x import *``).
         includes: headers as written, with their line; in Python the imported modules.
         incomplete: lines at which something could not be lowered, and why.

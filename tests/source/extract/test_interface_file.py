@@ -16,8 +16,8 @@ from roslens.source.extract.type_hash import type_hashes
 FIXTURES = Path(__file__).parents[2] / "fixtures" / "extract" / "interfaces"
 SEEDS = [path for folder in ("ros1", "ros2") for path in sorted((FIXTURES / folder).iterdir())]
 PIECES = [
-    *b"# = --- [] [3] [<=3] <=5 int32 string wstring float64 Header Nested a/B time bool x NAME 1 -1 1.5 true 'a'".split(),
-    b"\xff", b"\xc3\xa9",
+    *b"# = --- [] [3] [<=3] <=5 int32 string wstring float64 Header Nested a/B time bool x NAME 1 -1 1.5 true".split(),
+    b"'a'", b"\xff", b"\xc3\xa9",
     b" ", b"\t", b"\n", b"\r\n", b"  ", b"\x0c", b"\xe2\x80\xa8",
 ]  # fmt: skip
 

@@ -132,7 +132,12 @@ class Definitions:
             return
         lowered = self._lowered
         name = dotted(without_arguments(written))
-        qualified = lowered.qualified(name) if name else lowered.scope
+        if not name:
+            # The members of a union without name are those of the class around.
+            if self._where == "class":
+                self._nested(body, out)
+            return
+        qualified = lowered.qualified(name)
         bases = tuple(map(dotted, base_names(node, lowered.source)))
         simple = name.rpartition(".")[2]
         self._bases[qualified] = (simple, *(base.rpartition(".")[2] for base in bases))

@@ -100,7 +100,8 @@ class Expressions:
         return Call(Name(name), arguments, (), templates, row + 1, column + 1)
 
     def _name(self, node: Node) -> Expression:
-        return name_of(name_and_templates(self._lowered.text(node))[0])
+        name = name_and_templates(self._lowered.text(node))[0]
+        return name_of(name) if name else Opaque("")
 
     def _member(self, node: Node) -> Expression:
         children = [child for child in node.named_children if child.type != "comment"]
@@ -136,7 +137,7 @@ class Expressions:
             name, templates = name_and_templates(self._lowered.text(function))
             if name in _CASTS and len(values) == 1:
                 return values[0]
-            callee = name_of(name)
+            callee = name_of(name) if name else Opaque("")
             if name in _FORMATS:
                 formatted = _formatted(values)
                 if formatted is not None:

@@ -136,11 +136,12 @@ class StatementLowering:
         """Add what a declaration of variables says; ``prefix`` is the scope with its dot, None of local ones."""
         type_ = node.child_by_field_name("type")
         declarators = node.children_by_field_name("declarator")
-        if type_ is not None and type_.child_by_field_name("body") is not None:
+        body = type_.child_by_field_name("body") if type_ is not None else None
+        if type_ is not None and body is not None:
             self.on_definition(type_, out)
         if type_ is None or not declarators:
             return
-        before = self._lowered.source[node.start_byte : declarators[0].start_byte]
+        before = self._lowered.source[node.start_byte : (body or declarators[0]).start_byte]
         single = node.child_by_field_name("value")
         for declarator in declarators:
             self._declare(node, type_, declarator, before, single, prefix, out)

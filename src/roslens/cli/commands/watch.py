@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.observers import add_observer_arguments
+from roslens.cli.param_reference import reference_argument, reference_sources
 from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
 
@@ -36,7 +37,14 @@ _BAD = ("low", "high", "absent")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what to watch, what to hold it against, and where to tell it."""
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
-    parser.add_argument("--reference", type=Path, action="append", default=[], metavar="FILE", help="what is expected")
+    parser.add_argument(
+        "--reference",
+        type=reference_argument,
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="what is expected; param:/NAME reads it from a parameter of ROS",
+    )
     add_observer_arguments(parser)
     parser.add_argument("--for", dest="length", metavar="TIME", help="end after so long (`60s`, `5 min`)")
     parser.add_argument(
@@ -72,7 +80,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.watch_reload import ReferenceFiles
 
     states = _states(options.fail_on)
-    files = ReferenceFiles(options.reference, steady=time.monotonic)
+    files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
     if options.bag:
         return _replayed(options, files.reference, states)
     from roslens.cli.watch_live import watch_live

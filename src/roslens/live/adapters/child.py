@@ -27,8 +27,8 @@ _PROBE_S = 20.0
 _BOOTSTRAPPED = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
 _PARENT = str(Path(__file__).parents[3])
 # What the other Python brings itself goes first: folders of another version may hold libraries that it cannot load.
-_START = "import sys; sys.path.append({parent!r}); from {module}.__main__ import main; sys.exit(main(sys.argv[1:]))"
-_ROS2 = "roslens.live.adapters.ros2"
+_START = "import sys; sys.path.append({parent!r}); from {module} import main; sys.exit(main(sys.argv[1:]))"
+_ROS2 = "roslens.live.adapters.ros2.__main__"
 VARIABLE = "ROSLENS_ROS2_PYTHON"
 
 
@@ -84,9 +84,9 @@ def _unfit(python: str, environment: Mapping[str, str]) -> str:
     return "" if not ended.returncode else (ended.stderr.strip().splitlines() or [f"exit code {ended.returncode}"])[-1]
 
 
-def ros2_command(python: str, words: Sequence[str]) -> list[str]:
-    """Return the command that observes ROS 2 with the given arguments."""
-    return [python, "-c", _START.format(parent=_PARENT, module=_ROS2), *words]
+def ros2_command(python: str, words: Sequence[str], module: str = _ROS2) -> list[str]:
+    """Return the command that runs ``main`` of a module, by default that which observes ROS 2, in another Python."""
+    return [python, "-c", _START.format(parent=_PARENT, module=module), *words]
 
 
 class Child:

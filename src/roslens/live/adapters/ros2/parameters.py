@@ -210,10 +210,22 @@ def value_of(value: Any) -> Any:
 class NodeQuestions:
     """Asks one node by two clients of rclpy, which nobody needs to spin.
 
-    Values of secrets are not asked for at all.
+    Args:
+        node: of rclpy.
+        name: of the node that is asked.
+        wanted: chooses the parameters whose values are asked for; by default all but secrets.
+        shown: makes of name and value what ``step`` returns.
     """
 
-    def __init__(self, node: Any, name: str) -> None:
+    def __init__(
+        self,
+        node: Any,
+        name: str,
+        wanted: Callable[[str], bool] = lambda name: not is_secret(name),
+        shown: Callable[[str, Any], Any] = value_text,
+    ) -> None:
+        self._wanted = wanted
+        self._shown = shown
         services = importlib.import_module("rcl_interfaces.srv")
         self._node = node
         self._list = node.create_client(services.ListParameters, f"{name}/list_parameters")
@@ -221,10 +233,10 @@ class NodeQuestions:
         self._types = {self._list: services.ListParameters, self._get: services.GetParameters}
         self._asked: list[str] | None = None
         self._left: list[str] | None = None
-        self._values: dict[str, str] = {}
+        self._values: dict[str, Any] = {}
         self._listed = False
 
-    def step(self) -> dict[str, str] | None:
+    def step(self) -> dict[str, Any] | None:
         """Go on as far as that goes without waiting; return the parameters when all of them are there."""
         if self._left is None and not self._names():
             return None
@@ -234,7 +246,7 @@ class NodeQuestions:
                 return None
             # A node that hides what was not declared answers with none at all.
             self._values.update(
-                (name, value_text(name, value_of(value)))
+                (name, self._shown(name, value_of(value)))
                 for name, value in zip(self._asked, answer.values, strict=False)
             )
             self._asked = None
@@ -256,7 +268,7 @@ class NodeQuestions:
             return False
         names = sorted(answer.result.names)[:MOST]
         self._values = {name: HIDDEN for name in names if is_secret(name)}
-        self._left = [name for name in names if name not in self._values]
+        self._left = [name for name in names if self._wanted(name)]
         return True
 
     def _ask(self, client: Any, **fields: object) -> None:

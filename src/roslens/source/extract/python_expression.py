@@ -10,6 +10,7 @@ import ast
 import math
 import operator
 import re
+import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -79,7 +80,9 @@ def evaluate(
     if len(expression) > MOST_LENGTH:
         raise UnknownError(f"an expression of {len(expression):,} characters")
     try:
-        tree = ast.parse(expression.strip(), mode="eval")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(expression.strip(), mode="eval")
         return _Evaluation({**_CONSTANTS, **(names or {})}, functions or {}).of(tree.body, 0)
     except (SyntaxError, RecursionError, MemoryError) as error:
         raise UnknownError(f"{expression!r} is no expression of Python ({type(error).__name__})") from None

@@ -59,6 +59,10 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
         """The text with ``*`` for each hole."""
         return "".join(part if isinstance(part, str) else "*" for part in self.parts)
 
+    def __bool__(self) -> bool:
+        """Whether there is anything in it, known or not."""
+        return bool(self.parts)
+
     def __str__(self) -> str:
         """Write it for people: holes as ``{reason}``."""
         return "".join(part if isinstance(part, str) else f"{{{part.reason}}}" for part in self.parts)

@@ -1,0 +1,81 @@
+"""Actions of ROS 2 launch files, in one form for XML, YAML and Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import msgspec
+
+from roslens.source.extract.deferred import Deferred, Scope, Value
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.text import Text
+
+
+class Condition(msgspec.Struct, frozen=True):
+    """When an action is visited: while ``value`` is true, or with ``wanted`` False while it is not."""
+
+    value: Value
+    wanted: bool = True
+    written: str = ""
+
+
+class Parameter(msgspec.Struct, frozen=True):
+    """Parameters given to a node: one by name, or all of a file where ``file`` is set.
+
+    ``rewrites`` are what takes the place of values in the file, by name or path joined with ``.``; ``type`` is forced.
+    """
+
+    evidence: Evidence
+    name: Value = ""
+    value: Value = ""
+    type: str = ""
+    file: Value | None = None
+    rewrites: tuple[tuple[str, Value], ...] = ()
+
+
+class Action(msgspec.Struct, frozen=True):
+    """An action.
+
+    Attributes:
+        kind: ``argument``, ``set``, ``include``, ``group``, ``namespace``, ``parameter``, ``remap``, ``node``,
+            ``lifecycle``, ``container``, ``component``, ``load``, ``process``, ``sequence`` (its children, in the scope
+            around it), ``call`` (children are made when it is visited), ``nothing`` or ``unknown``.
+        evidence: where it is written.
+        values: by name, as given: ``name``, ``default``, ``package``, ``executable``, ``namespace``, ``plugin`` …
+        children: of groups and sequences; components of a container; arguments of an include as ``set``.
+        condition: of it.
+        parameters: of nodes and ``parameter``.
+        remaps: of nodes and ``remap``: from and to.
+        scoped: whether what a group sets is undone after it.
+        note: of ``unknown`` and ``sequence``: the reason, or the event that starts it.
+        make: of ``call``: makes the children.
+    """
+
+    kind: str
+    evidence: Evidence
+    values: dict[str, Value] = {}
+    children: tuple[Action, ...] = ()
+    condition: Condition | None = None
+    parameters: tuple[Parameter, ...] = ()
+    remaps: tuple[tuple[Value, Value], ...] = ()
+    scoped: bool = True
+    note: str = ""
+    words: tuple[Value, ...] = ()
+    make: Callable[[Scope], tuple[Action, ...]] | None = None
+
+
+def text(*parts: Value) -> Value:
+    """Return values one after the other as one."""
+    if len(parts) == 1:
+        return parts[0]
+    if all(isinstance(part, str) for part in parts):
+        return "".join(str(part) for part in parts)
+    return Deferred("text", parts)
+
+
+def unknown_value(reason: str) -> Deferred:
+    """Return a value that is unknown for a reason."""
+    return Deferred("unknown", (reason,))
+
+
+__all__ = ["Action", "Condition", "Parameter", "Text", "text", "unknown_value"]

@@ -1,0 +1,599 @@
+"""A Python launch file, evaluated from its syntax tree over the vocabulary of launch; nothing of it is executed.
+
+Constants, lists, dictionaries, functions of the file, loops over what is known, and conditions are followed, within
+bounds. Calls that are not known here are unknown values. Both ways of an unknown condition are followed, and what is
+made there keeps the condition.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from typing import Any
+
+from roslens.source.extract.deferred import Deferred, Scope, resolve
+from roslens.source.extract.launch_action import text
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.python_calls import call_known, call_method, known_name
+from roslens.source.extract.python_value import Bound, Closure, Dotted, Either, Made, Unknown, as_value
+from roslens.source.extract.text import Text
+
+MOST_STEPS = 100_000
+MOST_FRAMES = 25
+MOST_TURNS = 1_000
+_BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Sub: lambda one, other: one - other,
+    ast.Mult: lambda one, other: one * other,
+    ast.FloorDiv: lambda one, other: one // other,
+    ast.Mod: lambda one, other: one % other,
+    ast.Div: lambda one, other: one / other,
+}
+_COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], bool]] = {
+    ast.Eq: lambda one, other: one == other,
+    ast.NotEq: lambda one, other: one != other,
+    ast.Lt: lambda one, other: one < other,
+    ast.LtE: lambda one, other: one <= other,
+    ast.Gt: lambda one, other: one > other,
+    ast.GtE: lambda one, other: one >= other,
+    ast.In: lambda one, other: one in other,
+    ast.NotIn: lambda one, other: one not in other,
+    ast.Is: lambda one, other: one is other,
+    ast.IsNot: lambda one, other: one is not other,
+}
+_LONGEST = 10_000
+
+
+class TooLongError(Exception):
+    """The bounds of evaluation are spent."""
+
+
+class _Returned:
+    """What a block returned."""
+
+    def __init__(self, value: Any) -> None:
+        self.value = value
+
+
+_STOPPED = _Returned(None)
+"""A block that ended by ``break``, ``continue`` or ``raise``."""
+
+
+class Interpreter:
+    """Evaluates one file.
+
+    Attributes:
+        path: of the file.
+        scope: of the action that is visited, where a function is called by one; None while the file is read.
+        missed: what could not be evaluated, with its place and reason.
+    """
+
+    def __init__(self, path: str, tree: ast.Module) -> None:
+        """Read the file: what stands outside of functions is evaluated."""
+        self.path = path
+        self.scope: Scope | None = None
+        self.missed: list[tuple[Evidence, str, str]] = []
+        self._steps = 0
+        self._frames = 0
+        self._notes: list[str] = []
+        self._names: list[dict[str, Any]] = [{"__file__": Deferred("file"), "__name__": "launch"}]
+        self._block(tree.body)
+
+    def function(self, name: str) -> Closure | None:
+        """Return a function of the file."""
+        found = self._names[0].get(name)
+        return found if isinstance(found, Closure) else None
+
+    def call(self, function: Any, positional: list[Any], named: dict[str, Any], scope: Scope | None = None) -> Any:
+        """Call a function of the file; what it returns may be unknown.
+
+        Raises:
+            TooLongError: the bounds are spent.
+        """
+        if not isinstance(function, Closure):
+            return Unknown("it is no function of this file")
+        before, self.scope = self.scope, scope or self.scope
+        try:
+            return self._closure(function, positional, named)
+        finally:
+            self.scope = before
+
+    def place(self, node: ast.AST) -> Evidence:
+        """Return where a node stands."""
+        return Evidence(self.path, getattr(node, "lineno", 0), getattr(node, "col_offset", -1) + 1)
+
+    def _closure(self, function: Closure, positional: list[Any], named: dict[str, Any]) -> Any:
+        if self._frames >= MOST_FRAMES:
+            return Unknown("functions that call each other too deeply")
+        names = self._bound(function.node.args, positional, named)
+        self._frames += 1
+        outer, self._names = self._names, [*function.names, names]
+        try:
+            if isinstance(function.node, ast.Lambda):
+                return self.value(function.node.body)
+            returned = self._block(function.node.body)
+            return returned.value if returned else None
+        finally:
+            self._names = outer
+            self._frames -= 1
+
+    def _bound(self, arguments: ast.arguments, positional: list[Any], named: dict[str, Any]) -> dict[str, Any]:
+        every = [*arguments.posonlyargs, *arguments.args]
+        defaults = dict(zip(every[len(every) - len(arguments.defaults) :], arguments.defaults, strict=True))
+        names: dict[str, Any] = {}
+        for index, argument in enumerate(every):
+            if index < len(positional):
+                names[argument.arg] = positional[index]
+            elif argument.arg in named:
+                names[argument.arg] = named[argument.arg]
+            elif argument in defaults:
+                names[argument.arg] = self.value(defaults[argument])
+            else:
+                names[argument.arg] = Unknown(f"parameter {argument.arg}")
+        for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True):
+            names[argument.arg] = named.get(argument.arg, self.value(default) if default else None)
+        if arguments.vararg:
+            names[arguments.vararg.arg] = list(positional[len(every) :])
+        if arguments.kwarg:
+            names[arguments.kwarg.arg] = {name: value for name, value in named.items() if name not in names}
+        return names
+
+    # Statements
+
+    def _block(self, body: list[ast.stmt]) -> _Returned | None:
+        for index, statement in enumerate(body):
+            self._step()
+            if isinstance(statement, ast.If):
+                returned = self._if(statement, body[index + 1 :])
+            else:
+                method = _STATEMENTS.get(type(statement))
+                returned = method(self, statement) if method else None
+            if returned is not None:
+                return returned
+        return None
+
+    def _step(self) -> None:
+        self._steps += 1
+        if self._steps > MOST_STEPS:
+            raise TooLongError
+
+    def _if(self, statement: ast.If, rest: list[ast.stmt]) -> _Returned | None:
+        holds = self.truth(self.value(statement.test))
+        if holds is not None:
+            return self._block(statement.body if holds else statement.orelse)
+        note = ast.unparse(statement.test)
+        then = self._noted(note, statement.body)
+        if then is None or then is _STOPPED:
+            return self._noted(f"not {note}", statement.orelse)
+        other = self._noted(f"not {note}", [*statement.orelse, *rest])
+        return _Returned(Either(note, then.value, other.value if other else None))
+
+    def _noted(self, note: str, body: list[ast.stmt]) -> _Returned | None:
+        self._notes.append(note)
+        try:
+            return self._block(body)
+        finally:
+            self._notes.pop()
+
+    def assign(self, statement: ast.Assign) -> None:
+        """Assign a value to names, items and parts."""
+        value = self.value(statement.value)
+        for target in statement.targets:
+            self._to(target, value)
+
+    def assign_declared(self, statement: ast.AnnAssign) -> None:
+        """Assign a value to a name with a type."""
+        if statement.value is not None:
+            self._to(statement.target, self.value(statement.value))
+
+    def add_to(self, statement: ast.AugAssign) -> None:
+        """Add to a name."""
+        before = self.value(_loaded(statement.target))
+        added = self.value(statement.value)
+        if isinstance(before, list) and isinstance(added, list | tuple):
+            before.extend(self._keep(one) for one in added)
+            return
+        self._to(statement.target, self._combined(statement.op, before, added))
+
+    def _to(self, target: ast.expr, value: Any) -> None:
+        if isinstance(target, ast.Name):
+            self._names[-1][target.id] = value
+        elif isinstance(target, ast.Tuple | ast.List):
+            items = value if isinstance(value, list | tuple) and len(value) == len(target.elts) else None
+            for index, one in enumerate(target.elts):
+                self._to(one, items[index] if items is not None else Unknown("a part of an unknown value"))
+        elif isinstance(target, ast.Subscript):
+            _put(self.value(target.value), self.value(target.slice), value)
+
+    def evaluate(self, statement: ast.Expr) -> None:
+        """Evaluate for what it changes."""
+        self.value(statement.value)
+
+    def returned(self, statement: ast.Return) -> _Returned:
+        """Return a value."""
+        return _Returned(self.value(statement.value) if statement.value else None)
+
+    def loop(self, statement: ast.For | ast.AsyncFor) -> _Returned | None:
+        """Go through what is known, or once through what is not."""
+        items = self._items(self.value(statement.iter))
+        if items is None:
+            self._to(statement.target, Unknown(f"each of {ast.unparse(statement.iter)}"))
+            self._noted(f"for each of {ast.unparse(statement.iter)}", statement.body)
+            return None
+        for item in items:
+            self._to(statement.target, item)
+            returned = self._block(statement.body)
+            if returned is not None and returned is not _STOPPED:
+                return returned
+        return None
+
+    def repeat(self, statement: ast.While) -> _Returned | None:
+        """Go through a loop while its condition is known to hold."""
+        for _ in range(MOST_TURNS):
+            holds = self.truth(self.value(statement.test))
+            if holds is False:
+                return None
+            if holds is None:
+                self._noted(ast.unparse(statement.test), statement.body)
+                return None
+            returned = self._block(statement.body)
+            if returned is not None:
+                return None if returned is _STOPPED else returned
+        raise TooLongError
+
+    def attempt(self, statement: ast.Try) -> _Returned | None:
+        """Take it that nothing is raised."""
+        return self._block(statement.body) or self._block(statement.orelse) or self._block(statement.finalbody)
+
+    def within(self, statement: ast.With | ast.AsyncWith) -> _Returned | None:
+        """Evaluate a block with what it opens unknown."""
+        for item in statement.items:
+            value = self.value(item.context_expr)
+            if item.optional_vars is not None:
+                self._to(item.optional_vars, value)
+        return self._block(statement.body)
+
+    def define(self, statement: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
+        """Keep a function."""
+        self._names[-1][statement.name] = Closure(statement, list(self._names))
+
+    def define_class(self, statement: ast.ClassDef) -> None:
+        """Keep that there is a class; its objects are unknown."""
+        self._names[-1][statement.name] = Unknown(f"class {statement.name} of this file")
+
+    def bring(self, statement: ast.Import) -> None:
+        """Take modules by name."""
+        for alias in statement.names:
+            name = alias.name if alias.asname else alias.name.partition(".")[0]
+            self._names[-1][alias.asname or name] = Dotted(name)
+
+    def bring_from(self, statement: ast.ImportFrom) -> None:
+        """Take names of modules."""
+        for alias in statement.names:
+            self._names[-1][alias.asname or alias.name] = Dotted(f"{statement.module or ''}.{alias.name}".strip("."))
+
+    def stop(self, _statement: ast.stmt) -> _Returned:
+        """End a block."""
+        return _STOPPED
+
+    # Expressions
+
+    def value(self, node: ast.expr) -> Any:
+        """Return the value of an expression."""
+        self._step()
+        method = _EXPRESSIONS.get(type(node))
+        if method is None:
+            return Unknown(f"{ast.unparse(node)[:60]!r}, which is not evaluated")
+        return method(self, node)
+
+    def constant(self, node: ast.Constant) -> Any:
+        """Return a constant."""
+        return node.value if isinstance(node.value, str | int | float | None) else Unknown("bytes")
+
+    def name(self, node: ast.Name) -> Any:
+        """Return what a name means here."""
+        for names in reversed(self._names):
+            if node.id in names:
+                return names[node.id]
+        return known_name(node.id)
+
+    def attribute(self, node: ast.Attribute) -> Any:
+        """Return an attribute."""
+        of = self.value(node.value)
+        if isinstance(of, Dotted):
+            return Dotted(f"{of.name}.{node.attr}")
+        if isinstance(of, Unknown):
+            return of
+        return Bound(of, node.attr)
+
+    def sequence(self, node: ast.List | ast.Tuple | ast.Set) -> list[Any]:
+        """Return a list; tuples and sets are lists too."""
+        found: list[Any] = []
+        for item in node.elts:
+            if isinstance(item, ast.Starred):
+                items = self._items(self.value(item.value))
+                found += items if items is not None else [Unknown(f"each of {ast.unparse(item.value)}")]
+            else:
+                found.append(self.value(item))
+        return found
+
+    def dictionary(self, node: ast.Dict) -> dict[Any, Any]:
+        """Return a dictionary; keys may be substitutions."""
+        found: dict[Any, Any] = {}
+        for key, value in zip(node.keys, node.values, strict=True):
+            inner = self.value(value)
+            if key is None:
+                found.update(inner if isinstance(inner, dict) else {})
+                continue
+            name = self.value(key)
+            if isinstance(name, str | int | float | bool | Deferred | Text):
+                found[name] = inner
+            elif isinstance(name, list):
+                found[text(*(as_value(one) for one in name))] = inner
+        return found
+
+    def binary(self, node: ast.BinOp) -> Any:
+        """Return two values put together."""
+        return self._combined(node.op, self.value(node.left), self.value(node.right))
+
+    def _combined(self, operator: ast.operator, one: Any, other: Any) -> Any:
+        if isinstance(one, Unknown):
+            return one
+        if isinstance(other, Unknown) and not isinstance(operator, ast.Add):
+            return other
+        symbolic = isinstance(one, Deferred | Text) or isinstance(other, Deferred | Text | Unknown)
+        if isinstance(operator, ast.Add):
+            return _added(one, other, symbolic=symbolic)
+        if isinstance(operator, ast.Div) and (symbolic or isinstance(one, str)):
+            return Deferred("path", (as_value(one), as_value(other)))
+        if symbolic or isinstance(one, list | dict) or isinstance(other, list | dict):
+            return Unknown("a computation with values that are not known")
+        function = _BINARY.get(type(operator))
+        if function is None or _size(one) * _size(other) > _LONGEST:
+            return Unknown("a computation that is not followed")
+        try:
+            return function(one, other)
+        except (TypeError, ValueError, ArithmeticError, KeyError) as error:
+            return Unknown(f"a computation that fails: {error}")
+
+    def unary(self, node: ast.UnaryOp) -> Any:
+        """Return a value turned round."""
+        value = self.value(node.operand)
+        if isinstance(node.op, ast.Not):
+            holds = self.truth(value)
+            return Unknown(f"not {ast.unparse(node.operand)}") if holds is None else not holds
+        return -value if isinstance(value, int | float) and isinstance(node.op, ast.USub) else value
+
+    def boolean(self, node: ast.BoolOp) -> Any:
+        """Return the value of ``and`` or ``or``."""
+        stops = isinstance(node.op, ast.Or)
+        value: Any = None
+        for one in node.values:
+            value = self.value(one)
+            holds = self.truth(value)
+            if holds is None:
+                return Unknown(ast.unparse(node))
+            if holds is stops:
+                return value
+        return value
+
+    def compared(self, node: ast.Compare) -> Any:
+        """Return whether a comparison holds."""
+        values = [self._performed(self.value(one)) for one in (node.left, *node.comparators)]
+        if any(isinstance(one, Unknown | Deferred | Text | Made | Either) for one in values):
+            return Unknown(ast.unparse(node))
+        try:
+            pairs = zip(node.ops, values, values[1:], strict=False)
+            return all(_COMPARE[type(operator)](one, other) for operator, one, other in pairs)
+        except TypeError:
+            return Unknown(ast.unparse(node))
+
+    def chosen(self, node: ast.IfExp) -> Any:
+        """Return one of two values."""
+        holds = self.truth(self.value(node.test))
+        if holds is None:
+            return Either(ast.unparse(node.test), self.value(node.body), self.value(node.orelse))
+        return self.value(node.body if holds else node.orelse)
+
+    def joined(self, node: ast.JoinedStr) -> Any:
+        """Return an f-string."""
+        parts = []
+        for part in node.values:
+            if isinstance(part, ast.FormattedValue):
+                value = self._performed(self.value(part.value))
+                if isinstance(value, Deferred):
+                    value = Unknown(f"a substitution in an f-string: {ast.unparse(part.value)}")
+                parts.append(as_value(value))
+            else:
+                parts.append(as_value(self.value(part)))
+        return text(*parts) if parts else ""
+
+    def item(self, node: ast.Subscript) -> Any:
+        """Return an item of a list or dictionary."""
+        of = self.value(node.value)
+        if isinstance(of, Dotted) and of.name == "os.environ":
+            return Deferred("environment", (as_value(self.value(node.slice)),))
+        if isinstance(node.slice, ast.Slice) or not isinstance(of, list | dict | str):
+            return of if isinstance(of, Unknown) else Unknown(ast.unparse(node))
+        try:
+            return of[self.value(node.slice)]
+        except (LookupError, TypeError):
+            return Unknown(ast.unparse(node))
+
+    def comprehension(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp) -> Any:
+        """Return what a comprehension makes, where what it goes through is known."""
+        found: list[Any] = []
+        self._names.append({})
+        try:
+            self._comprehend(node.generators, lambda: found.append(self.value(node.elt)))
+        finally:
+            self._names.pop()
+        return found
+
+    def comprehended(self, node: ast.DictComp) -> Any:
+        """Return the dictionary that a comprehension makes."""
+        found: dict[Any, Any] = {}
+
+        def keep() -> None:
+            key = self.value(node.key)
+            if isinstance(key, str | int | Deferred | Text):
+                found[key] = self.value(node.value)
+
+        self._names.append({})
+        try:
+            self._comprehend(node.generators, keep)
+        finally:
+            self._names.pop()
+        return found
+
+    def _comprehend(self, generators: list[ast.comprehension], keep: Callable[[], None]) -> None:
+        if not generators:
+            keep()
+            return
+        first, *rest = generators
+        items = self._items(self.value(first.iter))
+        for item in items[:MOST_TURNS] if items is not None else [Unknown(f"each of {ast.unparse(first.iter)}")]:
+            self._to(first.target, item)
+            if all(self.truth(self.value(one)) is not False for one in first.ifs):
+                self._comprehend(rest, keep)
+
+    def anonymous(self, node: ast.Lambda) -> Closure:
+        """Return a function without name."""
+        return Closure(node, list(self._names))
+
+    def walrus(self, node: ast.NamedExpr) -> Any:
+        """Assign within an expression."""
+        value = self.value(node.value)
+        self._to(node.target, value)
+        return value
+
+    def called(self, node: ast.Call) -> Any:
+        """Return what a call makes."""
+        function = self.value(node.func)
+        positional: list[Any] = []
+        for argument in node.args:
+            if isinstance(argument, ast.Starred):
+                positional += self._items(self.value(argument.value)) or []
+            else:
+                positional.append(self.value(argument))
+        named: dict[str, Any] = {}
+        for keyword in node.keywords:
+            value = self.value(keyword.value)
+            if keyword.arg is not None:
+                named[keyword.arg] = value
+            elif isinstance(value, dict):
+                named |= {str(name): one for name, one in value.items()}
+        if isinstance(function, Closure):
+            return self._closure(function, positional, named)
+        if isinstance(function, Bound):
+            return self._method(function, positional, named, node)
+        if isinstance(function, Dotted):
+            return call_known(function, positional, named, self.place(node), tuple(self._notes))
+        return function if isinstance(function, Unknown) else Unknown(f"call of {ast.unparse(node.func)[:60]}")
+
+    def _method(self, bound: Bound, positional: list[Any], named: dict[str, Any], node: ast.Call) -> Any:
+        if bound.name == "perform" and isinstance(bound.of, Deferred | Text | Made):
+            return self._performed(as_value(bound.of))
+        if isinstance(bound.of, list) and bound.name in ("append", "extend", "insert"):
+            last = positional[-1] if positional else None
+            found = last if bound.name == "extend" and isinstance(last, list) else [last]
+            bound.of.extend(self._keep(one) for one in found)
+            return None
+        if isinstance(bound.of, Made) and bound.of.name == "LaunchDescription" and bound.name.startswith("add_"):
+            bound.of.positional.append([self._keep(one) for one in positional])
+            return None
+        return call_method(bound, positional, named, ast.unparse(node.func)[:60])
+
+    def _keep(self, value: Any) -> Any:
+        """Return a value that is kept while a condition around it is unknown."""
+        notes = tuple(self._notes)
+        if notes and isinstance(value, Made) and value.notes != notes:
+            return Made("_noted", value.evidence, [value], {}, notes)
+        return value
+
+    def _performed(self, value: Any) -> Any:
+        """Return a substitution as what it comes to for the action that is visited, where that is known."""
+        if not isinstance(value, Deferred | Text) or self.scope is None:
+            return value
+        found = resolve(value, self.scope)
+        return found if found.known is None else found.known
+
+    def truth(self, value: Any) -> bool | None:
+        """Return whether a value is true; None where that is unknown."""
+        value = self._performed(value)
+        if isinstance(value, Unknown | Deferred | Text | Either):
+            return None
+        return True if isinstance(value, Made | Closure | Dotted | Bound) else bool(value)
+
+    def _items(self, value: Any) -> list[Any] | None:
+        return list(value) if isinstance(value, dict | list | tuple | str) else None
+
+
+def _put(whole: Any, key: Any, value: Any) -> None:
+    """Put an item into a list or dictionary, where that is possible."""
+    if (isinstance(whole, list) and isinstance(key, int) and -len(whole) <= key < len(whole)) or (
+        isinstance(whole, dict) and isinstance(key, str | int)
+    ):
+        whole[key] = value
+
+
+def _added(one: Any, other: Any, *, symbolic: bool) -> Any:
+    if isinstance(one, list) and isinstance(other, list):
+        return [*one, *other]
+    if symbolic and not isinstance(one, list):
+        return text(as_value(one), as_value(other))
+    plain = isinstance(one, str) == isinstance(other, str) and isinstance(one, str | int | float)
+    return one + other if plain and isinstance(other, str | int | float) else Unknown("a sum of different kinds")
+
+
+def _size(value: Any) -> int:
+    return len(value) if isinstance(value, str) else min(abs(int(value)), _LONGEST) if isinstance(value, int) else 1
+
+
+def _loaded(target: ast.expr) -> ast.expr:
+    return ast.copy_location(ast.parse(ast.unparse(target), mode="eval").body, target)
+
+
+_STATEMENTS: dict[type[ast.stmt], Callable[[Interpreter, Any], _Returned | None]] = {
+    ast.Assign: Interpreter.assign,
+    ast.AnnAssign: Interpreter.assign_declared,
+    ast.AugAssign: Interpreter.add_to,
+    ast.Expr: Interpreter.evaluate,
+    ast.Return: Interpreter.returned,
+    ast.For: Interpreter.loop,
+    ast.AsyncFor: Interpreter.loop,
+    ast.While: Interpreter.repeat,
+    ast.Try: Interpreter.attempt,
+    ast.With: Interpreter.within,
+    ast.AsyncWith: Interpreter.within,
+    ast.FunctionDef: Interpreter.define,
+    ast.AsyncFunctionDef: Interpreter.define,
+    ast.ClassDef: Interpreter.define_class,
+    ast.Import: Interpreter.bring,
+    ast.ImportFrom: Interpreter.bring_from,
+    ast.Break: Interpreter.stop,
+    ast.Continue: Interpreter.stop,
+    ast.Raise: Interpreter.stop,
+}
+_EXPRESSIONS: dict[type[ast.expr], Callable[[Interpreter, Any], Any]] = {
+    ast.Constant: Interpreter.constant,
+    ast.Name: Interpreter.name,
+    ast.Attribute: Interpreter.attribute,
+    ast.List: Interpreter.sequence,
+    ast.Tuple: Interpreter.sequence,
+    ast.Set: Interpreter.sequence,
+    ast.Dict: Interpreter.dictionary,
+    ast.BinOp: Interpreter.binary,
+    ast.UnaryOp: Interpreter.unary,
+    ast.BoolOp: Interpreter.boolean,
+    ast.Compare: Interpreter.compared,
+    ast.IfExp: Interpreter.chosen,
+    ast.JoinedStr: Interpreter.joined,
+    ast.Subscript: Interpreter.item,
+    ast.ListComp: Interpreter.comprehension,
+    ast.GeneratorExp: Interpreter.comprehension,
+    ast.SetComp: Interpreter.comprehension,
+    ast.DictComp: Interpreter.comprehended,
+    ast.Lambda: Interpreter.anonymous,
+    ast.NamedExpr: Interpreter.walrus,
+    ast.Call: Interpreter.called,
+}

@@ -1,0 +1,68 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roslens.source.extract.deferred import Scope, resolve
+from roslens.source.extract.substitution_text import parse
+from roslens.source.extract.text import Text
+
+
+class Files:
+    def package(self, name):
+        return {"robot": "src/robot"}.get(name)
+
+    def content(self, path):
+        return None
+
+
+SCOPE = Scope(
+    Files(), {"a": Text.of("1"), "b": Text.of("two"), "yes": Text.of("true")}, {"HOME": "/h"}, "src/robot/l/x.xml"
+)
+
+
+@pytest.mark.parametrize(
+    ("written", "result"),
+    [
+        ("plain", "plain"),
+        ("", ""),
+        ("$(var a)-$(var b)", "1-two"),
+        ("$(var $(var c 'b'))", "two"),
+        ("$(var gone fallback)", "fallback"),
+        ("$(var gone '')", ""),
+        ("$(find-pkg-share robot)/config", "src/robot/config"),
+        ("$(find-pkg-share gone)/config", "*/config"),
+        ("$(env HOME)$(env GONE x)", "/h*"),
+        ("$(eval '1 + $(var a)')", "2"),
+        ("$(eval \"'$(var b)' == 'two'\")", "True"),
+        ("$(not $(var yes))", "false"),
+        ("$(and $(var yes) $(not false))", "true"),
+        ("$(or false $(equals $(var b) two))", "true"),
+        ("$(not-equals $(var b) two)", "false"),
+        ("$(if $(var yes) left right)", "left"),
+        ("$(dirname)/y", "src/robot/l/y"),
+        ("$(path-join a b ../c)", "a/c"),
+        ("$(anon n)", "n_*"),
+        ("$(command 'ls -l')", "*"),
+        ("$(exec-in-pkg a b)", "*"),
+        ("$(nothing a)", "*"),
+        ("$(var)", "*"),
+        ("$(var a", "*"),
+        ("it's $(var a) o'clock", "it's 1 o'clock"),
+        ("\\$(var a)", "$(var a)"),
+        ("$5", "$5"),
+    ],
+)
+def test_substitutions(written, result):
+    assert resolve(parse(written), SCOPE).pattern == result
+
+
+def test_what_is_unknown_says_why():
+    assert resolve(parse("$(nothing a)"), SCOPE).holes[0].reason == "substitution $(nothing a), which is not known here"
+    assert "never closed" in resolve(parse("$(var a"), SCOPE).holes[0].reason
+    assert "too deep" in str(resolve(parse("$(not " * 50 + "true" + ")" * 50), SCOPE))
+    assert "package gone" in resolve(parse("$(find-pkg-share gone)"), SCOPE).holes[0].reason
+
+
+@given(st.text(st.sampled_from("$()'\" varenvgotpkh-\\"), max_size=60))
+def test_nothing_breaks_it(written):
+    resolve(parse(written), SCOPE)

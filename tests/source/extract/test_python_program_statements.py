@@ -22,6 +22,7 @@ def text_of(written: str) -> list[str]:
         ("self.a, self.b = self.x, self.y", ["self->a = self->x", "self->b = self->y"]),
         ("a: int", ["a: int"]),
         ("a: List[int] = f()", ["a: List[int] = f()"]),
+        ("a: A[\n  b,\n  c\n ] = f()", ["a: A[b, c] = f()"]),
         ("a -= 1", ["a = (a - 1)"]),
         ("a |= f()", ["a = `a |= f()`"]),
         ("a[0] = 1", ["a[0] = 1"]),

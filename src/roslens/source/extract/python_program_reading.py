@@ -17,6 +17,7 @@ DEEPEST = 100
 _LONGEST_OPAQUE = 80
 _COMMENT = LANGUAGE.id_for_node_kind("comment", True) or 0
 _SPACE = re.compile(r"\s+")
+_BRACKET = re.compile(r"[\[(] | [\])]")
 
 
 class Reading:
@@ -53,8 +54,10 @@ class Reading:
         return text_of(self.source[node.start_byte : node.end_byte])
 
     def squeezed(self, node: Node | None) -> str:
-        """Return what is written with single spaces; nothing of None."""
-        return _SPACE.sub(" ", self.text(node)).strip() if node is not None else ""
+        """Return what is written with single spaces, and none inside brackets' ends; nothing of None."""
+        if node is None:
+            return ""
+        return _BRACKET.sub(lambda match: match[0].strip(), _SPACE.sub(" ", self.text(node)).strip())
 
     def parts(self, node: Node) -> list[Node]:
         """Return the children without signs and comments."""

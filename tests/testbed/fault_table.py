@@ -23,7 +23,7 @@ ALARM_LIMIT = 15.0
 HELD = 2.0
 MISFIT = "gets nothing of what"
 
-SCAN = {"ros1": "connection:/lidar > /scan > /planner", "ros2": "connection:/lidar > /scan > ?"}
+SCAN = "connection:/lidar > /scan > /planner"
 NODES = ("/odometry", "/lidar", "/camera", "/planner")
 
 
@@ -124,12 +124,12 @@ CASES = (
     Case("rate of the lidar drops, 25 to 10 Hz", _load("lidar", delay=0.1), _both(("topic:/scan", "rate")), 2.2),
     Case(
         "sensor's link is 20 ms slower", lambda w: faults.delay(w.bed, "sensor", 20),
-        {"ros1": frozenset({(SCAN["ros1"], "age")}), "ros2": frozenset({(SCAN["ros2"], "latency")})}, 2.2,
+        {"ros1": frozenset({(SCAN, "age")}), "ros2": frozenset({(SCAN, "latency")})}, 2.2,
     ),
     Case(
         "5 % loss on the sensor's link", lambda w: faults.loss(w.bed, "sensor", 5),
-        {"ros1": frozenset({(SCAN["ros1"], "age"), (SCAN["ros1"], "age_max")}),
-         "ros2": frozenset({(SCAN["ros2"], "loss")})}, 8.0,
+        {"ros1": frozenset({(SCAN, "age"), (SCAN, "age_max")}),
+         "ros2": frozenset({(SCAN, "loss")})}, 8.0,
     ),
     # The time is asked for every 2 s, told every second; faketime looks at its file once a second.
     Case(
@@ -156,7 +156,8 @@ CASES = (
 
 def ready(generation: str, cases: Iterable[Case] = CASES) -> set[Key]:
     """What has to be ok before the first fault."""
-    return {key for case in cases for key in case.right.get(generation, ())}
+    told = {key for case in cases for key in case.right.get(generation, ())}
+    return told | {(f"node:{node}", "presence") for node in NODES}
 
 
 def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:

@@ -95,8 +95,6 @@ class Watched:
         address = f"{base.address}:{PORT}"
         words = [ROSLENS, "watch", f"--{self.generation}", "--listen", address, "--key-file", str(key)]
         words += ["--reference", str(REFERENCE), "--format", "json"]
-        # A tap stands for the receiver: what nodes of ROS 2 count stays on their host, and the lidar's is another one.
-        words += ["--tap", "/scan"] if self.generation == "ros2" else []
         environment = {**self.robot.environment(base), "ROSLENS_ROS2_PYTHON": ros2_python()}
         self.monitor = base.start(words, environment, name="watch")
         for name in _AGENTS:

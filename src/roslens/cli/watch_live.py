@@ -119,13 +119,20 @@ def sources_of(options: argparse.Namespace) -> list[Source]:
 def _sources(options: argparse.Namespace, publishes: Publishes | None) -> list[Source]:
     from roslens.live.agent.gpu import gpu_reader
     from roslens.live.agent.host import HostSampler
+    from roslens.live.agent.identity import own_identities
     from roslens.live.agent.processes import ProcessSampler
+    from roslens.live.child_source import ChildSource
+    from roslens.live.inside.host_counters import HostCounters
     from roslens.live.local_host import LocalHost
 
     name = platform.node()
-    host, processes = HostSampler(name, gpu=gpu_reader()), ProcessSampler(name)
-    sources: list[Source] = [LocalHost(name, host, processes, wall=time.time, steady=time.monotonic)]
-    sources += _of_ros(options, publishes)
+    of_ros = _of_ros(options, publishes)
+    beside = any(isinstance(one, ChildSource) for one in of_ros)
+    local = LocalHost(
+        name, HostSampler(name, gpu=gpu_reader()), ProcessSampler(name), wall=time.time, steady=time.monotonic,
+        counters=HostCounters(name, os.environ, beside=True) if beside else None, identities=own_identities,
+    )  # fmt: skip
+    sources: list[Source] = [local, *of_ros]
     if options.listen is not None:
         sources.append(_listener(options))
     return sources

@@ -58,7 +58,7 @@ class HostClocks:
 
     def _between(self, host: str) -> tuple[float, float]:
         """Return the least and greatest offset that a host may have."""
-        if host and host not in self._clocks:
+        if not self._clocks or (host and host not in self._clocks):
             return -float("inf"), float("inf")
         found = [self._clocks[host]] if host else list(self._clocks.values())
         return min(offset - bound for offset, bound in found), max(offset + bound for offset, bound in found)

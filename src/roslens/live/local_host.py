@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import select
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import msgspec
 
+from roslens.live.agent.counting import Counters, with_nodes
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
-from roslens.model.graph import Graph
+from roslens.model.graph import Event, Graph
 from roslens.model.sample import Sample
 from roslens.model.wire import VERSION, Frame
 
@@ -30,14 +31,22 @@ class LocalHost:
         wall: Callable[[], float],
         steady: Callable[[], float],
         period_s: float = 1.0,
+        counters: Counters | None = None,
+        identities: Callable[[], tuple[str, ...]] = tuple,
     ) -> None:
-        """Sample the host ``name`` every ``period_s`` seconds, and look for its processes every second sample."""
+        """Sample the host ``name`` every ``period_s`` seconds, and look for its processes every second sample.
+
+        Of ``counters`` only services and who counts are told here: an observer of ROS beside the monitor tells the
+        traffic of topics, so that nobody else has to. ``identities`` is what identifiers made here begin with.
+        """
         self._name = name
         self._host = host
         self._processes = processes
         self._wall = wall
         self._steady = steady
         self._period_s = period_s
+        self._counters = counters
+        self._identities = identities
         self._due = 0.0
         self._sequence = 0
 
@@ -51,6 +60,7 @@ class LocalHost:
                 events += [ended] if ended is not None else []
         now = self._steady()
         samples = []
+        frames = []
         if now >= self._due:
             late = now - self._due
             self._due = now + self._period_s - (late if late < self._period_s else 0.0)
@@ -58,12 +68,34 @@ class LocalHost:
             if self._sequence % 2 == 0:
                 events += self._processes.find(wall)
             samples = [_own_clock(self._host.sample(wall)), *self._processes.sample(wall)]
+            if self._counters is not None:
+                frames = self._counted(self._counters, wall)
         if not events and not samples:
             return []
-        graph = Graph("", hosts=(self._name,), processes=self._processes.processes())
+        identities = self._identities()
+        nodes = self._counters.nodes() if self._counters is not None else {}
+        graph = Graph(
+            "",
+            hosts=(self._name,),
+            processes=with_nodes(self._processes.processes(), nodes),
+            identities={self._name: identities} if identities else {},
+        )
+        return [self._frame(samples, events, graph), *frames]
+
+    def _counted(self, counters: Counters, wall: float) -> list[Frame]:
+        """Return a frame for each place where is counted, which says at least that it is told of from here."""
+        counters.read(wall)
+        calls = dict(counters.calls(wall))
+        return [self._frame(calls.get(place, []), counted_at=place) for place in counters.places()]
+
+    def _frame(
+        self, samples: list[Sample], events: Sequence[Event] = (), graph: Graph | None = None, counted_at: str = ""
+    ) -> Frame:
         self._sequence += 1
-        frame = Frame(VERSION, f"{self._name}/monitor", self._sequence, self._wall(), [], samples, events, graph)
-        return [frame]
+        return Frame(
+            VERSION, f"{self._name}/monitor", self._sequence, self._wall(), [], samples, list(events), graph,
+            counted_at=counted_at,
+        )  # fmt: skip
 
     def descriptors(self) -> list[int]:
         """Return what becomes readable when a process ends."""
@@ -78,3 +110,5 @@ class LocalHost:
         """Let all files go."""
         self._host.close()
         self._processes.close()
+        if self._counters is not None:
+            self._counters.close()

@@ -44,7 +44,7 @@ _CHAINS_S = 0.2
 _SWEEP_S = 30.0
 _KEPT_FAILURES = 100
 _TIMES = frozenset({"latency", "latency_max", "age", "age_max"})
-_MACHINES = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS)
+_SAMPLED = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS, EntityKind.SERVICE)
 
 
 class Monitor:
@@ -112,8 +112,8 @@ class Monitor:
                 self._waiting.append(connection)
 
     def add_sample(self, sample: Sample) -> None:
-        """Take what was read of a host, process or node; values that are not finite are unknown."""
-        if sample.time - sample.time != 0 or sample.entity.kind not in _MACHINES:
+        """Take what was read of a host, process, node or service; values that are not finite are unknown."""
+        if sample.time - sample.time != 0 or sample.entity.kind not in _SAMPLED:
             self._implausible += 1
             return
         sampled = self._world.entity(sample.entity, self._clock.now)

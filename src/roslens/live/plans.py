@@ -15,7 +15,7 @@ from roslens.live.window import MAX_BUCKETS, MAX_VALUES
 from roslens.live.world import World
 from roslens.model.entity import EntityKind
 
-_MACHINES = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS)
+_SAMPLED = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS, EntityKind.SERVICE)
 
 
 def required(world: World, rules: Rulebook, now: float) -> list[Measured]:
@@ -25,7 +25,7 @@ def required(world: World, rules: Rulebook, now: float) -> list[Measured]:
         entity: Measured | None = None
         if kind in (EntityKind.TOPIC, EntityKind.CONNECTION):
             entity = world.topic(name, now)
-        elif kind in _MACHINES:
+        elif kind in _SAMPLED:
             entity = world.entity_named(kind, name, now)
         if entity is not None:
             found.append(entity)

@@ -9,15 +9,18 @@ import msgspec
 
 from roslens.judge.expectation import Reference
 from roslens.judge.unmatched import Subject
+from roslens.live.counted_once import CountedOnce
+from roslens.live.gid_names import GidNames
 from roslens.live.graph_union import GraphUnion
 from roslens.live.host_clocks import HostClocks
 from roslens.live.monitor import Monitor
 from roslens.live.node_processes import NodeProcesses
 from roslens.live.note import Note
 from roslens.live.seen import Seen
+from roslens.live.service_calls import ServiceCalls
 from roslens.live.tree import SystemView
 from roslens.live.waiting import Waiting
-from roslens.model.entity import EntityId
+from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
 from roslens.model.tally import Tally
@@ -85,6 +88,10 @@ class Session:
         self._seen = Seen()
         self._graph_changed = False
         self._clocks = HostClocks()
+        self._names = GidNames()
+        self._counted = CountedOnce()
+        self._services = ServiceCalls()
+        self._now = start
         self._hosts: dict[str, str] = {}
         self._events: list[Event] = []
         self._failures: list[Failure] = []
@@ -121,13 +128,19 @@ class Session:
 
     def look(self, now: float) -> Step:
         """Rate what came and return what is new."""
+        self._now = now
         if self._graph_changed:
             whole = self._graphs.whole()
+            self._names.take_graph(whole, now)
             self._hosts = {node.name: node.host for node in whole.nodes if node.host}
             self._processes.add_graph("", whole)
             self._seen.add_graph(whole)
             self.monitor.add_graph(whole, now)
             self._graph_changed = False
+        for tally in self._names.due(now):
+            self.monitor.add_tally(self._by_one_clock(tally, tally.host))
+        for sample in self._services.samples(now):
+            self.monitor.add_sample(sample)
         changes, causes = self._parted(self.monitor.tick(now))
         step = Step(now, changes, tuple(self._events), tuple(self._failures), causes)
         self._events.clear()
@@ -174,13 +187,21 @@ class Session:
 
     def _frame(self, frame: Frame) -> None:
         self.records += len(frame.tallies) + len(frame.samples)
-        for tally in frame.tallies:
-            self.monitor.add_tally(self._by_one_clock(tally) if self._clocks.several else tally)
+        mine = self._counted.accepts(frame.counted_at, frame.sender, self._now)
+        if frame.counted_at:
+            self._take_counted(frame.tallies if mine else ())
+        else:
+            for tally in frame.tallies:
+                self.monitor.add_tally(self._by_one_clock(tally) if self._clocks.several else tally)
         if frame.graph is not None:
             self._graphs.put(frame.sender, frame.graph)
             self._graph_changed = True
         self._graph_changed |= self._graphs.places.happened(frame.events)
         for sample in frame.samples:
+            if sample.entity.kind is EntityKind.SERVICE:
+                if mine:
+                    self._services.put(frame.sender, sample, self._now)
+                continue
             self._clocks.take(sample)
             self.monitor.add_sample(sample)
             for of_node in self._processes.of(sample):
@@ -192,9 +213,17 @@ class Session:
             self._fail(failure)
         self.monitor.shed += max(frame.shed, 0)
 
-    def _by_one_clock(self, tally: Tally) -> Tally:
+    def _take_counted(self, tallies: Iterable[Tally]) -> None:
+        """Take what was read from counters without ROS: publishers may have no name, hosts other clocks."""
+        for tally in tallies:
+            named = self._names.named(tally, self._now)
+            if named is not None:
+                # Whose memory a count lies in is where it was received, whatever else bears the name.
+                self.monitor.add_tally(self._by_one_clock(named, named.host))
+
+    def _by_one_clock(self, tally: Tally, receiver: str = "") -> Tally:
         sender = self._hosts.get(tally.publisher, "")
-        receiver = self._hosts.get(tally.subscriber, "") or tally.host
+        receiver = receiver or self._hosts.get(tally.subscriber, "") or tally.host
         return self._clocks.corrected(tally, sender, receiver, self.monitor.tolerance(tally))
 
     def _fail(self, failure: Failure) -> None:

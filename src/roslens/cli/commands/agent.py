@@ -10,7 +10,7 @@ from pathlib import Path
 
 from roslens.model.errors import UsageError
 
-TEXT = "Sample this host and its ROS processes for a monitor."
+TEXT = "Sample this host and its ROS processes, and tell what its nodes count, for a monitor."
 EXAMPLES = """\
   roslens agent --make-key ~/.roslens-key       once; copy the file to each host
   roslens agent base.local:7411 --key-file ~/.roslens-key
@@ -68,12 +68,15 @@ def address_of(text: str) -> tuple[str, int]:
 
 
 def _work(options: argparse.Namespace, address: tuple[str, int], key: bytes) -> None:
+    import os
     import time
 
     from roslens.live.agent.gpu import gpu_reader
     from roslens.live.agent.host import HostSampler
+    from roslens.live.agent.identity import own_identities
     from roslens.live.agent.processes import ProcessSampler
     from roslens.live.agent.work import Agent
+    from roslens.live.inside.host_counters import HostCounters
 
     ended: list[int] = []
     signal.signal(signal.SIGTERM, lambda number, _: ended.append(number))
@@ -87,4 +90,6 @@ def _work(options: argparse.Namespace, address: tuple[str, int], key: bytes) -> 
         steady=time.monotonic,
         period_s=options.period,
         say=lambda text: print(f"roslens agent: {text}", file=sys.stderr, flush=True),
+        counters=HostCounters(options.name, os.environ),
+        identities=own_identities,
     ).run(lambda: bool(ended))

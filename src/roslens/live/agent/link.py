@@ -212,9 +212,9 @@ def read_pids(body: bytes) -> list[int]:
 class Outbox:
     """Frames that wait for the line, the oldest given up when there are too many."""
 
-    def __init__(self, most_frames: int = 600, most_bytes: int = 32_000_000) -> None:
-        """Keep at most so many frames and bytes."""
-        self._bodies: deque[tuple[Frame, bytes]] = deque()
+    def __init__(self, most_frames: int = 6000, most_bytes: int = 8_000_000) -> None:
+        """Keep at most so many frames and bytes: ten minutes of few nodes, a minute of a hundred."""
+        self._bodies: deque[tuple[int, bytes]] = deque()
         self._most_frames = most_frames
         self._most_bytes = most_bytes
         self._bytes = 0
@@ -230,12 +230,13 @@ class Outbox:
             frame = msgspec.structs.replace(frame, shed=frame.shed + self._shed)
             self._shed = 0
         body = frame_body(frame)
-        self._bodies.append((frame, body))
+        records = len(frame.tallies) + len(frame.samples) + len(frame.events) + frame.shed
+        self._bodies.append((records, body))
         self._bytes += len(body)
         while self._bodies and (len(self._bodies) > self._most_frames or self._bytes > self._most_bytes):
-            old, gone = self._bodies.popleft()
+            records, gone = self._bodies.popleft()
             self._bytes -= len(gone)
-            self._shed += len(old.tallies) + len(old.samples) + len(old.events) + old.shed
+            self._shed += records
 
     def take(self) -> bytes | None:
         """Return the body of the oldest frame, None where nothing waits."""

@@ -146,7 +146,8 @@ class ProcessSampler:
                 self._passed_over.add(pid)
             return []
         written = command.rstrip(b"\0").replace(b"\0", b" ").decode("utf-8", "replace")[:_LONGEST_COMMAND]
-        process = Process(self._host, pid, written, self._started_at(ticks))
+        inner = _inner(_bytes_of(folder / "status"))
+        process = Process(self._host, pid, written, self._started_at(ticks), inner=inner if inner != pid else 0)
         entity = self.entity(pid)
         self._watched[pid] = _Watched(pid, ticks, KeptOpen(folder / "stat"), self._open_handle(pid), entity, process)
         return [Event(now, Change.APPEARED, str(entity), written)]
@@ -216,6 +217,14 @@ def _stat_fields(text: bytes | None) -> list[bytes] | None:
     """Return the fields behind the name of a process, which may hold blanks and brackets itself."""
     fields = (text or b"").rpartition(b")")[2].split()
     return fields if len(fields) >= _FIELDS_AFTER_NAME else None
+
+
+def _inner(status: bytes) -> int:
+    """Return the id of a process in the innermost namespace, which it sees itself; 0 where the system does not tell."""
+    for line in status.splitlines():
+        if line.startswith(b"NSpid:"):
+            return int(line.split()[-1])
+    return 0
 
 
 def _bytes_of(path: Path) -> bytes:

@@ -10,17 +10,21 @@ from collections.abc import Callable, Iterable
 import msgspec
 
 from roslens.live.agent.clock_offset import ClockOffset
+from roslens.live.agent.counting import Counters, with_nodes
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.link import Channel, LinkError, Outbox, asked_time, read_pids, read_times
 from roslens.live.agent.processes import ProcessSampler
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
 from roslens.model.sample import Sample
+from roslens.model.tally import Tally
 from roslens.model.wire import VERSION, Frame
 
 SHORTEST_WAIT_S, LONGEST_WAIT_S = 0.5, 10.0
 FIND_EVERY_S = 2.0
 ASK_TIME_EVERY_S = 0.5
+COUNT_EVERY_S = 0.15
+"""An alarm may come 0.2 s after its window: counting, the line and the monitor share that."""
 _PIECE = 65_536
 
 
@@ -39,8 +43,12 @@ class Agent:
         steady: Callable[[], float],
         period_s: float = 1.0,
         say: Callable[[str], None] = lambda _: None,
+        counters: Counters | None = None,
+        identities: Callable[[], tuple[str, ...]] = tuple,
     ) -> None:
         """Work for the monitor at ``address``; ``wall`` is the clock of the host, ``steady`` one that never jumps.
+
+        ``counters`` reads what the nodes of the host count, ``identities`` is what identifiers made here begin with.
 
         Raises:
             LinkError: the key is too short.
@@ -55,6 +63,8 @@ class Agent:
         self._steady = steady
         self._period_s = period_s
         self._say = say
+        self._counters = counters
+        self._identities = identities
         self._outbox = Outbox()
         self._offset = ClockOffset()
         self._sequence = 0
@@ -62,8 +72,9 @@ class Agent:
         self._channel: Channel | None = None
         self._sending = bytearray()
         self._wait_s = SHORTEST_WAIT_S
-        self._due = {"sample": 0.0, "find": 0.0, "connect": 0.0, "time": 0.0}
-        self._graph_told = False
+        self._due = {"sample": 0.0, "find": 0.0, "connect": 0.0, "time": 0.0, "count": 0.0}
+        self._graph_told: Graph | None = None
+        self._named: frozenset[int] = frozenset()
         self._reason = ""
 
     def run(self, stopped: Callable[[], bool]) -> None:
@@ -79,9 +90,14 @@ class Agent:
         now = self._steady()
         if self._is_due("find", now, FIND_EVERY_S):
             self._tell(events=self._processes.find(self._wall()))
+        if self._counters is not None and self._is_due("count", now, COUNT_EVERY_S):
+            self._count(self._counters)
         if self._is_due("sample", now, self._period_s):
             wall = self._wall()
-            self._tell(samples=[self._with_clock(self._host.sample(wall)), *self._processes.sample(wall)])
+            samples = [self._with_clock(self._host.sample(wall)), *self._processes.sample(wall)]
+            self._tell(samples=samples, graph=self._graph())
+            for place, calls in self._counters.calls(wall) if self._counters is not None else ():
+                self._tell(samples=calls, counted_at=place)
         if self._socket is None and now >= self._due["connect"]:
             self._connect(now)
         if self._channel is not None and self._channel.ready:
@@ -90,14 +106,18 @@ class Agent:
             while not self._sending and (body := self._outbox.take()) is not None:
                 self._sending += self._channel.message("F", body)
         ready = self._channel is not None and self._channel.ready
-        due = min(self._due["sample"], self._due["find"], self._due["time"] if ready else float("inf"))
-        self._wait(max(due - self._steady(), 0.0))
+        dues = [self._due["sample"], self._due["find"]]
+        dues += [self._due["time"]] if ready else []
+        dues += [self._due["count"]] if self._counters is not None else []
+        self._wait(max(min(dues) - self._steady(), 0.0))
 
     def close(self) -> None:
         """Let the line and all files go."""
         self._hang_up("")
         self._host.close()
         self._processes.close()
+        if self._counters is not None:
+            self._counters.close()
 
     def _is_due(self, what: str, now: float, every_s: float) -> bool:
         if now < self._due[what]:
@@ -114,17 +134,46 @@ class Agent:
         values = {**sample.values, "clock_offset": offset.ahead, "clock_bound": offset.bound}
         return msgspec.structs.replace(sample, values=values)
 
-    def _tell(self, samples: Iterable[Sample] = (), events: Iterable[Event] = ()) -> None:
-        samples, events = list(samples), list(events)
-        if not samples and not events:
+    def _count(self, counters: Counters) -> None:
+        """Tell what nodes counted, of each place in a frame of its own."""
+        wall = self._wall()
+        for place, tallies in counters.read(wall):
+            if tallies:
+                self._tell(tallies=tallies, counted_at=place)
+
+    def _graph(self) -> Graph:
+        processes = self._processes.processes()
+        if self._counters is not None:
+            nodes = self._counters.nodes()
+            named = frozenset(nodes) | self._named
+            self._processes.name(named)
+            processes = with_nodes(processes, nodes)
+        identities = self._identities()
+        return Graph(
+            "", hosts=(self._name,), processes=processes, identities={self._name: identities} if identities else {}
+        )
+
+    def _tell(
+        self,
+        samples: Iterable[Sample] = (),
+        events: Iterable[Event] = (),
+        tallies: Iterable[Tally] = (),
+        graph: Graph | None = None,
+        counted_at: str = "",
+    ) -> None:
+        samples, events, tallies = list(samples), list(events), list(tallies)
+        if not samples and not events and not tallies:
             return
-        graph = None
-        if events or not self._graph_told:
-            graph = Graph("", hosts=(self._name,), processes=self._processes.processes())
-            self._graph_told = True
-        failures: list[Failure] = []
-        sender = f"{self._name}/agent"
-        frame = Frame(VERSION, sender, self._sequence, self._wall(), [], samples, events, graph, failures)
+        if graph is None and (events or self._graph_told is None):
+            graph = self._graph()
+        elif graph == self._graph_told:
+            graph = None
+        self._graph_told = graph or self._graph_told
+        failures: list[Failure] = self._counters.failures() if self._counters is not None else []
+        frame = Frame(
+            VERSION, f"{self._name}/agent", self._sequence, self._wall(), tallies, samples, events, graph, failures,
+            counted_at=counted_at,
+        )  # fmt: skip
         self._outbox.put(frame)
         self._sequence += 1
 
@@ -149,7 +198,7 @@ class Agent:
             self._socket.close()
         self._socket, self._channel = None, None
         self._sending.clear()
-        self._graph_told = False
+        self._graph_told = None
         if reason and reason != self._reason:
             self._say(reason)
         self._reason = reason
@@ -194,13 +243,14 @@ class Agent:
             self._sending += body
         elif letter == "ready":
             self._wait_s = SHORTEST_WAIT_S
-            self._graph_told = False
+            self._graph_told = None
             self._say(f"connected to {self._address[0]}:{self._address[1]}")
             self._reason = "connected"
         elif letter == "t":
             self._offset.add(*read_times(body), self._wall())
         elif letter == "P":
-            self._processes.name(read_pids(body))
+            self._named = frozenset(read_pids(body))
+            self._processes.name(self._named)
 
     def _send(self, line: socket.socket) -> None:
         try:

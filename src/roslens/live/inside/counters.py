@@ -6,7 +6,7 @@ import fcntl
 import mmap
 import os
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -21,6 +21,11 @@ _COUNTERS = struct.Struct("=14q" + "qdd" * 4)
 _BANK = struct.Struct("=8d")
 _TRIES = 100
 _PAIRS = (0, 2, 4, 6)
+_FIRST_TOKEN = slots.HEADER_BYTES // 8
+_LOOK_S = 0.9
+"""How long what changes rarely need not be looked at again."""
+_BRISK_S = 60.0
+"""What was silent for longer need not be told to be so at every read."""
 
 
 class Snapshot(NamedTuple):
@@ -184,6 +189,18 @@ def _header(raw: mmap.mmap) -> tuple[Any, ...]:
     return header
 
 
+class _Known:
+    """What was read of a slot last."""
+
+    __slots__ = ("lost", "snapshot", "token", "until")
+
+    def __init__(self) -> None:
+        self.snapshot: Snapshot | None = None
+        self.token = 1  # odd: somebody writes
+        self.lost = 0
+        self.until = 0.0
+
+
 class _File:
     """One counter file, open for reading."""
 
@@ -198,12 +215,12 @@ class _File:
             os.close(self._handle)
             raise
         self._view = memoryview(self._map)
-        self._most = min(header[3], (size - slots.HEADER_BYTES) // slots.SLOT_BYTES)
+        self._most: int = min(header[3], (size - slots.HEADER_BYTES) // slots.SLOT_BYTES)
+        self._tokens = self._view[: slots.HEADER_BYTES + self._most * slots.SLOT_BYTES].cast("q")
         self.pid: int = header[5]
         self.started: float = header[6] * 1e-9
         self.host = _text(header[9], 0)
-        self.known: dict[int, Snapshot] = {}
-        self.lost: dict[int, int] = {}
+        self.known: list[_Known] = []
         self.told = ""
 
     @property
@@ -216,14 +233,20 @@ class _File:
         fcntl.flock(self._handle, fcntl.LOCK_UN)
         return True
 
-    def slots(self) -> Iterator[tuple[int, Snapshot]]:
-        """Yield the slots in use that can be read."""
+    def used(self) -> int:
+        """Return how many slots are in use."""
         used: int = struct.unpack_from("=I", self._map, slots.USED_AT)[0]
-        for number in range(min(used, self._most)):
-            at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
-            now = snapshot(self._view[at : at + slots.SLOT_BYTES])
-            if now is not None:
-                yield number, now
+        return min(used, self._most)
+
+    def token(self, number: int) -> int:
+        """Return the number that a slot has until somebody writes it."""
+        token: int = self._tokens[_FIRST_TOKEN + number * slots.WORDS]
+        return token
+
+    def slot(self, number: int) -> Snapshot | None:
+        """Copy a slot."""
+        at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
+        return snapshot(self._view[at : at + slots.SLOT_BYTES])
 
     def trouble(self) -> str:
         """Return in words what keeps the hook from counting; empty if nothing does."""
@@ -235,36 +258,70 @@ class _File:
 
     def close(self) -> None:
         """Let go of the file."""
+        self._tokens.release()
         self._view.release()
         self._map.close()
         os.close(self._handle)
 
 
+class Called(NamedTuple):
+    """What was counted of a service: its process, which of the four kinds of a service, and how many and how long."""
+
+    pid: int
+    kind: int
+    tally: Tally
+
+
 class CounterReader:
     """Reads all counter files of a folder, again and again.
 
-    What had been counted before the first read is not told: nobody knows when it happened.
+    What had been counted before the first read is not told: nobody knows when it happened. What has been silent for
+    long is told once a second, however often is read.
+
+    Args:
+        folder: where the files are.
+        tidy: whether to take the files of processes that ended away.
     """
 
-    def __init__(self, folder: str) -> None:
+    def __init__(self, folder: str, *, tidy: bool = True) -> None:
         self._folder = Path(folder)
+        self._tidy = tidy
         self._files: dict[str, _File] = {}
         self._refused: set[str] = set()
         self._last: float | None = None
+        self._looked = float("-inf")
         self._failures: list[Failure] = []
+        self._called: list[Called] = []
 
     def read(self, now: float) -> list[Counted]:
         """Return what was counted since the last read; ``now`` is seconds since the epoch."""
         fresh = self._open_new()
         found: list[Counted] = []
+        # Whether a process lives need not be known at once: what it counted is read first.
+        thorough = not 0 <= now - self._looked < _LOOK_S
         for name, file in list(self._files.items()):
-            ended = file.ended
-            found.extend(self._of(file, now, new=name in fresh))
-            self._watch(file)
+            ended = thorough and file.ended
+            self._of(file, now, found, new=name in fresh)
+            if thorough:
+                self._watch(file)
             if ended:
                 self._forget(name, file)
+        if thorough:
+            self._looked = now
         self._last = now
         return found
+
+    def called(self) -> list[Called]:
+        """Return what was counted of services since this was last asked."""
+        called, self._called = self._called, []
+        return called
+
+    def nodes(self) -> dict[int, frozenset[str]]:
+        """Return who counts in which process, by the id that the process sees itself."""
+        return {
+            file.pid: frozenset(one.snapshot.node for one in file.known if one.snapshot and one.snapshot.node)
+            for file in self._files.values()
+        }
 
     def failures(self) -> list[Failure]:
         """Return what went wrong since this was last asked."""
@@ -301,23 +358,39 @@ class CounterReader:
                 )
         return fresh
 
-    def _of(self, file: _File, now: float, *, new: bool) -> Iterator[Counted]:
+    def _of(self, file: _File, now: float, found: list[Counted], *, new: bool) -> None:
         baseline = new and self._last is None
-        start = max(file.started, self._last or 0.0)
-        for number, after in file.slots():
-            if after.kind > slots.ANSWERED:
-                continue  # calls of services are no traffic of a topic
-            before = file.known.get(number)
-            if before is not None and before.generation != after.generation:
-                before = None
-                file.lost.pop(number, None)
-            file.known[number] = after
-            told = file.lost.get(number, 0)
-            file.lost[number] = max(told, _lost(after, int(now * 1e9)))
+        begun = max(file.started, self._last or 0.0)
+        for number in range(file.used()):
+            if number == len(file.known):
+                file.known.append(_Known())
+            known = file.known[number]
+            token = file.token(number)
+            if token == known.token:
+                before = known.snapshot
+                if before is None or before.kind > slots.ANSWERED:
+                    continue
+                if known.lost >= before.lost + before.pending or before.lost < 0:
+                    if now - known.until >= _LOOK_S or now - before.last * 1e-9 < _BRISK_S:
+                        found.append(_still(file.pid, before, min(known.until, now), now))
+                        known.until = now
+                    continue
+            after = file.slot(number)
+            if after is None:
+                continue
+            before = known.snapshot
+            start = known.until
+            if before is None or before.generation != after.generation:
+                before, start, known.lost = None, begun, 0
+            told, known.lost = known.lost, max(known.lost, _lost(after, int(now * 1e9)))
+            known.snapshot, known.until, known.token = after, now, token
             if baseline:
                 continue
             tally = difference(before, after, min(start, now), now, told)
-            yield Counted(file.pid, after.gid[:16].hex() if after.kind == slots.TAKEN else "", tally, after.other)
+            if after.kind > slots.ANSWERED:
+                self._called.append(Called(file.pid, after.kind, tally))
+            else:
+                found.append(Counted(file.pid, _gid(after), tally, after.other))
 
     def _watch(self, file: _File) -> None:
         trouble = file.trouble()
@@ -335,11 +408,28 @@ class CounterReader:
     def _forget(self, name: str, file: _File) -> None:
         del self._files[name]
         file.close()
+        if not self._tidy:
+            self._refused.add(name)
+            return
         try:
             file.path.unlink()
         except OSError:
             # Somebody else's, or gone already: in neither case to be looked at again.
             self._refused.add(name)
+
+
+def _gid(of: Snapshot) -> str:
+    return of.gid[:16].hex() if of.kind == slots.TAKEN else ""
+
+
+def _still(pid: int, of: Snapshot, start: float, end: float) -> Counted:
+    """Return that nothing was counted in a slot."""
+    taken = of.kind == slots.TAKEN
+    tally = Tally(
+        of.topic, "" if taken else of.node, of.node if taken else "", start, end, 0, min(of.size, 0),
+        lost=min(of.lost, 0), observer=Observer.INSIDE,
+    )  # fmt: skip
+    return Counted(pid, _gid(of), tally, of.other)
 
 
 def joined(counted: list[Counted], node_of: Callable[[str], str | None], host: str) -> list[Tally]:

@@ -1,0 +1,68 @@
+"""The names of publishers of which an observer without ROS knows the identifiers alone.
+
+Such an observer may hear of a publisher before the graph does, so what it tells waits a moment for the name; and of one
+that is gone from the graph its last messages are counted afterwards, so names are kept for a while.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+
+import msgspec
+
+from roslens.model.graph import Graph
+from roslens.model.tally import BY_GID, Tally
+
+WAIT_S = 2.0
+"""How long a tally waits for the name of its publisher."""
+KEPT_S = 60.0
+MOST_WAITING = 10_000
+
+
+class GidNames:
+    """Names publishers by the graph."""
+
+    def __init__(self) -> None:
+        self._names: dict[str, str] = {}
+        self._left: dict[str, tuple[str, float]] = {}
+        self._there: set[tuple[str, str]] = set()
+        self._waiting: deque[tuple[float, Tally]] = deque()
+
+    def take_graph(self, graph: Graph, now: float) -> None:
+        """Take the whole graph as it is at ``now``, on the monitor's clock."""
+        names = {end.gid: end.node for end in graph.endpoints if end.gid}
+        self._left.update((gid, (node, now)) for gid, node in self._names.items() if gid not in names)
+        self._left = {gid: left for gid, left in self._left.items() if gid not in names and now - left[1] < KEPT_S}
+        self._names = names
+        self._there = {(end.node, end.name) for end in graph.endpoints}
+
+    def named(self, tally: Tally, now: float) -> Tally | None:
+        """Return a tally with the name of its publisher; None of one that waits, or is silent and no connection."""
+        if tally.publisher.startswith(BY_GID):
+            gid = tally.publisher.removeprefix(BY_GID)
+            name = self._names.get(gid) or self._left.get(gid, ("", 0.0))[0]
+            if not name:
+                if (tally.count or tally.lost > 0) and len(self._waiting) < MOST_WAITING:
+                    self._waiting.append((now, tally))
+                return None
+            tally = msgspec.structs.replace(tally, publisher=name)
+        if not tally.count and not self._stands(tally):
+            return None
+        return tally
+
+    def due(self, now: float) -> list[Tally]:
+        """Return what waits no longer: with a name, or without one where none came in time."""
+        found = []
+        for _ in range(len(self._waiting)):
+            since, tally = self._waiting.popleft()
+            gid = tally.publisher.removeprefix(BY_GID)
+            name = self._names.get(gid, "")
+            if name or not 0 <= now - since < WAIT_S:
+                found.append(msgspec.structs.replace(tally, publisher=name))
+            else:
+                self._waiting.append((since, tally))
+        return found
+
+    def _stands(self, tally: Tally) -> bool:
+        """Tell whether a connection is still there: what was taken apart is silent, and that is no news."""
+        return all((name, tally.topic) in self._there for name in (tally.publisher, tally.subscriber) if name)

@@ -3,7 +3,8 @@
     python benchmarks/inside_python.py [PYTHON WITH RCLPY]
 
 First the hook alone: a taken and a published message through functions shaped like those of rclpy, with
-and without the hook, the least of several rounds. Then, where a Python with rclpy is given or found in
+and without the hook, the least of many short rounds: what another process takes of the machine is in the longer ones.
+A turn of an empty loop tells how fast the machine is. Then, where a Python with rclpy is given or found in
 build/ros2, the CPU time a message of a 500 Hz relay node, with and without, in turn in one process.
 """
 
@@ -21,8 +22,8 @@ from typing import Any
 from roslens.live.inside import rclpy_hook, slots
 from roslens.live.inside.environment import environment
 
-ROUNDS = 7
-CALLS = 50_000
+ROUNDS = 400
+CALLS = 1_000
 GID = bytes(range(16))
 
 RELAY = """
@@ -58,6 +59,14 @@ print(statistics.median(without), statistics.median(counting), statistics.median
 """
 
 
+class Stamped:
+    """A message with a header."""
+
+    class header:  # noqa: N801 - an attribute of the message
+        class stamp:  # noqa: N801
+            sec, nanosec = 1_699_999_999, 5
+
+
 class Handle:
     """Gives one message after the other, as fast as it is asked."""
 
@@ -81,7 +90,7 @@ class Handle:
     def take_message(self, _type: object, _raw: bool) -> tuple[Any, dict[str, Any]]:
         self.number += 1
         when = 1_700_000_000_000_000_000 + self.number * 1_000_000
-        return None, {
+        return Stamped, {
             "source_timestamp": when,
             "received_timestamp": when + 50_000,
             "publication_sequence_number": self.number,
@@ -89,12 +98,18 @@ class Handle:
         }
 
 
+class Type:
+    @staticmethod
+    def get_fields_and_field_types() -> dict[str, str]:
+        return {"header": "std_msgs/Header"}
+
+
 class Subscription:
-    msg_type = object
     raw = False
 
-    def __init__(self) -> None:
+    def __init__(self, kind: type) -> None:
         self.handle = Handle()
+        self.msg_type = kind
 
 
 class Executor:
@@ -119,13 +134,21 @@ def least(function: Any) -> float:
 
 def alone() -> None:
     """Print what the hook adds to a message."""
-    executor, subscription, publisher = Executor(), Subscription(), Publisher()
+    executor, publisher = Executor(), Publisher()
+    subscription, of_stamped = Subscription(object), Subscription(Type)
 
     def take() -> None:
         executor._take_subscription(subscription)  # noqa: SLF001 - what is replaced is private
 
+    def take_stamped() -> None:
+        executor._take_subscription(of_stamped)  # noqa: SLF001
+
     def publish() -> None:
         publisher.publish(None)
+
+    def turns() -> None:
+        for _ in range(100):
+            pass
 
     bare = least(take), least(publish)
     with tempfile.TemporaryDirectory() as folder:
@@ -134,12 +157,14 @@ def alone() -> None:
         module.__dict__.update(Executor=Executor, Publisher=Publisher)
         rclpy_hook.hook_executor(module)
         rclpy_hook.hook_publisher(module)
-        taken = least(take)
+        taken, aged = least(take), least(take_stamped)
         answering = least(publish)
         rclpy_hook._CURRENT.given = None  # noqa: SLF001 - what a timer does
         publishing = least(publish)
         rclpy_hook.HOOK.close()
+    print(f"turn of an empty loop {least(turns) * 10:.1f} ns")
     print(f"taken      +{taken - bare[0]:.2f} us a message")
+    print(f"taken with a header +{aged - bare[0]:.2f} us a message")
     print(f"published  +{publishing - bare[1]:.2f} us a message")
     print(f"published in answer +{answering - bare[1]:.2f} us a message")
 

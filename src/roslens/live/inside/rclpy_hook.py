@@ -17,13 +17,12 @@ import os
 import threading
 import time
 from collections.abc import Callable
-from types import ModuleType, TracebackType
+from types import ModuleType
 from typing import Any
 
 from .sequence import Sequence
 from .slots import ANSWERED, PUBLISHED, TAKEN, CounterFile, Slot, folder_of
 
-_ATTRIBUTE = "_roslens_counters"
 _OTHER_WORK = ("_take_timer", "_take_client", "_take_service", "_take_guard_condition", "_take_waitable")
 _NO_NUMBER = 0xFFFFFFFFFFFFFFFF
 _CLAIM = "ROSLENS_RCLPY_HOOK"
@@ -129,6 +128,16 @@ def _unexpected(function: Any, *names: str) -> str:
     return f"does not call {missing[0]}" if missing else ""
 
 
+def _replaceable(owner: Any, name: str, *names: str) -> Callable[..., Any] | None:
+    """Return a method that is as expected; None, with what it is told to readers, where it is not."""
+    function: Any = getattr(owner, name, None)
+    wrong = _unexpected(function, *names)
+    if wrong:
+        HOOK.say(f"rclpy: not counting: {owner.__name__}.{name} {wrong}")
+        return None
+    return function  # type: ignore[no-any-return]  # rclpy is not here to be looked at
+
+
 class _Arrivals:
     """Counts the messages of one subscription, by publisher."""
 
@@ -149,26 +158,26 @@ class _Arrivals:
         """Count a message that was taken with this information."""
         now = time.time_ns()
         _CURRENT.given = (self._topic, now)
-        publisher = info.get("publisher_gid")
-        gid = publisher["data"] if publisher is not None else None
+        gid = info["publisher_gid"]["data"] if "publisher_gid" in info else None
         slot, sequence = (self._slot, self._sequence) if gid == self._gid else self._of(gid, now)
         if slot is None:
             return
         received = info["received_timestamp"] or now
         sent = info["source_timestamp"]
         if sequence is not None:
-            number = info.get("publication_sequence_number")
+            number = info.get("publication_sequence_number", _NO_NUMBER)
             if number == sequence.following:
                 sequence.following = number + 1
-            elif number is None or number == _NO_NUMBER:
+            elif number == _NO_NUMBER:
                 sequence = None
             else:
                 sequence.feed(number, now)
         age = None
         if self._stamped:
             stamp = message.header.stamp
-            if stamp.sec:
-                age = received - stamp.sec * 1_000_000_000 - stamp.nanosec
+            seconds = stamp.sec
+            if seconds:
+                age = received - seconds * 1_000_000_000 - stamp.nanosec
         size = len(message) if type(message) is bytes else -1
         slot.arrived(now, received, received - sent if sent else None, age, size, sequence)
 
@@ -183,34 +192,35 @@ class _Arrivals:
 
 
 class _Handle:
-    """Stands in for the handle of a subscription where a message is taken from it."""
+    """Stands in for the handle of a subscription where a message is taken from it.
 
-    __slots__ = ("_arrivals", "_handle")
+    ``with`` finds the handle's own methods in slots of these names, which spares two calls a message.
+    """
+
+    __slots__ = ("__enter__", "__exit__", "_handle", "take_message")
 
     def __init__(self, handle: Any, arrivals: _Arrivals) -> None:
         self._handle = handle
-        self._arrivals = arrivals
+        self.__enter__ = handle.__enter__
+        self.__exit__ = handle.__exit__
+        self.take_message = _counted(handle.take_message, arrivals.count)
 
-    def __enter__(self) -> Any:
-        return self._handle.__enter__()
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._handle, name)
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> Any:
-        return self._handle.__exit__(kind, error, trace)
 
-    def take_message(self, kind: Any, raw: bool) -> Any:
-        """Take a message and count it."""
-        taken = self._handle.take_message(kind, raw)
+def _counted(take: Callable[[Any, bool], Any], count: Callable[[Any, Any], None]) -> Callable[[Any, bool], Any]:
+    def take_message(kind: Any, raw: bool) -> Any:
+        taken = take(kind, raw)
         if taken is not None:
             try:
-                self._arrivals.count(*taken)
+                message, info = taken
+                count(message, info)
             except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
                 HOOK.stop(error)
         return taken
 
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._handle, name)
+    return take_message
 
 
 class _Subscription:
@@ -234,24 +244,29 @@ class _Subscription:
         return getattr(self._subscription, name)
 
 
+def _stand_in(subscription: Any) -> Any:
+    """Return what stands in for a subscription from now on; itself after an error."""
+    try:
+        subscription.roslens_counters = stand_in = _Subscription(subscription)
+    except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
+        HOOK.stop(error)
+        return subscription
+    return stand_in
+
+
 def hook_executor(module: ModuleType) -> None:
     """Count what the executors of ``rclpy.executors`` take."""
     executor = module.Executor
-    take: Any = getattr(executor, "_take_subscription", None)
-    wrong = _unexpected(take, "handle", "take_message")
-    if wrong:
-        HOOK.say(f"rclpy: not counting: Executor._take_subscription {wrong}")
+    take = _replaceable(executor, "_take_subscription", "handle", "take_message")
+    if take is None:
         return
 
     @functools.wraps(take)
     def take_and_count(self: Any, subscription: Any) -> Any:
         try:
-            stand_in = subscription.__dict__.get(_ATTRIBUTE)
-            if stand_in is None:
-                stand_in = subscription.__dict__[_ATTRIBUTE] = _Subscription(subscription)
-        except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
-            HOOK.stop(error)
-            stand_in = subscription
+            stand_in = subscription.roslens_counters
+        except AttributeError:
+            stand_in = _stand_in(subscription)
         return take(self, stand_in)
 
     HOOK.replace(executor, "_take_subscription", take_and_count)
@@ -285,14 +300,16 @@ class _Departures:
 
     def count(self, now: int, size: int) -> None:
         """Count a message published at ``now``."""
-        if self._slot is not None:
-            self._slot.published(now, size)
+        slot = self._slot
+        if slot is not None:
+            slot.arrived(now, now, None, None, size, None)
         given = _CURRENT.given
         if given is not None:
             topic, taken = given
-            if topic not in self._answers:
-                self._answers[topic] = HOOK.slot(ANSWERED, b"", self._topic, self._node, topic, now)
-            slot = self._answers[topic]
+            try:
+                slot = self._answers[topic]
+            except KeyError:
+                slot = self._answers[topic] = HOOK.slot(ANSWERED, b"", self._topic, self._node, topic, now)
             if slot is not None and now >= taken:
                 slot.answered(now, now - taken)
 
@@ -300,10 +317,8 @@ class _Departures:
 def hook_publisher(module: ModuleType) -> None:
     """Count what the publishers of ``rclpy.publisher`` publish."""
     publisher_class = module.Publisher
-    publish: Any = getattr(publisher_class, "publish", None)
-    wrong = _unexpected(publish, "handle", "publish")
-    if wrong:
-        HOOK.say(f"rclpy: not counting: Publisher.publish {wrong}")
+    publish = _replaceable(publisher_class, "publish", "handle", "publish")
+    if publish is None:
         return
 
     @functools.wraps(publish)
@@ -313,9 +328,10 @@ def hook_publisher(module: ModuleType) -> None:
         if not HOOK.undo:  # a method that was bound while the hook was in
             return
         try:
-            departures = self.__dict__.get(_ATTRIBUTE)
-            if departures is None:
-                departures = self.__dict__[_ATTRIBUTE] = _Departures(self, now)
+            try:
+                departures = self.roslens_counters
+            except AttributeError:
+                departures = self.roslens_counters = _Departures(self, now)
             departures.count(now, len(msg) if type(msg) is bytes else -1)
         except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
             HOOK.stop(error)

@@ -75,9 +75,13 @@ END = WORDS - 1
 
 STALE_NS = 60_000_000_000
 _NOTHING_YET = (float("inf"), float("-inf")) * 4
-_COUNTERS = struct.Struct("=8qqddqdd")
-_MOMENT = struct.Struct("=qdd")
-_write_counters = _COUNTERS.pack_into
+_SHAPE = struct.Struct("@2q")
+_RARE = struct.Struct("@4q")
+"""What seldom changes goes into the piece as bytes that were packed before: each number costs as much as a write."""
+_write_counters = struct.Struct("@q16sq32sqddqdd").pack_into
+_write_aged = struct.Struct("@q16sq32sqddqddqdd").pack_into
+_write_answers = struct.Struct("@q16sq32s72sqdd").pack_into
+_NO_MOMENTS = bytes(72)
 _EXTREMES = struct.Struct("=8d")
 
 
@@ -110,30 +114,36 @@ class Slot:
     """
 
     __slots__ = (
-        "_age", "_answers", "_bank", "_bank_time", "_count", "_extremes", "_first", "_latencies", "_latency",
-        "_latency_greatest", "_latency_least", "_latency_squares", "_lock", "_lost", "_numbers", "_pending", "_period",
-        "_period_greatest", "_period_least", "_period_squares", "_periods", "_since", "_size", "_words", "last",
+        "_acquire", "_age", "_age_greatest", "_age_least", "_age_squares", "_ages", "_answers", "_bank",
+        "_bank_since", "_bank_until", "_count", "_first", "_latencies", "_latency", "_latency_greatest",
+        "_latency_least", "_latency_squares", "_lock", "_lost", "_numbers", "_pending", "_period",
+        "_period_greatest", "_period_least", "_period_squares", "_periods", "_processing", "_processing_greatest",
+        "_processing_least", "_processing_squares", "_rare", "_release", "_shape", "_since", "_size", "_token",
+        "_words", "last",
     )  # fmt: skip
 
     def __init__(self, words: memoryview) -> None:
         self._words = words
         self._numbers: memoryview[int] = words.cast("q")
         self._lock = threading.Lock()
+        self._acquire, self._release = self._lock.acquire, self._lock.release
+        self._token = self._numbers[SEQUENCE] + 1 & ~1
         self._reset()
 
     def _reset(self) -> None:
-        self._count = self._first = self.last = self._bank = self._periods = self._latencies = 0
-        self._pending = self._since = 0
-        self._size = self._bank_time = self._lost = -1
+        self._count = self._first = self.last = self._bank = self._pending = self._since = 0
+        self._periods = self._latencies = self._ages = self._answers = 0
+        self._bank_since = self._bank_until = 0
+        self._size = self._lost = -1
         self._period = self._period_squares = self._latency = self._latency_squares = 0.0
-        self._age = [0, 0.0, 0.0]
-        self._answers = [0, 0.0, 0.0]
+        self._age = self._age_squares = self._processing = self._processing_squares = 0.0
+        self._shape, self._rare = _SHAPE.pack(-1, 0), _RARE.pack(-1, 0, 0, 0)
         self._no_extremes()
 
     def _no_extremes(self) -> None:
-        self._period_least = self._latency_least = float("inf")
+        self._period_least = self._latency_least = self._age_least = self._processing_least = float("inf")
         self._period_greatest = self._latency_greatest = float("-inf")
-        self._extremes = [float("inf"), float("-inf"), float("inf"), float("-inf")]
+        self._age_greatest = self._processing_greatest = float("-inf")
 
     def begin(self, kind: int, gid: bytes, topic: str, node: str, other: str) -> None:
         """Fill the slot in for an endpoint, whatever was counted in it before."""
@@ -151,7 +161,7 @@ class Slot:
             text = name.encode("utf-8", "replace")[: NAME_BYTES - 1]
             numbers[at : at + NAME_BYTES // 8] = array.array("q", text.ljust(NAME_BYTES, b"\0"))
         self._reset()
-        numbers[END] = numbers[SEQUENCE] = now + 1
+        self._token = numbers[END] = numbers[SEQUENCE] = now + 1
 
     def leave(self) -> memoryview:
         """Give the words back; what its endpoint may still count goes to memory of its own, where nobody reads."""
@@ -174,16 +184,19 @@ class Slot:
             size: serialised, in bytes; -1 where unknown.
             sequence: what knows the losses of the connection; None where nothing does.
         """
-        # What is short is written out here and below: a call costs as much as all that it would do.
-        with self._lock:
-            changed = now >> BANK_SHIFT != self._bank_time and self._next_bank(now)
+        # What is short is written out here and below: a call costs as much as all that it would do. So does ``with``.
+        self._acquire()
+        try:
+            changed = not self._bank_since <= now < self._bank_until and self._next_bank(now)
             self._count += 1
             if size >= 0:
                 self._size = size + max(0, self._size)
+                self._shape = _SHAPE.pack(self._size, self._first)
             last = self.last
             self.last = when
             if not last:
                 self._first = when
+                self._shape = _SHAPE.pack(self._size, when)
             elif when >= last:  # otherwise the clock was set back, and nobody knows how long it really took
                 value = (when - last) * 1e-9
                 self._periods += 1
@@ -206,22 +219,30 @@ class Slot:
                 if value > self._latency_greatest:
                     self._latency_greatest = value
                     changed = True
-            numbers = self._numbers
-            token = numbers[SEQUENCE] | 1
-            numbers[SEQUENCE] = token
-            if age is not None:
-                changed |= self._moment(AGE, self._age, 0, age * 1e-9)
             if sequence is not None and sequence.touched:
                 sequence.touched = False
                 self._lost, self._pending, self._since = sequence.lost, sequence.pending, sequence.pending_since
-            _write_counters(
-                self._words, COUNT * 8, self._count, self._size, self._first, when, self._lost, self._pending,
-                self._since, self._bank, self._periods, self._period, self._period_squares, self._latencies,
-                self._latency, self._latency_squares,
-            )  # fmt: skip
+                self._rare = _RARE.pack(self._lost, self._pending, self._since, self._bank)
+            numbers = self._numbers
+            token = self._token
+            numbers[SEQUENCE] = token + 1
+            if age is None:
+                _write_counters(
+                    self._words, COUNT * 8, self._count, self._shape, when, self._rare, self._periods, self._period,
+                    self._period_squares, self._latencies, self._latency, self._latency_squares,
+                )  # fmt: skip
+            else:
+                changed |= self._aged(age * 1e-9)
+                _write_aged(
+                    self._words, COUNT * 8, self._count, self._shape, when, self._rare, self._periods, self._period,
+                    self._period_squares, self._latencies, self._latency, self._latency_squares, self._ages,
+                    self._age, self._age_squares,
+                )  # fmt: skip
             if changed:
                 self._write_extremes()
-            numbers[END] = numbers[SEQUENCE] = token + 1
+            self._token = numbers[END] = numbers[SEQUENCE] = token + 2
+        finally:
+            self._release()
 
     def published(self, now: int, size: int) -> None:
         """Count a message that was published at ``now``, of ``size`` bytes or -1."""
@@ -229,46 +250,60 @@ class Slot:
 
     def answered(self, now: int, processing: int) -> None:
         """Count a message published ``processing`` ns after the one that it answers was taken."""
-        with self._lock:
-            changed = now >> BANK_SHIFT != self._bank_time and self._next_bank(now)
+        self._acquire()
+        try:
+            changed = not self._bank_since <= now < self._bank_until and self._next_bank(now)
             self._count += 1
             self.last = now
+            value = processing * 1e-9
+            self._answers += 1
+            self._processing += value
+            self._processing_squares += value * value
+            if value < self._processing_least:
+                self._processing_least = value
+                changed = True
+            if value > self._processing_greatest:
+                self._processing_greatest = value
+                changed = True
             numbers = self._numbers
-            token = numbers[SEQUENCE] | 1
-            numbers[SEQUENCE] = token
-            changed |= self._moment(PROCESSING, self._answers, 2, processing * 1e-9)
-            numbers[COUNT] = self._count
-            numbers[LAST] = now
-            numbers[BANK] = self._bank
+            token = self._token
+            numbers[SEQUENCE] = token + 1
+            _write_answers(
+                self._words, COUNT * 8, self._count, self._shape, now, self._rare, _NO_MOMENTS, self._answers,
+                self._processing, self._processing_squares,
+            )  # fmt: skip
             if changed:
                 self._write_extremes()
-            numbers[END] = numbers[SEQUENCE] = token + 1
+            self._token = numbers[END] = numbers[SEQUENCE] = token + 2
+        finally:
+            self._release()
 
     def _write_extremes(self) -> None:
         _EXTREMES.pack_into(
             self._words, (BANKS_AT + self._bank % BANKS * BANK_WORDS) * 8, self._period_least, self._period_greatest,
-            self._latency_least, self._latency_greatest, *self._extremes,
+            self._latency_least, self._latency_greatest, self._age_least, self._age_greatest,
+            self._processing_least, self._processing_greatest,
         )  # fmt: skip
 
-    def _moment(self, place: int, field: list[float], at: int, value: float) -> bool:
-        field[0] += 1
-        field[1] += value
-        field[2] += value * value
-        _MOMENT.pack_into(self._words, place * 8, *field)
-        extremes = self._extremes
+    def _aged(self, value: float) -> bool:
+        self._ages += 1
+        self._age += value
+        self._age_squares += value * value
         changed = False
-        if value < extremes[at]:
-            extremes[at] = value
+        if value < self._age_least:
+            self._age_least = value
             changed = True
-        if value > extremes[at + 1]:
-            extremes[at + 1] = value
+        if value > self._age_greatest:
+            self._age_greatest = value
             changed = True
         return changed
 
     def _next_bank(self, now: int) -> bool:
-        if self._bank_time >= 0:
+        if self._bank_until:
             self._bank += 1
-        self._bank_time = now >> BANK_SHIFT
+        self._bank_since = now >> BANK_SHIFT << BANK_SHIFT
+        self._bank_until = self._bank_since + (1 << BANK_SHIFT)
+        self._rare = _RARE.pack(self._lost, self._pending, self._since, self._bank)
         self._no_extremes()
         return True
 

@@ -15,32 +15,13 @@ from roslens.source.extract.deferred import Deferred, Scope, resolve
 from roslens.source.extract.launch_action import text
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_calls import call_known, call_method, known_name
+from roslens.source.extract.python_operation import combined, compared, put
 from roslens.source.extract.python_value import Bound, Closure, Dotted, Either, Made, Unknown, as_value
 from roslens.source.extract.text import Text
 
 MOST_STEPS = 100_000
 MOST_FRAMES = 25
 MOST_TURNS = 1_000
-_BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
-    ast.Sub: lambda one, other: one - other,
-    ast.Mult: lambda one, other: one * other,
-    ast.FloorDiv: lambda one, other: one // other,
-    ast.Mod: lambda one, other: one % other,
-    ast.Div: lambda one, other: one / other,
-}
-_COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], bool]] = {
-    ast.Eq: lambda one, other: one == other,
-    ast.NotEq: lambda one, other: one != other,
-    ast.Lt: lambda one, other: one < other,
-    ast.LtE: lambda one, other: one <= other,
-    ast.Gt: lambda one, other: one > other,
-    ast.GtE: lambda one, other: one >= other,
-    ast.In: lambda one, other: one in other,
-    ast.NotIn: lambda one, other: one not in other,
-    ast.Is: lambda one, other: one is other,
-    ast.IsNot: lambda one, other: one is not other,
-}
-_LONGEST = 10_000
 
 
 class TooLongError(Exception):
@@ -192,7 +173,7 @@ class Interpreter:
         if isinstance(before, list) and isinstance(added, list | tuple):
             before.extend(self._keep(one) for one in added)
             return
-        self._to(statement.target, self._combined(statement.op, before, added))
+        self._to(statement.target, combined(statement.op, before, added))
 
     def _to(self, target: ast.expr, value: Any) -> None:
         if isinstance(target, ast.Name):
@@ -202,7 +183,7 @@ class Interpreter:
             for index, one in enumerate(target.elts):
                 self._to(one, items[index] if items is not None else Unknown("a part of an unknown value"))
         elif isinstance(target, ast.Subscript):
-            _put(self.value(target.value), self.value(target.slice), value)
+            put(self.value(target.value), self.value(target.slice), value)
 
     def evaluate(self, statement: ast.Expr) -> None:
         """Evaluate for what it changes."""
@@ -333,27 +314,7 @@ class Interpreter:
 
     def binary(self, node: ast.BinOp) -> Any:
         """Return two values put together."""
-        return self._combined(node.op, self.value(node.left), self.value(node.right))
-
-    def _combined(self, operator: ast.operator, one: Any, other: Any) -> Any:
-        if isinstance(one, Unknown):
-            return one
-        if isinstance(other, Unknown) and not isinstance(operator, ast.Add):
-            return other
-        symbolic = isinstance(one, Deferred | Text) or isinstance(other, Deferred | Text | Unknown)
-        if isinstance(operator, ast.Add):
-            return _added(one, other, symbolic=symbolic)
-        if isinstance(operator, ast.Div) and (symbolic or isinstance(one, str)):
-            return Deferred("path", (as_value(one), as_value(other)))
-        if symbolic or isinstance(one, list | dict) or isinstance(other, list | dict):
-            return Unknown("a computation with values that are not known")
-        function = _BINARY.get(type(operator))
-        if function is None or _size(one) * _size(other) > _LONGEST:
-            return Unknown("a computation that is not followed")
-        try:
-            return function(one, other)
-        except (TypeError, ValueError, ArithmeticError, KeyError) as error:
-            return Unknown(f"a computation that fails: {error}")
+        return combined(node.op, self.value(node.left), self.value(node.right))
 
     def unary(self, node: ast.UnaryOp) -> Any:
         """Return a value turned round."""
@@ -381,11 +342,8 @@ class Interpreter:
         values = [self._performed(self.value(one)) for one in (node.left, *node.comparators)]
         if any(isinstance(one, Unknown | Deferred | Text | Made | Either) for one in values):
             return Unknown(ast.unparse(node))
-        try:
-            pairs = zip(node.ops, values, values[1:], strict=False)
-            return all(_COMPARE[type(operator)](one, other) for operator, one, other in pairs)
-        except TypeError:
-            return Unknown(ast.unparse(node))
+        holds = compared(node.ops, values)
+        return Unknown(ast.unparse(node)) if holds is None else holds
 
     def chosen(self, node: ast.IfExp) -> Any:
         """Return one of two values."""
@@ -526,27 +484,6 @@ class Interpreter:
 
     def _items(self, value: Any) -> list[Any] | None:
         return list(value) if isinstance(value, dict | list | tuple | str) else None
-
-
-def _put(whole: Any, key: Any, value: Any) -> None:
-    """Put an item into a list or dictionary, where that is possible."""
-    if (isinstance(whole, list) and isinstance(key, int) and -len(whole) <= key < len(whole)) or (
-        isinstance(whole, dict) and isinstance(key, str | int)
-    ):
-        whole[key] = value
-
-
-def _added(one: Any, other: Any, *, symbolic: bool) -> Any:
-    if isinstance(one, list) and isinstance(other, list):
-        return [*one, *other]
-    if symbolic and not isinstance(one, list):
-        return text(as_value(one), as_value(other))
-    plain = isinstance(one, str) == isinstance(other, str) and isinstance(one, str | int | float)
-    return one + other if plain and isinstance(other, str | int | float) else Unknown("a sum of different kinds")
-
-
-def _size(value: Any) -> int:
-    return len(value) if isinstance(value, str) else min(abs(int(value)), _LONGEST) if isinstance(value, int) else 1
 
 
 def _loaded(target: ast.expr) -> ast.expr:

@@ -14,6 +14,7 @@ from typing import Any
 from roslens.source.extract.deferred import Deferred, Scope, resolve
 from roslens.source.extract.launch_action import text
 from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.python_arguments import bound, given, items_of
 from roslens.source.extract.python_calls import call_known, call_method, known_name
 from roslens.source.extract.python_operation import combined, compared, put
 from roslens.source.extract.python_value import Bound, Closure, Dotted, Either, Made, Unknown, as_value
@@ -85,7 +86,7 @@ class Interpreter:
     def _closure(self, function: Closure, positional: list[Any], named: dict[str, Any]) -> Any:
         if self._frames >= MOST_FRAMES:
             return Unknown("functions that call each other too deeply")
-        names = self._bound(function.node.args, positional, named)
+        names = bound(function.node.args, positional, named, self.value)
         self._frames += 1
         outer, self._names = self._names, [*function.names, names]
         try:
@@ -96,27 +97,6 @@ class Interpreter:
         finally:
             self._names = outer
             self._frames -= 1
-
-    def _bound(self, arguments: ast.arguments, positional: list[Any], named: dict[str, Any]) -> dict[str, Any]:
-        every = [*arguments.posonlyargs, *arguments.args]
-        defaults = dict(zip(every[len(every) - len(arguments.defaults) :], arguments.defaults, strict=True))
-        names: dict[str, Any] = {}
-        for index, argument in enumerate(every):
-            if index < len(positional):
-                names[argument.arg] = positional[index]
-            elif argument.arg in named:
-                names[argument.arg] = named[argument.arg]
-            elif argument in defaults:
-                names[argument.arg] = self.value(defaults[argument])
-            else:
-                names[argument.arg] = Unknown(f"parameter {argument.arg}")
-        for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True):
-            names[argument.arg] = named.get(argument.arg, self.value(default) if default else None)
-        if arguments.vararg:
-            names[arguments.vararg.arg] = list(positional[len(every) :])
-        if arguments.kwarg:
-            names[arguments.kwarg.arg] = {name: value for name, value in named.items() if name not in names}
-        return names
 
     # Statements
 
@@ -195,7 +175,7 @@ class Interpreter:
 
     def loop(self, statement: ast.For | ast.AsyncFor) -> _Returned | None:
         """Go through what is known, or once through what is not."""
-        items = self._items(self.value(statement.iter))
+        items = items_of(self.value(statement.iter))
         if items is None:
             self._to(statement.target, Unknown(f"each of {ast.unparse(statement.iter)}"))
             self._noted(f"for each of {ast.unparse(statement.iter)}", statement.body)
@@ -291,7 +271,7 @@ class Interpreter:
         found: list[Any] = []
         for item in node.elts:
             if isinstance(item, ast.Starred):
-                items = self._items(self.value(item.value))
+                items = items_of(self.value(item.value))
                 found += items if items is not None else [Unknown(f"each of {ast.unparse(item.value)}")]
             else:
                 found.append(self.value(item))
@@ -408,7 +388,7 @@ class Interpreter:
             keep()
             return
         first, *rest = generators
-        items = self._items(self.value(first.iter))
+        items = items_of(self.value(first.iter))
         for item in items[:MOST_TURNS] if items is not None else [Unknown(f"each of {ast.unparse(first.iter)}")]:
             self._to(first.target, item)
             if all(self.truth(self.value(one)) is not False for one in first.ifs):
@@ -427,19 +407,7 @@ class Interpreter:
     def called(self, node: ast.Call) -> Any:
         """Return what a call makes."""
         function = self.value(node.func)
-        positional: list[Any] = []
-        for argument in node.args:
-            if isinstance(argument, ast.Starred):
-                positional += self._items(self.value(argument.value)) or []
-            else:
-                positional.append(self.value(argument))
-        named: dict[str, Any] = {}
-        for keyword in node.keywords:
-            value = self.value(keyword.value)
-            if keyword.arg is not None:
-                named[keyword.arg] = value
-            elif isinstance(value, dict):
-                named |= {str(name): one for name, one in value.items()}
+        positional, named = given(node, self.value)
         if isinstance(function, Closure):
             return self._closure(function, positional, named)
         if isinstance(function, Bound):
@@ -481,9 +449,6 @@ class Interpreter:
         if isinstance(value, Unknown | Deferred | Text | Either):
             return None
         return True if isinstance(value, Made | Closure | Dotted | Bound) else bool(value)
-
-    def _items(self, value: Any) -> list[Any] | None:
-        return list(value) if isinstance(value, dict | list | tuple | str) else None
 
 
 def _loaded(target: ast.expr) -> ast.expr:

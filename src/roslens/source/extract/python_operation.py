@@ -95,4 +95,4 @@ def _added(one: Any, other: Any, *, symbolic: bool) -> Any:
 
 
 def _size(value: Any) -> int:
-    return len(value) if isinstance(value, str) else min(abs(int(value)), _LONGEST) if isinstance(value, int) else 1
+    return len(value) if isinstance(value, str) else min(abs(int(value)), _LONGEST + 1) if isinstance(value, int) else 1

@@ -11,6 +11,7 @@ from roslens.cli.watch_output import Teller
 from roslens.live.note import Note, NoteKind
 from roslens.live.session import Step
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
 
 MAP = Verdict(EntityId(EntityKind.TOPIC, "/map"), "r.map.rate", "rate", State.LOW, 3.0, 9.0, 0.1, ">= 1 Hz")
@@ -23,8 +24,8 @@ KEPT = Note(9.0, NoteKind.KEPT, "the reference as it was before holds on: a.yaml
 def tell(capsys):
     """Return what was written to standard output and error for steps, and the exit code."""
 
-    def run(*steps, form="text"):
-        options = argparse.Namespace(output=None, format=form, verbose=False, quiet=False, no_color=True, color=False)
+    def run(*steps, form="text", verbose=False):
+        options = argparse.Namespace(output=None, format=form, verbose=verbose, quiet=False, no_color=True, color=False)
         with Teller(options, lambda seconds: f"{seconds:.0f} s") as teller:
             for step in steps:
                 teller.tell(step)
@@ -63,3 +64,16 @@ def test_a_reference_that_is_read_again_is_told(tell):
 def test_a_watch_that_ends_with_an_old_reference_is_not_clean(tell):
     assert tell(Step(9.0, notes=(KEPT,)))[1:] == ([f"roslens: {KEPT.text}"], 3)
     assert tell(Step(9.0, notes=(KEPT,)), Step(12.0, notes=(READ,)))[2] == 0
+
+
+def test_what_other_monitors_report_is_a_line_and_other_events_are_where_more_is_asked_for(tell):
+    reported = Event(9.0, Change.CHANGED, "node:/m", "diagnostics: 'motor' is ERROR, was OK: hot")
+    appeared = Event(9.0, Change.APPEARED, "parameter:/n/rate", "is 10")
+    step = Step(9.0, events=(reported, appeared))
+    out, _, code = tell(step)
+    assert [line.split(maxsplit=2)[2] for line in out] == ["node:/m  diagnostics: 'motor' is ERROR, was OK: hot"]
+    assert code == 0
+    out, _, _ = tell(step, verbose=True)
+    assert out[1].endswith("parameter:/n/rate  appeared is 10")
+    out, _, _ = tell(step, form="json")
+    assert [json.loads(line)["entity"] for line in out] == ["node:/m", "parameter:/n/rate"]

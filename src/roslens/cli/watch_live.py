@@ -21,6 +21,7 @@ from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_publish import publish_through, wanted
 from roslens.cli.watch_screen import screen, time_of_day
+from roslens.live.reported_levels import is_reported
 from roslens.live.session import Session, Source, run
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
@@ -257,6 +258,7 @@ def _screen(teller: Teller, session: Session, page: str | None) -> Iterator[Call
         teller.count(step)
         notes.extend(str(failure) for failure in step.failures)
         notes.extend(one.text for one in step.notes)
+        notes.extend(f"{one.entity}  {one.detail}" for one in step.events if is_reported(one))
         passed = time.monotonic() - begun
         if passed - drawn < _REDRAW_S and not (step.notes or any(one.state.bad for one in step.changes)):
             return

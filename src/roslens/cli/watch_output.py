@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, TextIO
 from roslens.cli.about_nothing import lines_of
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.streams import wants_color, width_of
-from roslens.cli.watch_screen import alert_line, cause_text, screen
+from roslens.cli.watch_screen import alert_line, cause_text, event_text, screen
 from roslens.live.note import Note, NoteKind
 from roslens.live.publish.json_lines import cause_line, event_line, failure_line, note_line, verdict_line
+from roslens.live.reported_levels import is_reported
 from roslens.report.terminal import Terminal
 
 if TYPE_CHECKING:
@@ -69,6 +70,8 @@ class Teller:
         else:
             shown = [one for one in step.changes if one.state.bad or self._options.verbose]
             lines = [alert_line(self.terminal, one, self._clock(one.since)) for one in shown]
+            events = [one for one in step.events if self._options.verbose or is_reported(one)]
+            lines += [event_text(self.terminal, one, self._clock(one.time)) for one in events]
             lines += [cause_text(self.terminal, one, self._clock(one.time)) for one in step.causes]
             for note in step.notes:
                 print(f"roslens: {note.text}", file=sys.stderr)

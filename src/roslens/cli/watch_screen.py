@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from roslens.judge.amount import amount_text
 from roslens.live.publish.diagnostics import sentence
+from roslens.live.reported_levels import is_reported
 from roslens.live.signals import BY_KEY
 from roslens.live.tree import SystemView
+from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict
 from roslens.report.terminal import Terminal, columns, left, right
 
@@ -140,6 +142,13 @@ def alert_line(terminal: Terminal, verdict: Verdict, when: str) -> str:
         text += terminal.clean(f"  {verdict.quantity} {_value(verdict)}")
     room = terminal.width - columns(when) - 14
     return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"
+
+
+def event_text(terminal: Terminal, event: Event, when: str) -> str:
+    """Return on one line what happened to a part of the system."""
+    said = event.detail if is_reported(event) else f"{event.change.value} {event.detail}".strip()
+    room = terminal.width - columns(when) - 14
+    return f"{when} {'':13}{terminal.cut(terminal.clean(f'{event.entity}  {said}'), max(room, 20))}"
 
 
 def cause_text(terminal: Terminal, verdict: Verdict, when: str) -> str:

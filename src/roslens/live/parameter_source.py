@@ -36,7 +36,7 @@ def ros1_parameter(name: str, master: str) -> tuple[Any, str]:
         if error.trouble is Trouble.DENIED:
             raise UsageError(
                 f"no parameter {name!r} at the parameter server at {uri}", expected="one that holds a reference",
-                advice=f'A launch file puts it there: <rosparam ns="{name}" command="load" file="…"/>',
+                advice=f'A launch file puts it there: <rosparam param="{name}" file="…"/>',
             ) from None  # fmt: skip
         raise UsageError(
             f"no ROS master: {error}", expected="one that holds the parameter", advice="Start roscore, or give --master"

@@ -81,6 +81,11 @@ class ReportedLevels:
         return _event(Change.CHANGED, reporter, said, report, time)
 
 
+def is_reported(event: Event) -> bool:
+    """Tell whether an event is what another monitor reports."""
+    return event.detail.startswith(SAID)
+
+
 def level_name(level: int) -> str:
     """Return the word for a level."""
     return _LEVELS[level] if 0 <= level < len(_LEVELS) else f"level {level}"

@@ -85,6 +85,58 @@ def test_reads_together_tell_the_whole(reads):
     assert math.isclose(whole.greatest, max(gaps), rel_tol=1e-6)
 
 
+def plain(values):
+    return (len(values), pytest.approx(sum(values)), pytest.approx(sum(value * value for value in values)))
+
+
+@given(
+    st.lists(
+        st.tuples(
+            st.integers(1, SECOND), st.none() | st.integers(-5, 10**7), st.none() | st.integers(0, 10**9),
+            st.integers(-1, 500), st.booleans(),
+        ),
+        min_size=1, max_size=40,
+    )
+)  # fmt: skip
+def test_every_number_of_a_slot_is_that_of_counting_plainly(messages):
+    words, slot = new_slot()
+    sequence = Sequence()
+    when, number = SECOND, 0
+    for gap, latency, age, size, missing in messages:
+        when += gap
+        number += 1 + missing
+        sequence.feed(number, when)
+        take(slot, when, latency, age=age, size=size, sequence=sequence)
+    now = snapshot(words)
+    gaps = [gap * 1e-9 for gap, *_ in messages[1:]]
+    latencies = [latency * 1e-9 for _, latency, *_ in messages if latency is not None]
+    ages = [age * 1e-9 for _, _, age, *_ in messages if age is not None]
+    sizes = [size for *_, size, _ in messages if size >= 0]
+    assert now.moments == (plain(gaps), plain(latencies), plain(ages), (0, 0.0, 0.0))
+    assert (now.messages, now.size) == (len(messages), sum(sizes) if sizes else -1)
+    assert (now.first, now.last) == (SECOND + messages[0][0], when)
+    assert (now.lost + now.pending, now.pending_since) == (
+        sum(missing for *_, missing in messages[1:]), sequence.pending_since
+    )  # fmt: skip
+
+
+@given(st.lists(st.tuples(st.integers(1, SECOND), st.integers(0, 10**9)), min_size=1, max_size=40))
+def test_processing_times_are_those_of_counting_plainly(answers):
+    words, slot = new_slot(slots.ANSWERED)
+    when = SECOND
+    for gap, processing in answers:
+        when += gap
+        slot.answered(when, processing)
+    now = snapshot(words)
+    assert now.moments[:3] == ((0, 0.0, 0.0),) * 3
+    assert now.moments[3] == plain([processing * 1e-9 for _, processing in answers])
+    assert (now.messages, now.size, now.first, now.last, now.lost) == (len(answers), -1, 0, when, -1)
+    recent = [processing * 1e-9 for _, processing in answers[-8:]]
+    tally = difference(None, now, 0, when * 1e-9)
+    assert tally.processing.least <= min(recent) * 1.000001
+    assert tally.processing.greatest >= max(recent) * 0.999999
+
+
 def test_losses_are_told_when_they_have_settled_and_once():
     words, slot = new_slot()
     sequence = Sequence()

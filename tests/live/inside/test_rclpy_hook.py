@@ -97,6 +97,44 @@ def test_takes_publishes_and_answers_are_counted(tmp_path):
     assert tallies["/out", "/in"].processing.count == 3
 
 
+def test_an_rclpy_that_tells_no_publisher_is_counted_without_losses(tmp_path):
+    old = NODE.replace("'publication_sequence_number': n,", "").replace(
+        "'publisher_gid': {'data': b'0123456789abcdef'}", ""
+    )
+    tallies, failures = run(tmp_path, old)
+    assert failures == []
+    assert (tallies["/in", ""].count, tallies["/in", ""].lost) == (3, -1)
+
+
+def test_a_handle_is_entered_and_left_as_without_the_hook(tmp_path):
+    handle = """
+    log = []
+    def __enter__(self): self.log.append('in'); return self
+    def __exit__(self, *why): self.log.append(why[0]); return why[0] is KeyError
+    def take_message(self, kind, raw): raise self.error
+"""
+    code = (
+        NODE.split("out = ")[0]
+        + "class Broken(Handle):"
+        + handle
+        + """
+sub = Sub(Broken('/in'), None)
+executor = Executor()
+Broken.error = KeyError()
+executor._take_subscription(sub)
+Broken.error = OSError()
+try:
+    executor._take_subscription(sub)
+    assert False
+except OSError:
+    pass
+assert Broken.log == ['in', KeyError, 'in', OSError]
+assert sub.roslens_counters.handle.topic == '/in'
+"""
+    )
+    assert run(tmp_path, code)[1] == []
+
+
 def test_another_rclpy_is_left_alone_and_said(tmp_path):
     other = FAKE | {"executors.py": "class Executor:\n    def _take_it(self, sub): pass\n"}
     _, failures = run(tmp_path, "import rclpy.executors", other)

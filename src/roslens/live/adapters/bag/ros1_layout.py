@@ -144,7 +144,7 @@ class Ros1Layout:
         """Read the index records behind a chunk."""
         pieces = []
         at = 0
-        form = None
+        form: _Form | None = None
         while at < len(region):
             known = form.read(region, at) if form is not None else None
             if known is None:

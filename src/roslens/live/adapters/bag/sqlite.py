@@ -77,7 +77,7 @@ class SqlitePart:
         """Yield topics, times and lengths by time of receipt."""
         if self._survey is not None:
             for since, leaves in zip(self._survey.since, self._survey.pages.windows(), strict=True):
-                yield Portion(since, partial(self._read, leaves, stamped))
+                yield Portion(since, partial(self._read, self._survey.pages, leaves, stamped))
             return
         head = f", substr(data, 1, {_HEAD_BYTES})" if stamped else ""
         query = f"SELECT topic_id, timestamp, length(data){head} FROM messages ORDER BY timestamp"  # noqa: S608 - a constant
@@ -139,10 +139,10 @@ class SqlitePart:
             blocks.append(Block(channel, table[rows, 1], table[rows, 2], stamps))
         return blocks
 
-    def _read(self, leaves: Ints, stamped: Collection[int]) -> list[Block]:
+    def _read(self, pages: TablePages, leaves: Ints, stamped: Collection[int]) -> list[Block]:
         """Return what leaves of the table hold, topic by topic."""
         try:
-            rows = self._survey.pages.rows(leaves)
+            rows = pages.rows(leaves)
         except DamageError as damage:
             self._tell(f"pages that changed while they were read: {damage}")
             return []

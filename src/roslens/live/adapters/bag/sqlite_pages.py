@@ -145,7 +145,7 @@ class TablePages:
         starts = np.concatenate([np.zeros(1, np.int64), places])
         content = np.empty(int(starts[-1]) + size + _PADDING, np.uint8)
         content[-_PADDING:] = 0
-        view = memoryview(content)
+        view = content.data
         edges = [0, *(np.flatnonzero(far) + 1).tolist()]
         ends = [*starts[edges[1:]].tolist(), len(content) - _PADDING]
         for first, end in zip(edges, ends, strict=True):

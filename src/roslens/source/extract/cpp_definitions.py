@@ -10,7 +10,7 @@ from tree_sitter import Node
 
 from roslens.source.extract.cpp_expressions import Expressions
 from roslens.source.extract.cpp_initialisers import lower_initialisers
-from roslens.source.extract.cpp_lowered import Lowered, opaque
+from roslens.source.extract.cpp_lowered import Lowered, name_of, opaque
 from roslens.source.extract.cpp_macros import is_registration, macro_value
 from roslens.source.extract.cpp_parameters import Parameters
 from roslens.source.extract.cpp_statements import StatementLowering, Statements
@@ -23,7 +23,6 @@ from roslens.source.extract.program import (
     Field,
     Function,
     Lambda,
-    Name,
     Opaque,
     Statement,
 )
@@ -250,8 +249,8 @@ class Definitions:
         for node in captures.named_children if captures is not None else ():
             left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
             if left is not None and right is not None:
-                name = declared_name(self._lowered.text(left))
-                found.append(Assign(Name(name), self._expressions.lower(right), "", "=", node.start_point.row + 1))
+                name = name_of(declared_name(self._lowered.text(left)))
+                found.append(Assign(name, self._expressions.lower(right), "", "=", node.start_point.row + 1))
         return found
 
     def _typedef(self, node: Node, out: Statements) -> None:

@@ -97,11 +97,11 @@ class Expressions:
         if name in _CONTAINERS and values.type == "initializer_list":
             return Sequence(arguments)
         row, column = at.start_point
-        return Call(Name(name), arguments, (), templates, row + 1, column + 1)
+        return Call(name_of(name), arguments, (), templates, row + 1, column + 1)
 
     def _name(self, node: Node) -> Expression:
         name = name_and_templates(self._lowered.text(node))[0]
-        return name_of(name) if name else Opaque("")
+        return name_of(name)
 
     def _member(self, node: Node) -> Expression:
         children = [child for child in node.named_children if child.type != "comment"]
@@ -137,7 +137,7 @@ class Expressions:
             name, templates = name_and_templates(self._lowered.text(function))
             if name in _CASTS and len(values) == 1:
                 return values[0]
-            callee = name_of(name) if name else Opaque("")
+            callee = name_of(name)
             if name in _FORMATS:
                 formatted = _formatted(values)
                 if formatted is not None:
@@ -199,7 +199,7 @@ class Expressions:
         name, templates = name_and_templates(self._lowered.text(type_))
         row, column = node.start_point
         arguments = self.several(values) if values is not None else ()
-        return Call(Name(name), arguments, (), templates, row + 1, column + 1)
+        return Call(name_of(name), arguments, (), templates, row + 1, column + 1)
 
     def _compound(self, node: Node) -> Expression:
         type_, values = node.child_by_field_name("type"), node.child_by_field_name("value")
@@ -210,7 +210,7 @@ class Expressions:
     def _designated(self, node: Node) -> Expression:
         children = node.named_children
         name = text_of(self._lowered.text(children[0])).lstrip(". ")
-        return Operation("=", (Name(name), self.lower(children[-1])))
+        return Operation("=", (name_of(name), self.lower(children[-1])))
 
     def _sequence(self, node: Node) -> Expression:
         return Sequence(self.several(node))

@@ -32,6 +32,8 @@ def lower_initialisers(
         if node.type != "field_initializer" or len(children) < 2:
             continue
         name, templates = name_and_templates(lowered.text(children[0]))
+        if not name:
+            continue
         arguments = expressions.several(children[1])
         row, column = node.start_point
         if name in bases or _looks_like_a_class(name, templates):

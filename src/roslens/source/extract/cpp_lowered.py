@@ -14,6 +14,7 @@ DEEPEST = 120
 """Nesting of expressions, statements and scopes; what is deeper is opaque, and the program incomplete there."""
 
 _LONGEST_OPAQUE = 80
+_SEVERAL = Opaque("one of several definitions")
 
 
 class Lowered:
@@ -81,8 +82,8 @@ class Lowered:
     def define_macro(self, name: str, value: Expression) -> None:
         """Add a macro; one that is defined differently under different conditions is a choice between them."""
         known = self.macros.get(name)
-        if isinstance(known, Operation) and known.operator == "?:":
-            value = Opaque("one of several definitions")
+        if known == _SEVERAL or (isinstance(known, Operation) and known.operator == "?:"):
+            value = _SEVERAL
         elif known is not None and known != value:
             value = Operation("?:", (Opaque("#if"), known, value))
         self.macros[name] = value
@@ -108,6 +109,8 @@ def opaque(text: bytes) -> Opaque:
     return Opaque(" ".join(text_of(text[: 4 * _LONGEST_OPAQUE]).split())[:_LONGEST_OPAQUE])
 
 
-def name_of(dotted: str) -> Name:
-    """Return a name; ``this`` is ``self``."""
+def name_of(dotted: str) -> Name | Opaque:
+    """Return a name; ``this`` is ``self``, and one that is missing in what does not parse is opaque."""
+    if not dotted:
+        return Opaque("")
     return Name("self" if dotted == "this" else dotted)

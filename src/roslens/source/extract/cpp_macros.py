@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Tree
 
 from roslens.source.extract.cpp_literals import number_value, text_value
-from roslens.source.extract.cpp_lowered import opaque
+from roslens.source.extract.cpp_lowered import name_of, opaque
 from roslens.source.extract.cpp_types import dotted
 from roslens.source.extract.program import Call, Evaluate, Expression, Literal, Name, Operation
 from roslens.source.syntax.cpp_names import text_of
@@ -16,6 +16,7 @@ from roslens.source.syntax.cpp_names import text_of
 _PART = re.compile(r'\s*(?:((?:u8|[uUL])?"(?:[^"\\]|\\.)*")|([A-Za-z_]\w*))')
 _NUMBER = re.compile(r"([-+]?)\s*([0-9.][\w.']*)")
 _NAME = re.compile(r"(?:::)?[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*")
+_PARENTHESES = re.compile(r"\(*\([^()]*\)\)*")
 _COMMENT = re.compile(rb"/\*.*?\*/|//[^\n]*", re.DOTALL)
 _CONSTANTS = {"true": True, "false": False, "NULL": None, "nullptr": None}
 _REGISTRATION = re.compile(
@@ -28,7 +29,7 @@ _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 def macro_value(written: bytes) -> Expression | None:
     """Return the value of a macro without parameters; None of one that is empty."""
     text = text_of(_COMMENT.sub(b" ", written).replace(b"\\\n", b" ")).strip()
-    while text.startswith("(") and text.endswith(")") and "(" not in text[1:] and ")" not in text[:-1]:
+    while _PARENTHESES.fullmatch(text):
         text = text[1:-1].strip()
     if not text:
         return None
@@ -91,7 +92,7 @@ def registrations(content: bytes, tree: Tree) -> Iterator[Evaluate]:
 
 def _argument(written: str) -> Expression:
     text = written.strip()
-    return Literal(text_value(text)) if _TEXT.fullmatch(text) else Name(dotted(text))
+    return Literal(text_value(text)) if _TEXT.fullmatch(text) else name_of(dotted(text))
 
 
 def _in_comment(tree: Tree, start: int, end: int) -> bool:

@@ -64,7 +64,8 @@ class Parameters:
         text = self._lowered.text(node)
         plain = _PLAIN_FIELD.fullmatch(text)
         if plain and not text.startswith((b"using", b"typedef", b"friend")):
-            return [Field(text_of(plain["name"]), declared_type(plain["type"]), None, node.start_point.row + 1)]
+            type_text = declared_type(plain["type"])
+            return [Field(text_of(plain["name"]), type_text, None, node.start_point.row + 1)] if type_text else []
         type_ = node.child_by_field_name("type")
         if type_ is None:
             return []

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from tree_sitter import Node
 
 from roslens.source.extract.cpp_expressions import Expressions
-from roslens.source.extract.cpp_lowered import DEEPEST, Lowered, opaque
+from roslens.source.extract.cpp_lowered import DEEPEST, Lowered, name_of, opaque
 from roslens.source.extract.cpp_relevance import Level, Relevance, is_logging
 from roslens.source.extract.cpp_types import declared_name, declared_type, name_and_templates
 from roslens.source.extract.program import (
@@ -17,6 +17,7 @@ from roslens.source.extract.program import (
     Call,
     Evaluate,
     Expression,
+    Format,
     Literal,
     Loop,
     Member,
@@ -109,7 +110,7 @@ class StatementLowering:
         text = self._lowered.text(inner)
         if b"(" in text or b"<<" in text or b"{" in text:
             expression = self._lower(inner)
-            if isinstance(expression, Call | Operation):
+            if isinstance(expression, Call | Operation | Format):
                 out.append(Evaluate(expression, node.start_point.row + 1))
 
     def _assign(self, node: Node, out: Statements) -> None:
@@ -194,17 +195,24 @@ class StatementLowering:
         nodes = [one for one in parameters.named_children if one.type != "comment"] if parameters is not None else []
         arguments: list[Expression] = []
         for one in nodes:
-            if one.type != "parameter_declaration" or one.named_child_count != 1:
+            children = one.named_children
+            if one.type != "parameter_declaration" or children[0].type not in (
+                "type_identifier",
+                "qualified_identifier",
+            ):
                 return None
-            argument = one.named_children[0]
-            if argument.type not in ("type_identifier", "qualified_identifier"):
+            argument = self._lower(children[0])
+            if len(children) == 2 and self._lowered.text(children[1]) == b"()":
+                row, column = one.start_point
+                argument = Call(argument, (), (), (), row + 1, column + 1)
+            elif len(children) != 1:
                 return None
-            arguments.append(self._lower(argument))
+            arguments.append(argument)
         if not arguments:
             return None
         name, templates = name_and_templates(self._lowered.text(type_))
         row, column = node.start_point
-        return Call(Name(name), tuple(arguments), (), templates, row + 1, column + 1)
+        return Call(name_of(name), tuple(arguments), (), templates, row + 1, column + 1)
 
     def _return(self, node: Node, out: Statements) -> None:
         values = [child for child in node.named_children if child.type != "comment"]
@@ -243,7 +251,7 @@ class StatementLowering:
         if node.type == "declaration":
             self.declare(node, out)
             declarator = node.child_by_field_name("declarator")
-            return Name(declared_name(self._lowered.text(declarator))) if declarator is not None else Opaque("")
+            return name_of(declared_name(self._lowered.text(declarator))) if declarator is not None else Opaque("")
         return self._lower(node) if self._may_lead(node) else opaque(self._lowered.text(node))
 
     def _if(self, node: Node, out: Statements) -> None:

@@ -22,6 +22,7 @@ _PRIMITIVE = re.compile(
     r"(?:const )?(?:(?:unsigned|signed|long|short|int|char|bool|float|double|void)(?: (?!$)|$))+|(?:std::)?size_t"
     r"|(?:std::)?u?int(?:8|16|32|64)_t"
 )
+_SCOPE = re.compile(r"[\w:<>,\s]*::\s*")
 _PLAIN = re.compile(rb"\w*")
 _OPENING, _CLOSING = "<([{", ">)]}"
 _LONGEST = 2000
@@ -42,7 +43,7 @@ def name_and_templates(written: bytes) -> tuple[str, tuple[str, ...]]:
         text = _COMMENT.sub(" ", text)
     if "<" not in text or "operator" in text:
         return dotted(_KEYWORD.sub("", text)), ()
-    return dotted(_KEYWORD.sub("", without_arguments(text.replace("template ", "")))), _template_arguments(text)
+    return dotted(without_arguments(_KEYWORD.sub("", text))), _template_arguments(text)
 
 
 def _template_arguments(text: str) -> tuple[str, ...]:
@@ -88,6 +89,8 @@ def _type(before: bytes, declarator: bytes) -> str:
         text = _COMMENT.sub(" ", text)
     text = _STORAGE.sub("", _ATTRIBUTE.sub("", text))
     marks = text_of(declarator[:_LONGEST])
+    if "::" in marks and "(" not in marks:
+        marks = _SCOPE.sub("", marks)
     if marks:
         marks = _NAME.sub(_only_modifiers, marks)
     return squeezed(f"{text} {marks}".rstrip("= \t\r\n"))

@@ -1,0 +1,162 @@
+import msgspec
+import pytest
+
+from roslens.source.extract.cpp_program import program_of_cpp
+from roslens.source.extract.cpp_relevance import Level, Relevance, is_logging
+from roslens.source.extract.program import Call, Member
+from roslens.source.syntax.macros import load_macros
+
+MACROS = load_macros()
+FILLING = b"  total = total + weight * 2.0;\n" * 5
+CALL = 'nh.subscribe<T>("x", 1)'
+WHERE = (
+    "void f() { @; }",
+    "void f() { auto x = @; }",
+    "void f() { auto [a, b] = @; }",
+    "void f() { A a(@, 1); }",
+    "void f() { A a{@}; }",
+    "void f() { A a = {@}; }",
+    "void f() { a = b = @; }",
+    "void f() { a[@] = 1; }",
+    "void f() { a -= @; }",
+    "void f() { a, @; }",
+    "void f() { (void) @; }",
+    "void f() { static_cast<void>(@); }",
+    "void f() { int(@); }",
+    "void f() { !@; }",
+    "void f() { g(1 + @ * 2); }",
+    "void f() { g(*@, &@); }",
+    "void f() { g(@).h(); }",
+    "void f() { c ? @ : g(); }",
+    "void f() { new A(@); }",
+    "void f() { new int(@); }",
+    "void f() { delete @; }",
+    "void f() { co_await @; }",
+    "void f() { co_yield @; }",
+    "void f() { co_return @; }",
+    "int f() { return @; }",
+    "A f() { return {1, @}; }",
+    "void f() { throw A(@); }",
+    "void f() { if (@) { } }",
+    "void f() { if (a) b(); else @; }",
+    "void f() { if (a) { } else if (@) { } }",
+    "void f() { if (auto x = @) { } }",
+    "void f() { if (auto x = @; x) { } }",
+    "void f() { if constexpr (a) @; }",
+    "void f() { switch (@) { case 1: g(); } }",
+    "void f() { switch (a) { default: @; } }",
+    "void f() { switch (a) { case 1: { @; break; } } }",
+    "void f() { for (auto x = @; x; ) { } }",
+    "void f() { for (; @; ) { } }",
+    "void f() { for (;; @) { } }",
+    "void f() { for (auto x : @) { } }",
+    "void f() { while (@) { } }",
+    "void f() { do { } while (@); }",
+    "void f() { try { @; } catch (...) { } }",
+    "void f() { try { } catch (...) { @; } }",
+    "void f() { try { } catch (A & a) { g(); } catch (B & b) { @; } }",
+    "void f() { label: @; }",
+    "void f() { { { @; } } }",
+    "void f() { [] { @; }(); }",
+    "void f() { g([x = @] { }); }",
+    "void f() { struct A { void g() { @; } }; }",
+    "void f() {\n#if A\n@;\n#endif\n}",
+    "void f() {\n#ifdef A\ng();\n#else\n@;\n#endif\n}",
+    'void f() { ROS_INFO("%d", @); }',
+    "void f() { RCLCPP_ERROR_STREAM(l, @); }",
+    "void f() { EXPECT_TRUE(@); }",
+    "void f() { std::cout << @ << std::endl; }",
+    'void f() { fmt::format("{}", @); }',
+    'void f() { fmt::format("{:03d}", @); }',
+    "void f() { BOOST_FOREACH(int x, @) { } }",
+    "A::A() : a_(@) { }",
+    "A::A() : a_{@, 1} { }",
+    "A::A() : Base(@) { }",
+    "A::A() try : a_(1) { @; } catch (...) { }",
+    "A::A() try : a_(1) { } catch (...) { @; }",
+    "void f(A a = @) { }",
+    "void f(A a = @);",
+    "struct B { void f(A a = @); };",
+    "struct B { A a = @; };",
+    "struct B { A a{@}; };",
+    "struct B { void f() { @; } };",
+    "A a = @;",
+    "A a(@);",
+    "namespace b { namespace { A a = @; } }",
+    'extern "C" { void f() { @; } }',
+    'extern "C" void f() { @; }',
+    "#if A\nvoid f() { @; }\n#endif",
+    "template <typename T> void f() { @; }",
+    "template <typename T> struct B { template <typename U> void f() { @; } };",
+    "TEST_F(A, b) { @; }",
+    "operator A() { @; }",
+    "B & operator=(const B & b) { @; }",
+)
+
+
+@pytest.mark.parametrize("where", WHERE)
+@pytest.mark.parametrize("filling", ["", "  total = total + weight * 2.0;\n" * 5])
+def test_an_endpoint_is_found_wherever_it_is_made(where: str, filling: str) -> None:
+    source = where.replace("@", CALL).replace("{ }", "{ " + filling + " }").replace("() { ", "() { " + filling)
+    program = program_of_cpp(source.encode(), MACROS)
+    assert endpoints(program) == where.count("@")
+
+
+def endpoints(value: object) -> int:
+    """Return how many calls of ``subscribe`` are in a program."""
+    own = isinstance(value, Call) and isinstance(value.function, Member) and value.function.name == "subscribe"
+    if isinstance(value, msgspec.Struct):
+        value = tuple(getattr(value, name) for name in value.__struct_fields__)
+    return own + sum(map(endpoints, value)) if isinstance(value, tuple) else int(own)
+
+
+def level(body: bytes) -> Level:
+    return Relevance(body, 0, len(body)).level
+
+
+def test_what_names_an_interface_or_is_short_is_lowered_whole() -> None:
+    assert level(b"{ x = y * 2; }") is Level.WHOLE
+    assert level(b"{" + FILLING + b"}") is Level.NOTHING
+    assert level(b"{" + FILLING + b"  pub_ = node->create_publisher<T>(topic, 1);}") is Level.WHOLE
+    assert level(b"{" + FILLING + b'  return "text"; }') is Level.WHOLE
+
+
+def test_what_may_lead_to_an_interface_keeps_its_calls() -> None:
+    body = b"{" + FILLING + b"  initOutputs();\n  x = std::max(a, b);\n  helper_->run(1);\n  if (a) { b = c(); } }"
+    relevance = Relevance(body, 0, len(body))
+    assert relevance.level is Level.CALLS
+
+    def place(text: bytes) -> tuple[int, int]:
+        return body.index(text), body.index(text) + len(text)
+
+    assert relevance.may_lead(*place(b"initOutputs();"))
+    assert relevance.may_lead(*place(b"helper_->run(1);"))
+    assert not relevance.may_lead(*place(b"x = std::max(a, b);"))
+    assert not relevance.may_lead(*place(b"b = c();"))
+    assert relevance.may_hold(*place(b"if (a) { b = c(); }"))
+    assert not relevance.may_hold(*place(FILLING))
+
+
+def test_a_name_that_is_given_a_text_stays() -> None:
+    body = b"{" + FILLING + b'  mode = "x";\n  frame_id_ = other;\n  total = other; }'
+    relevance = Relevance(body, 0, len(body))
+    assert relevance.level is Level.CALLS
+    assert relevance.may_lead(body.index(b"mode"), len(body))
+    assert relevance.may_lead(body.index(b"frame_id_"), len(body))
+    assert not relevance.may_lead(body.rindex(b"total"), len(body))
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        (b'ROS_WARN_THROTTLE(1.0, "x");', True),
+        (b'RCLCPP_INFO(get_logger(), "x");', True),
+        (b"EXPECT_EQ(a, b());", True),
+        (b"std::cerr << x;", True),
+        (b'ROS_INFO("%d", nh.advertise<T>(1).n());', False),
+        (b"ROS_REGISTER(x);", False),
+        (b"printable(x);", False),
+    ],
+)
+def test_statements_that_only_tell_people_something(statement: bytes, expected: bool) -> None:
+    assert is_logging(statement, 0, len(statement)) is expected

@@ -1,0 +1,53 @@
+import pytest
+
+from roslens.source.extract.cpp_program import program_of_cpp
+from roslens.source.extract.program_text import program_text
+from roslens.source.syntax.macros import load_macros
+
+MACROS = load_macros()
+
+
+def body(written: str) -> list[str]:
+    """Return the lines of a function that is lowered whole."""
+    program = program_of_cpp(f"void g() {{ {written} }} // QoS".encode(), MACROS)
+    assert not program.incomplete
+    return [line[2:] for line in program_text(program).splitlines()[1:]]
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ("int a = 1, *b = nullptr, c;", ["a: int = 1", "b: int* = null", "c: int"]),
+        ("static std::string a;", ["a: std::string"]),
+        ("A a(b);", ["a: A = A(b)"]),
+        ("A a(b, c::d);", ["a: A = A(b, c.d)"]),
+        ("A a();", []),
+        ("A a(B b);", []),
+        ("A * a(b);", []),
+        ("A * a{b};", ["a: A* = b"]),
+        ("A & a{b};", ["a: A& = b"]),
+        ("auto a{b};", ["a = b"]),
+        ("A a(b());", ["a: A = A(b())"]),
+        ('const char * a[] = {"x"};', ['a: const char*[] = ["x"]']),
+        ("A a = {1, 2};", ["a: A = [1, 2]"]),
+        ("void (*f)(int) = g;", ["f: void(*)() = g"]),
+        ("a = b = c;", ["b = c", "a = b"]),
+        ("a <<= 2;", ["a = (a << 2)"]),
+        ("a; 1; ++i; f; break;", []),
+        ("a << b;", ["(a << b)"]),
+        ("c ? f() : g();", ["(c ? f() : g())"]),
+        ("if (a) { } else { }", []),
+        ("if (a) { } else { f(); }", ["if a:", "else:", "  f()"]),
+        ("while (f()) { }", ["while f():"]),
+        ("switch (a) { default: f(); }", ["f()"]),
+        ("switch (a) { case 1: default: f(); }", ["f()"]),
+        ("switch (a) { f(); }", []),
+        ("switch (int b = f(); b) { case 1: g(); }", ["b: int = f()", "if (b == 1):", "  g()"]),
+        ("for (A a = f(); a; a = h(a)) { g(); }", ["a: A = f()", "while a:", "  g()", "  (a = h(a))"]),
+        ("try { f(); } catch (A &) { } catch (...) { g(); }",
+         ["if `no exception`:", "  f()", "else:", "  if `catch (A &)`:", "  else:", "    g()"]),
+        ("throw;", ["throw()"]),
+    ],
+)  # fmt: skip
+def test_statements(written: str, expected: list[str]) -> None:
+    assert body(written) == expected

@@ -2,6 +2,7 @@
 
 import socket
 import time
+from itertools import pairwise
 
 import pytest
 
@@ -9,7 +10,10 @@ from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
 from roslens.live.agent.work import Agent
 from roslens.live.listen import SILENT_S, Listener
+from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
+from roslens.model.sample import Sample
+from roslens.model.tally import Tally
 from roslens.model.wire import Frame
 
 KEY = b"a key of more than sixteen bytes"
@@ -41,7 +45,7 @@ def agent_of(tmp_path):
     (tmp_path / "proc").mkdir()
     (tmp_path / "proc" / "loadavg").write_text("0.5 0 0 1/1 1")
 
-    def make(port, *, key=KEY, ahead=0.0, name="base", said=None):
+    def make(port, *, key=KEY, ahead=0.0, name="base", said=None, **more):
         clock = Clock()
         clock.ahead = ahead
         host = HostSampler(name, proc=tmp_path / "proc", sys=tmp_path)
@@ -57,6 +61,7 @@ def agent_of(tmp_path):
                 steady=time.monotonic,
                 period_s=0.05,
                 say=(said if said is not None else []).append,
+                **more,
             )
         )
         return made[-1]
@@ -156,6 +161,50 @@ def test_an_agent_is_told_which_processes_hold_nodes(listener, agent_of):
     until(listener, [agent], lambda _: agent._processes._named == {7, 8})
     listener.name("base", frozenset({8}))
     until(listener, [agent], lambda _: agent._processes._named == {8})
+
+
+class Counters:
+    """Counts one message a read, and one call a sample."""
+
+    closed = False
+
+    def read(self, now):
+        return [("here", [Tally("/scan", "gid:010f", "/planner", now - 0.15, now, 1)])]
+
+    def calls(self, now):
+        return [("here", [Sample(EntityId(EntityKind.SERVICE, "/add"), now, {"calls": 1.0})])]
+
+    def nodes(self):
+        return {7: frozenset({"/planner"})}
+
+    def places(self):
+        return ["here"]
+
+    def failures(self):
+        return []
+
+    def close(self):
+        self.closed = True
+
+
+def test_what_nodes_count_is_told_several_times_a_second(listener, agent_of):
+    counters = Counters()
+    agent = agent_of(listener.port, counters=counters, identities=lambda: ("78fd",))
+
+    def enough(records):
+        return sum(bool(frame.tallies) for frame in frames(records)) >= 5
+
+    found = frames(until(listener, [agent], enough))
+    counted = [frame for frame in found if frame.tallies]
+    assert {frame.counted_at for frame in counted} == {"here"}
+    apart = [later.time - one.time for one, later in pairwise(counted)]
+    assert min(apart) < 0.2
+    calls = [frame for frame in found if any(str(sample.entity) == "service:/add" for sample in frame.samples)]
+    assert {frame.counted_at for frame in calls} == {"here"}
+    graphs = [frame.graph for frame in found if frame.graph is not None]
+    assert graphs[0].identities == {"base": ("78fd",)}
+    agent.close()
+    assert counters.closed
 
 
 def test_two_agents_on_a_host(listener, agent_of):

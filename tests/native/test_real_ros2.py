@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from roslens.live.inside import slots
-from roslens.live.inside.counters import CounterReader, joined, snapshot
+from roslens.live.inside.counters import CounterReader, joined
 from roslens.live.inside.slots import ASKED, HEARD, PUBLISHED, REPLIED, REQUESTED, TAKEN
+from roslens.live.inside.snapshot import snapshot
 
 pytestmark = [pytest.mark.real, pytest.mark.slow]
 

@@ -5,8 +5,8 @@ import struct
 import pytest
 
 from roslens.live.inside import slots
-from roslens.live.inside.counters import snapshot
 from roslens.live.inside.slots import ASKED, HEARD, PUBLISHED, REPLIED, REQUESTED, TAKEN
+from roslens.live.inside.snapshot import snapshot
 
 START = 1_700_000_000_000_000_000
 ONE, OTHER = "11" * 16, "22" * 16

@@ -4,8 +4,8 @@ import mmap
 import threading
 
 from roslens.live.inside import slots
-from roslens.live.inside.counters import snapshot
 from roslens.live.inside.slots import PUBLISHED, TAKEN
+from roslens.live.inside.snapshot import snapshot
 
 THREADS, MESSAGES = 6, 20_000
 

@@ -11,8 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.live.inside import slots
-from roslens.live.inside.counters import CounterReader, difference, joined, snapshot
+from roslens.live.inside.counters import CounterReader, joined
 from roslens.live.inside.sequence import SETTLE_NS, Sequence
+from roslens.live.inside.snapshot import difference, snapshot
 from roslens.model.tally import Observer
 
 GID = bytes(range(16))

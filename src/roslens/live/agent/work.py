@@ -25,6 +25,9 @@ FIND_EVERY_S = 2.0
 ASK_TIME_EVERY_S = 0.5
 COUNT_EVERY_S = 0.15
 """An alarm may come 0.2 s after its window: counting, the line and the monitor share that."""
+COUNT_SHARE = 0.01
+"""Nodes of many processes are counted less often, so that it takes no more than this share of a core."""
+COUNT_AT_LEAST_EVERY_S = 1.0
 _PIECE = 65_536
 
 
@@ -73,6 +76,7 @@ class Agent:
         self._sending = bytearray()
         self._wait_s = SHORTEST_WAIT_S
         self._due = {"sample": 0.0, "find": 0.0, "connect": 0.0, "time": 0.0, "count": 0.0}
+        self._count_every_s = COUNT_EVERY_S
         self._graph_told: Graph | None = None
         self._named: frozenset[int] = frozenset()
         self._reason = ""
@@ -90,7 +94,7 @@ class Agent:
         now = self._steady()
         if self._is_due("find", now, FIND_EVERY_S):
             self._tell(events=self._processes.find(self._wall()))
-        if self._counters is not None and self._is_due("count", now, COUNT_EVERY_S):
+        if self._counters is not None and self._is_due("count", now, self._count_every_s):
             self._count(self._counters)
         if self._is_due("sample", now, self._period_s):
             wall = self._wall()
@@ -136,10 +140,12 @@ class Agent:
 
     def _count(self, counters: Counters) -> None:
         """Tell what nodes counted, of each place in a frame of its own."""
-        wall = self._wall()
+        wall, begun = self._wall(), self._steady()
         for place, tallies in counters.read(wall):
             if tallies:
                 self._tell(tallies=tallies, counted_at=place)
+        took = self._steady() - begun
+        self._count_every_s = min(max(COUNT_EVERY_S, took / COUNT_SHARE), COUNT_AT_LEAST_EVERY_S)
 
     def _graph(self) -> Graph:
         processes = self._processes.processes()

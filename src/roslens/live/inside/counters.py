@@ -13,159 +13,17 @@ from typing import Any, NamedTuple
 import msgspec
 
 from roslens.live.inside import slots
-from roslens.live.inside.sequence import SETTLE_NS
+from roslens.live.inside.snapshot import Snapshot, difference, lost_by, snapshot, text_at
 from roslens.model.failure import Failure
-from roslens.model.tally import NOTHING, Moments, Observer, Tally
+from roslens.model.tally import Observer, Tally
 
-_COUNTERS = struct.Struct("=14q" + "qdd" * 4)
-_BANK = struct.Struct("=8d")
-_TRIES = 100
-_PAIRS = (0, 2, 4, 6)
 _FIRST_TOKEN = slots.HEADER_BYTES // 8
 _LOOK_S = 0.9
 """How long what changes rarely need not be looked at again."""
 _BRISK_S = 60.0
 """What was silent for longer need not be told to be so at every read."""
-
-
-class Snapshot(NamedTuple):
-    """A slot as it was at one instant."""
-
-    kind: int
-    generation: int
-    gid: bytes
-    topic: str
-    node: str
-    other: str
-    messages: int
-    size: int
-    first: int
-    last: int
-    lost: int
-    pending: int
-    pending_since: int
-    bank: int
-    moments: tuple[tuple[int, float, float], ...]
-    banks: bytes
-
-
-def snapshot(words: memoryview) -> Snapshot | None:
-    """Copy a slot; None if it is being written whenever it is looked at.
-
-    Two copies must agree, which also holds on processors that reorder what another one writes.
-    """
-    before = bytes(words)
-    for _ in range(_TRIES):
-        now = bytes(words)
-        if now == before and not now[0] & 1 and now[:8] == now[-8:]:
-            return _parsed(now)
-        before = now
-    return None
-
-
-def _parsed(raw: bytes) -> Snapshot:
-    values = _COUNTERS.unpack_from(raw)
-    moments = values[14:]
-    return Snapshot(
-        kind=values[slots.KIND],
-        generation=values[slots.GENERATION],
-        gid=raw[slots.GID * 8 : slots.GID * 8 + 24],
-        topic=_text(raw, slots.TOPIC * 8),
-        node=_text(raw, slots.NODE * 8),
-        other=_text(raw, slots.OTHER * 8),
-        messages=values[slots.COUNT],
-        size=values[slots.BYTES],
-        first=values[slots.FIRST],
-        last=values[slots.LAST],
-        lost=values[slots.LOST],
-        pending=values[slots.PENDING],
-        pending_since=values[slots.PENDING_SINCE],
-        bank=values[slots.BANK],
-        moments=tuple(moments[at : at + 3] for at in (0, 3, 6, 9)),
-        banks=raw[slots.BANKS_AT * 8 : (slots.BANKS_AT + slots.BANKS * slots.BANK_WORDS) * 8],
-    )
-
-
-def _text(raw: bytes, at: int, most: int = slots.NAME_BYTES) -> str:
-    return raw[at : at + most].split(b"\0", 1)[0].decode("utf-8", "replace")
-
-
-def _extremes(before: Snapshot | None, after: Snapshot) -> list[tuple[float, float]]:
-    """Return least and greatest of each of the four series since ``before``, infinite where nothing shows them."""
-    first = max(after.bank - slots.BANKS + 1, before.bank if before else 0)
-    found = [float("inf"), float("-inf")] * 4
-    for number in range(first, after.bank + 1):
-        at = number % slots.BANKS * _BANK.size
-        values = _BANK.unpack_from(after.banks, at)
-        known = _BANK.unpack_from(before.banks, at) if before and number == before.bank else None
-        for index, value in enumerate(values):
-            if known is None or value != known[index]:
-                found[index] = max(found[index], value) if index % 2 else min(found[index], value)
-    return [(found[at], found[at + 1]) for at in _PAIRS]
-
-
-def _moments(before: Snapshot | None, after: Snapshot) -> list[Moments]:
-    moments = []
-    for index, (least, greatest) in enumerate(_extremes(before, after)):
-        known = before.moments[index] if before else (0, 0.0, 0.0)
-        count, total, squares = (now - then for now, then in zip(after.moments[index], known, strict=True))
-        if count <= 0:
-            moments.append(NOTHING)
-            continue
-        mean = total / count
-        # A series whose extremes lie within what had been told before still has some, on either side of its mean.
-        low, high = (mean, mean) if count == 1 else (min(least, mean), max(greatest, mean))
-        moments.append(Moments(int(count), total, max(squares, 0.0), low, high))
-    return moments
-
-
-def _lost(moment: Snapshot | None, now_ns: int) -> int:
-    if moment is None or moment.lost < 0:
-        return 0
-    return moment.lost + (moment.pending if now_ns - moment.pending_since > SETTLE_NS else 0)
-
-
-def difference(before: Snapshot | None, after: Snapshot, start: float, end: float, lost: int = 0) -> Tally:
-    """Return what was counted between two reads of a slot, the names of nodes as they stand in it.
-
-    Args:
-        before: the earlier read; None where the slot is new.
-        after: the later one.
-        start: when the earlier was read, in seconds.
-        end: when the later was.
-        lost: messages already told as lost.
-    """
-    count = after.messages - (before.messages if before else 0)
-    period, latency, age, processing = _moments(before, after)
-    last = after.last * 1e-9
-    if not count or after.kind == slots.ANSWERED:
-        first = last = 0.0
-    elif before is None or not before.messages:
-        first = after.first * 1e-9
-    elif count == 1:
-        first = last
-    else:
-        # The first of several is not kept: it came about one period after the last before it.
-        first = min(last, before.last * 1e-9 + (period.mean or 0.0))
-    taken = after.kind == slots.TAKEN
-    known = before.size if before and before.size > 0 else 0
-    return Tally(
-        after.topic,
-        "" if taken else after.node,
-        after.node if taken else "",
-        start,
-        end,
-        count=count,
-        bytes=-1 if after.size < 0 else after.size - known,
-        first=first,
-        last=last,
-        period=period,
-        latency=latency,
-        age=age,
-        lost=max(0, _lost(after, int(end * 1e9)) - lost) if after.lost >= 0 else -1,
-        observer=Observer.INSIDE,
-        processing=processing,
-    )
+_UNUSUAL = 1.2
+"""Nor need what was silent for less than so many usual times between messages."""
 
 
 class Counted(NamedTuple):
@@ -192,13 +50,25 @@ def _header(raw: mmap.mmap) -> tuple[Any, ...]:
 class _Known:
     """What was read of a slot last."""
 
-    __slots__ = ("lost", "snapshot", "token", "until")
+    __slots__ = ("due", "lost", "snapshot", "token", "until")
 
     def __init__(self) -> None:
         self.snapshot: Snapshot | None = None
         self.token = 1  # odd: somebody writes
         self.lost = 0
-        self.until = 0.0
+        self.until = self.due = 0.0
+
+    def told(self, now: float) -> None:
+        """Note that it was told up to ``now``, and when it has to be told next if nobody writes it.
+
+        That nothing came is told at every read once it is longer than is usual, and else, or after long, at times.
+        """
+        self.until = now
+        self.due = now + _LOOK_S
+        of = self.snapshot
+        if of is not None and now - of.last * 1e-9 < _BRISK_S:
+            count, total, _ = of.moments[0]
+            self.due = min(self.due, of.last * 1e-9 + _UNUSUAL * total / count if count else now)
 
 
 class _File:
@@ -219,7 +89,7 @@ class _File:
         self._tokens = self._view[: slots.HEADER_BYTES + self._most * slots.SLOT_BYTES].cast("q")
         self.pid: int = header[5]
         self.started: float = header[6] * 1e-9
-        self.host = _text(header[9], 0)
+        self.host = text_at(header[9], 0)
         self.known: list[_Known] = []
         self.told = ""
 
@@ -233,25 +103,21 @@ class _File:
         fcntl.flock(self._handle, fcntl.LOCK_UN)
         return True
 
-    def used(self) -> int:
-        """Return how many slots are in use."""
+    def tokens(self) -> list[int]:
+        """Return of each slot in use the number that it has until somebody writes it."""
         used: int = struct.unpack_from("=I", self._map, slots.USED_AT)[0]
-        return min(used, self._most)
+        end = _FIRST_TOKEN + min(used, self._most) * slots.WORDS
+        return self._tokens[_FIRST_TOKEN : end : slots.WORDS].tolist()
 
-    def token(self, number: int) -> int:
-        """Return the number that a slot has until somebody writes it."""
-        token: int = self._tokens[_FIRST_TOKEN + number * slots.WORDS]
-        return token
-
-    def slot(self, number: int) -> Snapshot | None:
-        """Copy a slot."""
+    def slot(self, number: int, before: Snapshot | None) -> Snapshot | None:
+        """Copy a slot, of which the last copy is ``before``."""
         at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
-        return snapshot(self._view[at : at + slots.SLOT_BYTES])
+        return snapshot(self._view[at : at + slots.SLOT_BYTES], before)
 
     def trouble(self) -> str:
         """Return in words what keeps the hook from counting; empty if nothing does."""
         header = slots.HEADER.unpack_from(self._map)
-        state = _text(header[10], 0)
+        state = text_at(header[10], 0)
         if "not counting" in state or "stopped" in state:
             return state
         return f"{header[8]} endpoints found no slot of {header[3]}" if header[8] else ""
@@ -359,38 +225,51 @@ class CounterReader:
         return fresh
 
     def _of(self, file: _File, now: float, found: list[Counted], *, new: bool) -> None:
-        baseline = new and self._last is None
         begun = max(file.started, self._last or 0.0)
-        for number in range(file.used()):
-            if number == len(file.known):
-                file.known.append(_Known())
+        tokens = file.tokens()
+        while len(file.known) < len(tokens):
+            file.known.append(_Known())
+        for number, token in enumerate(tokens):
             known = file.known[number]
-            token = file.token(number)
             if token == known.token:
-                before = known.snapshot
-                if before is None or before.kind > slots.ANSWERED:
-                    continue
-                if known.lost >= before.lost + before.pending or before.lost < 0:
-                    if now - known.until >= _LOOK_S or now - before.last * 1e-9 < _BRISK_S:
-                        found.append(_still(file.pid, before, min(known.until, now), now))
-                        known.until = now
-                    continue
-            after = file.slot(number)
-            if after is None:
+                if now >= known.due or now < known.until:
+                    self._unchanged(file.pid, known, now, found)
                 continue
             before = known.snapshot
-            start = known.until
-            if before is None or before.generation != after.generation:
-                before, start, known.lost = None, begun, 0
-            told, known.lost = known.lost, max(known.lost, _lost(after, int(now * 1e9)))
-            known.snapshot, known.until, known.token = after, now, token
-            if baseline:
+            after = file.slot(number, before)
+            if after is None:
                 continue
-            tally = difference(before, after, min(start, now), now, told)
-            if after.kind > slots.ANSWERED:
-                self._called.append(Called(file.pid, after.kind, tally))
-            else:
-                found.append(Counted(file.pid, _gid(after), tally, after.other))
+            known.token = token
+            if before is None or before.generation != after.generation:
+                before, known.until, known.lost = None, begun, 0
+            self._changed(file.pid, known, before, after, now, None if new and self._last is None else found)
+
+    def _unchanged(self, pid: int, known: _Known, now: float, found: list[Counted]) -> None:
+        """Tell that nothing was counted; what was missing then may count as lost by now."""
+        of = known.snapshot
+        if of is None or of.kind > slots.ANSWERED:
+            known.due = float("inf")
+        elif of.lost >= 0 and known.lost < of.lost + of.pending:
+            self._changed(pid, known, of, of, now, found)
+        else:
+            found.append(_still(pid, of, min(known.until, now), now))
+            known.told(now)
+
+    def _changed(
+        self, pid: int, known: _Known, before: Snapshot | None, after: Snapshot, now: float, found: list[Counted] | None
+    ) -> None:
+        """Tell what was counted; what was counted nobody knows when is told to nobody (None)."""
+        start, told = min(known.until, now), known.lost
+        known.lost = max(told, lost_by(after, int(now * 1e9)))
+        known.snapshot = after
+        known.told(now)
+        if found is None:
+            return
+        tally = difference(before, after, start, now, told)
+        if after.kind > slots.ANSWERED:
+            self._called.append(Called(pid, after.kind, tally))
+        else:
+            found.append(Counted(pid, _gid(after), tally, after.other))
 
     def _watch(self, file: _File) -> None:
         trouble = file.trouble()
@@ -450,8 +329,9 @@ def joined(counted: list[Counted], node_of: Callable[[str], str | None], host: s
                 continue
             publisher = name or ""
         if one.answers:
-            tally = msgspec.structs.replace(tally, count=0, lost=-1, bytes=-1)
-        tally = msgspec.structs.replace(tally, publisher=publisher, host=host)
+            tally = msgspec.structs.replace(tally, publisher=publisher, host=host, count=0, lost=-1, bytes=-1)
+        else:
+            tally = msgspec.structs.replace(tally, publisher=publisher, host=host)
         key = (tally.topic, tally.publisher, tally.subscriber)
         whole[key] = _merged(whole[key], tally) if key in whole else tally
     return [whole[key] for key in sorted(whole)]

@@ -16,8 +16,9 @@ import msgspec
 
 from roslens.live.adapters.ros2 import TOOL
 from roslens.live.inside import slots
-from roslens.live.inside.counters import Counted, Snapshot, difference, joined, snapshot
+from roslens.live.inside.counters import Counted, joined
 from roslens.live.inside.sequence import Sequence
+from roslens.live.inside.snapshot import Snapshot, difference, snapshot
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.tally import Observer, Tally

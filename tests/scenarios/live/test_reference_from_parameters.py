@@ -1,0 +1,83 @@
+"""A reference that stands in parameters of a running system is what a watch of that system holds it against."""
+
+import os
+import shutil
+import socket
+import subprocess
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+pytestmark = [pytest.mark.real, pytest.mark.slow]
+
+WHEELS = Path(__file__).parents[3] / "build" / "ros2" / "bin" / "python"
+PUT = """
+import time
+import rospy
+while True:
+    try:
+        rospy.set_param('/roslens/reference', [{'topic': '/never', 'expected': 'always', 'grace': '1 s'}])
+        break
+    except OSError:
+        time.sleep(0.2)
+"""
+HOLD = """
+import rclpy
+rclpy.init()
+node = rclpy.create_node('roslens')
+text = 'kind: reference\\nname: {}\\nconstraints:\\n  - {{topic: /{}, expected: always, grace: 1 s}}\\n'
+node.declare_parameter('reference', [text.format('a', 'never'), text.format('b', 'ever')])
+rclpy.spin(node)
+"""
+
+
+@contextmanager
+def running(*command, environment):
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        yield process
+    finally:
+        process.terminate()
+        process.wait(20)
+
+
+def watch(environment, *words):
+    command = [sys.executable, "-m", "roslens.cli.main", "watch", *words, "--quiet", "--no-color"]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60, check=False)
+
+
+@pytest.mark.skipif(not shutil.which("roscore"), reason="roscore is not installed")
+def test_constraints_on_the_parameter_server(tmp_path):
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    master = f"http://127.0.0.1:{port}"
+    environment = {**os.environ, "ROS_MASTER_URI": master, "ROS_IP": "127.0.0.1", "ROS_HOME": str(tmp_path)}
+    words = ("--ros1", "--reference", "param:/roslens/reference", "--for", "6 s")
+    missing = watch(environment, *words)
+    assert missing.returncode == 2
+    assert f"no ROS master: {master} refuses connections" in missing.stderr
+    with running("roscore", "-p", str(port), environment=environment):
+        subprocess.run(["/usr/bin/python3", "-c", PUT], env=environment, check=True, timeout=30)
+        ended = watch(environment, *words)
+    assert ended.returncode == 1, ended.stderr
+    assert "topic:/never  is absent" in ended.stdout
+
+
+def test_documents_in_a_parameter_of_a_node(tmp_path):
+    python = os.environ.get("ROSLENS_ROS2_PYTHON") or str(WHEELS)
+    if not Path(python).exists():
+        pytest.skip("no Python with rclpy: `make parts` makes build/ros2, or name one in $ROSLENS_ROS2_PYTHON")
+    environment = {
+        **os.environ,
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
+        "ROS_LOG_DIR": str(tmp_path),
+        "ROSLENS_ROS2_PYTHON": python,
+    }
+    with running(python, "-c", HOLD, environment=environment):
+        ended = watch(environment, "--ros2", "--reference", "param:/roslens/reference", "--for", "8 s")
+    assert ended.returncode == 1, ended.stderr
+    assert "topic:/never  is absent" in ended.stdout
+    assert "topic:/ever  is absent" in ended.stdout

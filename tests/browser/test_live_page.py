@@ -276,22 +276,65 @@ def test_without_scripts_the_table_is_there(robot: ScriptedRobot, follow: Open) 
     expect(page.locator("#canvas")).not_to_be_visible()
 
 
+def test_values_far_from_what_is_seen_wait_until_it_is_seen(visitor_of: Callable[[str], Any]) -> None:
+    robot = large_robot(120)
+    with LivePage(robot.page.newest) as live:
+        visitor = visitor_of(live.url)
+        page = visitor.open(viewport={"width": 1280, "height": 500})
+        page.locator("#q").fill("topic")
+        expect(page.locator("#rows tr").nth(300)).to_be_attached()
+        page.evaluate("scrollTo(0, document.querySelector('#tree').offsetTop)")
+        robot.rates = {wire[1]: 7 for wire in robot.wires}
+        robot.run(8)
+        last = page.locator("#rows tr").last
+        expect(page.locator("#when")).to_have_text("12:00:14.0")
+        expect(row(page, "topic:/part0/topic0").locator("td").nth(2)).to_have_text("7 Hz")
+        assert last.locator("td").nth(2).text_content() != "7 Hz"
+        last.scroll_into_view_if_needed()
+        expect(last.locator("td").nth(2)).to_have_text("7 Hz")
+        robot.rates = {wire[1]: 3 for wire in robot.wires}
+        robot.run(8)
+        expect(last.locator("td").nth(2)).to_have_text("3 Hz")
+        # How it stands is written everywhere at once.
+        assert page.locator("#rows tr[data-kind=topic]:not(.low)").count() == 0
+        page.evaluate("scrollTo(0, 0); dispatchEvent(new Event('beforeprint'))")
+        assert page.locator("#rows tr[data-kind=topic] td:nth-child(3)").evaluate_all(
+            "found => found.every(one => one.textContent === '3 Hz')"
+        )
+        visitor.close()
+        assert not visitor.problems
+
+
 @pytest.mark.slow
-def test_a_thousand_topics_are_updated_within_100_ms(visitor_of: Callable[[str], Any]) -> None:
+def test_a_thousand_topics_cost_few_milliseconds_of_a_processor(visitor_of: Callable[[str], Any]) -> None:
     robot = large_robot(1000)
     with LivePage(robot.page.newest) as live:
         visitor = visitor_of(live.url)
         page = visitor.open()
         expect(page.locator("#tree-count")).to_have_text(re.compile(r"^3,1\d\d rows$"))
         page.locator("#q").fill("topic")
-        took = []
+        expect(page.locator("#rows tr").nth(3000)).to_be_attached(timeout=30_000)
+        # What the main thread used of a processor, whatever else runs on the machine.
+        session = page.context.new_cdp_session(page)
+        session.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+        def used() -> dict[str, float]:
+            return {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
+
+        script, layout = [], []
         for _ in range(5):
             robot.rates = {wire[1]: 6 + int(robot.now) % 7 for wire in robot.wires}
+            before = used()
             robot.run()
-            expect(page.locator("#when")).to_have_text(f"12:00:{robot.now:04.1f}", timeout=30_000)
-            took.append(page.evaluate("performance.getEntriesByName('snapshot').at(-1).duration"))
+            text = f"12:00:{robot.now:04.1f}"
+            page.wait_for_function("text => document.getElementById('when').textContent === text", arg=text)
+            page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+            after = used()
+            script.append(1000 * (after["ScriptDuration"] - before["ScriptDuration"]))
+            layout.append(1000 * (after["LayoutDuration"] - before["LayoutDuration"]))
         assert page.locator("#rows tr").count() > 2000
-        # Other programs on the machine can only make it look slower.
-        assert min(took) < 100
+        # Usually 17 and 48 ms.
+        assert min(script) < 60
+        assert min(layout) < 200
         visitor.close()
         assert not visitor.problems

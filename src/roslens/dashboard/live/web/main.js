@@ -54,7 +54,10 @@ function headline(snapshot) {
 
 let summed = "";
 
-function show(snapshot) {
+let waiting = null;
+
+/** Say at once how it stands; draw what is large in the next frame, the newest of several and none while nobody looks. */
+function show(snapshot, read = 0) {
   const begun = performance.now();
   const sum = JSON.stringify([snapshot.counts, snapshot.state, snapshot.alerts.map((alert) => alert.follows?.length || 0)]);
   if (sum !== summed) headline(snapshot);
@@ -62,11 +65,22 @@ function show(snapshot) {
   by("when").textContent = snapshot.when.trim();
   by("cost").textContent = snapshot.live ? `costs ${snapshot.cost}` : snapshot.cost;
   alerts.update(snapshot);
+  const spent = read + performance.now() - begun;
+  if (!waiting) requestAnimationFrame(drawn);
+  waiting = { snapshot, spent };
+}
+
+function drawn() {
+  if (!waiting) return;
+  const { snapshot, spent } = waiting;
+  waiting = null;
+  const begun = performance.now();
   tree.update(snapshot);
   picture.update(snapshot);
   happened.update(snapshot);
+  const end = performance.now();
   performance.clearMeasures("snapshot");
-  performance.measure("snapshot", { start: begun, end: performance.now() });
+  performance.measure("snapshot", { start: Math.max(begun - spent, 0), end });
 }
 
 const first = JSON.parse(by("first").textContent);
@@ -95,6 +109,7 @@ search.value = parameters().get("q") || "";
 worse.checked = parameters().get("worse") === "1";
 tree.filter(search.value, worse.checked);
 show(first);
+drawn();
 const at = parameters().get("at");
 if (at) {
   tree.show(at);

@@ -3,7 +3,7 @@
 const SILENT_MS = 3000;
 const AGAIN_MS = 2000;
 
-/** Calls `told(snapshot)` for each, and `heard(state, seconds)` with "live", "unsure", "lost" or "stuck" as it goes. */
+/** Calls `told(snapshot, read)` for each, which took `read` ms to read, and `heard(state, seconds)` with "live", "unsure", "lost" or "stuck" as it goes. */
 export function listen(told, heard) {
   let last = performance.now();
   let fresh = last;
@@ -20,11 +20,13 @@ export function listen(told, heard) {
   function open() {
     source = new EventSource("/events");
     source.addEventListener("snapshot", (event) => {
+      const begun = performance.now();
       const snapshot = JSON.parse(event.data);
+      const read = performance.now() - begun;
       live = snapshot.live;
       fresh = performance.now();
       alive();
-      told(snapshot);
+      told(snapshot, read);
     });
     source.addEventListener("beat", alive);
     source.addEventListener("error", () => {

@@ -1,11 +1,14 @@
 // Hosts, nodes, topics and connections as a table that folds. Rows exist only while they are shown, and only what has
-// changed is written, so that thousands of rows cost little.
+// changed is written, so that thousands of rows cost little. Of a long table values are written where somebody can see
+// them, a screen around what is shown; further off they wait until that comes near.
 
 import { make } from "../dom.js";
 import { mark } from "./states.js";
 
 const OPEN_TOPICS = 40;
 const OPEN_NODES = 300;
+const SHORT = 150;
+const ROW_HEIGHT = 28;
 
 export class Tree {
   /** `chose` is called with the id of the entity of the row that was chosen by hand, or with "". */
@@ -18,11 +21,15 @@ export class Tree {
     this.opened = new Map();
     this.rows = [];
     this.shown = [];
+    this.order = [];
     this.columns = "";
     this.text = "";
     this.worse = false;
     this.chosen = "";
+    this.waiting = false;
     this.body.addEventListener("click", (event) => this.click(event));
+    for (const name of ["scroll", "resize"]) addEventListener(name, () => this.soon(), { passive: true });
+    addEventListener("beforeprint", () => this.fill(0, Infinity));
   }
 
   filter(text, worse) {
@@ -32,6 +39,7 @@ export class Tree {
   }
 
   update(snapshot) {
+    const before = this.rows;
     this.rows = snapshot.rows;
     const columns = JSON.stringify(snapshot.columns);
     if (columns !== this.columns) {
@@ -40,10 +48,17 @@ export class Tree {
       this.head.replaceChildren(make("th", { scope: "col", text: "Name" }), make("th", { scope: "col", text: "State" }),
         ...snapshot.columns.map((column) => make("th", { scope: "col", class: "num", text: column[1] })));
       this.lines.clear();
+      this.order = [];
       this.body.replaceChildren();
     }
     const size = this.rows.length;
-    for (const row of this.rows) {
+    for (let at = 0; at < size; at += 1) {
+      const row = this.rows[at];
+      if (row.key === before[at]?.key) {
+        // Looking up a text that was looked up before is faster: its hash is known.
+        row.key = before[at].key;
+        continue;
+      }
       // Decided when a row is first seen, so that nothing folds by itself later.
       if (!this.opened.has(row.key)) this.opened.set(row.key, row.kind === "host" || (row.kind === "topic" ? size <= OPEN_TOPICS : size <= OPEN_NODES));
     }
@@ -88,7 +103,24 @@ export class Tree {
 
   draw() {
     if (!this.keys) return;
+    // Before anything is written: to ask for places afterwards would lay out the page twice.
+    const [first, last] = this.near();
+    const before = this.shown;
     this.shown = this.select();
+    if (this.order.length !== this.shown.length || !this.shown.every((one, at) => one.row.key === before[at].row.key)) this.arrange();
+    for (let at = 0; at < this.shown.length; at += 1) {
+      this.write(this.order[at], this.shown[at]);
+      if (at >= first && at < last) this.values(this.order[at], this.shown[at].row);
+    }
+    if (!this.lines.has(this.chosen)) this.reach(this.shown[0]?.row.key);
+    const all = this.matching === this.total;
+    this.count.textContent = all ? `${this.total.toLocaleString("en-US")} rows` : `${this.matching.toLocaleString("en-US")} of ${this.total.toLocaleString("en-US")} rows`;
+    this.empty.hidden = this.shown.length > 0;
+    this.empty.textContent = !this.total ? "Nothing was seen yet." : this.worse && !this.text ? "Nothing is worse than ok." : "Nothing matches the filter.";
+  }
+
+  /** Put an element for each row to show where it belongs. */
+  arrange() {
     const keys = new Set(this.shown.map((one) => one.row.key));
     for (const [key, line] of this.lines) {
       if (keys.has(key)) continue;
@@ -96,21 +128,17 @@ export class Tree {
       this.lines.delete(key);
     }
     let next = this.body.firstChild;
-    for (const one of this.shown) {
-      let line = this.lines.get(one.row.key);
+    this.order = this.shown.map(({ row }) => {
+      let line = this.lines.get(row.key);
       if (!line) {
-        line = this.build(one.row);
-        this.lines.set(one.row.key, line);
+        line = this.build(row);
+        this.lines.set(row.key, line);
       }
-      this.write(line, one);
       if (line.element === next) next = next.nextSibling;
       else this.body.insertBefore(line.element, next);
-    }
-    if (!this.lines.has(this.chosen)) this.reach(this.shown[0]?.row.key);
-    const all = this.matching === this.total;
-    this.count.textContent = all ? `${this.total.toLocaleString("en-US")} rows` : `${this.matching.toLocaleString("en-US")} of ${this.total.toLocaleString("en-US")} rows`;
-    this.empty.hidden = this.shown.length > 0;
-    this.empty.textContent = !this.total ? "Nothing was seen yet." : this.worse && !this.text ? "Nothing is worse than ok." : "Nothing matches the filter.";
+      return line;
+    });
+    this.soon();
   }
 
   build(row) {
@@ -146,6 +174,10 @@ export class Tree {
       line.observer = row.observer || "";
       element.title = line.observer ? `observed by ${line.observer}` : "";
     }
+  }
+
+  /** Write the values of a row. */
+  values(line, row) {
     for (let at = 0; at < this.keys.length; at += 1) {
       const text = row.shown?.[this.keys[at]] || "";
       if (line.texts[at] === text) continue;
@@ -153,6 +185,30 @@ export class Tree {
       // Writing into the text that is there costs a fraction of putting a new one in its place.
       line.cells[at].firstChild.data = text;
     }
+  }
+
+  /** The places of the rows that are within a screen of what can be seen: from the first to before the last. */
+  near() {
+    const size = this.shown.length;
+    if (size <= SHORT) return [0, Infinity];
+    const box = this.body.getBoundingClientRect();
+    const height = box.height / size || ROW_HEIGHT;
+    return [Math.floor((-box.top - innerHeight) / height), Math.ceil((2 * innerHeight - box.top) / height)];
+  }
+
+  /** Write values that have come near, once before the next picture. */
+  soon() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.fill(...this.near());
+    });
+  }
+
+  fill(first, last) {
+    const end = Math.min(last, this.shown.length);
+    for (let at = Math.max(first, 0); at < end; at += 1) this.values(this.order[at], this.shown[at].row);
   }
 
   click(event) {

@@ -154,6 +154,7 @@ def test_a_name_that_is_given_a_text_stays() -> None:
         (b"EXPECT_EQ(a, b());", True),
         (b"std::cerr << x;", True),
         (b'ROS_INFO("%d", nh.advertise<T>(1).n());', False),
+        (b'EXPECT_TRUE(nh.getParam("x", y));', False),
         (b"ROS_REGISTER(x);", False),
         (b"printable(x);", False),
     ],

@@ -16,7 +16,7 @@ _ENDPOINTS = (
     rb"create_(?:publisher|subscription|generic_\w+|service|client|server|timer|wall_timer|callback_group|sub_node|rate)"
     rb"|advertise|subscribe|[sS]erviceClient"
 )
-_ENDPOINT = re.compile(rb"(?:%s)\w*\s*[<(]" % _ENDPOINTS)
+_ENDPOINT = re.compile(rb"(?:%s|[pP]aram|declare_)\w*\s*[<(]" % _ENDPOINTS)
 _WHOLE = re.compile(
     rb"\b(?:%s|declare_|get_param|set_param|has_param|[gs]etParam|hasParam|searchParam|param(?:Cached)?\s*[<(]"
     rb"|param::|NodeHandle|make_shared|make_unique|new\s|init\s*\(|create\w*Timer|create\w*(?:Instance|Server|Client)"

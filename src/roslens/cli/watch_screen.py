@@ -14,9 +14,9 @@ from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict
 from roslens.report.terminal import Terminal, columns, left, right
 
-COLUMNS = ("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth", "loss")
+COLUMNS = ("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth", "loss", "calls", "response_time")
 """The values of a row, the first ones for narrow terminals too."""
-_HEADINGS = ("rate", "gap", "latency", "cpu", "memory", "bandwidth", "loss")
+_HEADINGS = ("rate", "gap", "latency", "cpu", "memory", "bandwidth", "loss", "calls", "answer in")
 _CELL = 11
 _LEAST_NAME = 24
 _MOST_ALERTS = 8

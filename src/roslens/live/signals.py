@@ -11,6 +11,8 @@ from roslens.model.quantity import Better, Fold, Quantity
 _TRAFFIC = (EntityKind.CONNECTION, EntityKind.TOPIC)
 _MACHINE = (EntityKind.HOST,)
 _PROGRAM = (EntityKind.NODE, EntityKind.PROCESS)
+_SERVED = (EntityKind.SERVICE,)
+_COUNTED = "Of ROS 2 nodes that count themselves, where the preloaded library is there; a call without answer has none."
 _BOTH = (EntityKind.HOST, EntityKind.NODE, EntityKind.PROCESS)
 
 SIGNALS: tuple[Quantity, ...] = (
@@ -84,6 +86,20 @@ SIGNALS: tuple[Quantity, ...] = (
              decimals=1),
     Quantity("restarts", "Restarts", "", _PROGRAM, "How often it was started again since it was first seen.",
              (Fold.SUM,)),
+    Quantity("calls", "Calls", "Hz", _SERVED, "Calls per second that its servers took.", (Fold.SUM,), Better.NEITHER,
+             limits=_COUNTED, decimals=2),
+    Quantity("response_time", "Mean response time", "s", _SERVED,
+             "Mean time from when its server took a call to its answer.", (Fold.MAX,), limits=_COUNTED, decimals=6),
+    Quantity("response_time_max", "Largest response time", "s", _SERVED,
+             "Longest time from when its server took a call to its answer.", (Fold.MAX,), limits=_COUNTED, decimals=6),
+    Quantity("client_calls", "Calls by clients", "Hz", _SERVED, "Calls per second that its clients sent.", (Fold.SUM,),
+             Better.NEITHER, limits=_COUNTED, decimals=2),
+    Quantity("client_response_time", "Mean response time for clients", "s", _SERVED,
+             "Mean time from when a client sent a call until it took the answer.", (Fold.MAX,), limits=_COUNTED,
+             decimals=6),
+    Quantity("client_response_time_max", "Largest response time for clients", "s", _SERVED,
+             "Longest time from when a client sent a call until it took the answer.", (Fold.MAX,), limits=_COUNTED,
+             decimals=6),
 )  # fmt: skip
 """Every signal, in the order in which tables show them."""
 

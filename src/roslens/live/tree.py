@@ -1,4 +1,4 @@
-"""The system as a tree: hosts, their nodes, the topics these publish, and the connections of those."""
+"""The system as a tree: hosts, their nodes, the topics these publish and the connections of those, and services."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 import msgspec
 
+from roslens.live.command_name import command_name
 from roslens.live.connection import Connection
 from roslens.live.sampled import Sampled
 from roslens.live.standing import Standing
@@ -13,6 +14,7 @@ from roslens.live.topic import Topic
 from roslens.live.traffic import MEASURES
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Role
 from roslens.model.verdict import State
 
 _WORSE = {state: place for place, state in enumerate(State)}
@@ -26,7 +28,7 @@ class SystemView(msgspec.Struct, frozen=True, omit_defaults=True):
     Attributes:
         id: text form of the id of the entity; ``system`` of the whole.
         name: to show.
-        kind: ``system``, ``host``, ``node``, ``process``, ``topic`` or ``connection``.
+        kind: ``system``, ``host``, ``node``, ``process``, ``topic``, ``service`` or ``connection``.
         state: worst state of it and everything below.
         counts: how many verdicts of it and everything below are in which state, by the state's name.
         values: latest values of its own, by key of the signal.
@@ -54,11 +56,18 @@ class _Tree:
         self._world = world
         self._now = now
         self._states: dict[EntityId, list[State]] = {}
+        self._services: dict[str, set[EntityId]] = {}
         for one in standing:
             self._states.setdefault(one.entity, []).append(one.state.state)
 
     def build(self) -> SystemView:
         placed = self._placed()
+        self._place_services()
+        for node in self._services:
+            placed.setdefault(node, set())
+        commands = {}
+        for process in self._world.graph.processes if self._world.graph else ():
+            commands[f"{process.host}/{process.pid}"] = command_name(process.command)
         hosts: dict[str, list[SystemView]] = {}
         below: dict[str, set[EntityId]] = {}
         for node in sorted(placed):
@@ -72,7 +81,8 @@ class _Tree:
                 hosts.setdefault(entity.name, [])
             elif entity.kind is EntityKind.PROCESS:
                 host = entity.name.rpartition("/")[0]
-                hosts.setdefault(host, []).append(self._view(entity, {entity}, ()))
+                shown = " ".join(filter(None, (entity.name, commands.get(entity.name, ""))))
+                hosts.setdefault(host, []).append(self._view(entity, {entity}, (), shown))
                 below.setdefault(host, set()).add(entity)
         views = []
         everything: set[EntityId] = set(self._states)
@@ -105,7 +115,21 @@ class _Tree:
             view, entities = self._topic(self._world.topics[name], node)
             views.append(view)
             below |= entities
+        for service in sorted(self._services.get(node, ())):
+            views.append(self._view(service, {service}, ()))
+            below.add(service)
         return self._view(entity, below, tuple(views)), below
+
+    def _place_services(self) -> None:
+        """Note the servers of each service of which something is known; those without one under no name."""
+        servers: dict[str, set[str]] = {}
+        for end in self._world.graph.endpoints if self._world.graph else ():
+            if end.role is Role.SERVICE_SERVER:
+                servers.setdefault(end.name, set()).add(end.node)
+        for entity in (*self._world.sampled, *self._states):
+            if entity.kind is EntityKind.SERVICE:
+                for node in servers.get(entity.name) or (UNKNOWN_NAME,):
+                    self._services.setdefault(node, set()).add(entity)
 
     def _topic(self, topic: Topic, node: str) -> tuple[SystemView, set[EntityId]]:
         mine = topic.connections.get(node, [])
@@ -113,10 +137,13 @@ class _Tree:
         below = {topic.id, *(one.id for one in mine)}
         return self._view(topic.id, below, tuple(views)), below
 
-    def _view(self, entity: EntityId, below: set[EntityId], children: tuple[SystemView, ...]) -> SystemView:
+    def _view(
+        self, entity: EntityId, below: set[EntityId], children: tuple[SystemView, ...], name: str = ""
+    ) -> SystemView:
         state, counts = self._sum(below)
         values, observer = self._values(entity)
-        return SystemView(str(entity), entity.name, entity.kind.value, state, counts, values, observer, children)
+        shown = name or entity.name
+        return SystemView(str(entity), shown, entity.kind.value, state, counts, values, observer, children)
 
     def _sum(self, entities: set[EntityId]) -> tuple[State, dict[str, int]]:
         states = [state for entity in entities for state in self._states.get(entity, ())]

@@ -1,0 +1,64 @@
+import pytest
+
+from roslens.judge.read_reference import GivenText, load_reference
+from roslens.live.monitor import Monitor
+from roslens.live.signals import BY_KEY
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Endpoint, Graph, Node, Process, Role
+from roslens.model.sample import Sample
+from roslens.model.verdict import State
+
+REFERENCE = """
+kind: reference
+name: rover
+defaults: {grace: 0 s}
+constraints:
+  - {service: /add, response_time_max: "<= 100 ms"}
+"""
+ADD = EntityId(EntityKind.SERVICE, "/add")
+SEVEN = EntityId(EntityKind.PROCESS, "base/7")
+GRAPH = Graph(
+    "ros2",
+    (Node("/adder", "base", 7),),
+    (Endpoint("/adder", Role.SERVICE_SERVER, "/add", "demo/srv/Add"), Endpoint("/user", Role.SERVICE_CLIENT, "/add")),
+    processes=(Process("base", 7, "/usr/bin/python3 /home/robot/adder.py --fast"),),
+)
+
+
+@pytest.fixture
+def monitor():
+    return Monitor(load_reference([GivenText("rover.yaml", REFERENCE.encode())], BY_KEY), start=0.0)
+
+
+def watched(monitor, slowest):
+    monitor.add_graph(GRAPH, 0.5)
+    for time in (1.0, 2.0, 3.0):
+        monitor.add_sample(Sample(ADD, time, {"calls": 2.0, "response_time": 0.01, "response_time_max": slowest}))
+        monitor.add_sample(Sample(SEVEN, time, {"cpu": 1.0}))
+        monitor.tick(time)
+    (host,) = monitor.tree(3.0).children
+    return {part.id: part for part in host.children}
+
+
+def test_a_service_is_below_the_node_that_serves_it(monitor):
+    (service,) = watched(monitor, 0.02)["node:/adder"].children
+    assert (service.kind, service.name, service.state) == ("service", "/add", State.OK)
+    assert service.values == {"calls": 2.0, "response_time": 0.01, "response_time_max": 0.02}
+
+
+def test_a_slow_service_is_told_of_the_node_and_the_host_too(monitor):
+    parts = watched(monitor, 0.2)
+    assert parts["node:/adder"].state is State.HIGH
+    assert parts["node:/adder"].children[0].counts == {"high": 1}
+    assert "process:base/7" in parts
+
+
+def test_a_process_is_shown_with_the_name_of_its_program(monitor):
+    assert watched(monitor, 0.02)["process:base/7"].name == "base/7 adder.py"
+
+
+def test_a_service_without_a_server_is_below_nobody(monitor):
+    monitor.add_sample(Sample(ADD, 1.0, {"client_calls": 2.0}))
+    monitor.tick(1.0)
+    (nobody,) = monitor.tree(1.0).children
+    assert [part.id for node in nobody.children for part in node.children] == ["service:/add"]

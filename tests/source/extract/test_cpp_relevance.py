@@ -2,7 +2,7 @@ import msgspec
 import pytest
 
 from roslens.source.extract.cpp_program import program_of_cpp
-from roslens.source.extract.cpp_relevance import Level, Relevance, is_logging
+from roslens.source.extract.cpp_relevance import Level, Relevance, is_filling, is_logging
 from roslens.source.extract.program import Call, Member
 from roslens.source.syntax.macros import load_macros
 
@@ -144,6 +144,23 @@ def test_a_name_that_is_given_a_text_stays() -> None:
     assert relevance.may_lead(body.index(b"mode"), len(body))
     assert relevance.may_lead(body.index(b"frame_id_"), len(body))
     assert not relevance.may_lead(body.rindex(b"total"), len(body))
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        (b"msg->pose.position.x = y * 2;", True),
+        (b"msg.covariance[6 * 5 + 5] += 1;", True),
+        (b"header.stamp = other.stamp;", True),
+        (b"options.callback_group = group_;", False),
+        (b"x = y;", False),
+        (b"point.x = nh.param(1);", False),
+        (b'point.x = "text";', False),
+        (b"point.x == y;", False),
+    ],
+)
+def test_numbers_that_fill_a_message(statement: bytes, expected: bool) -> None:
+    assert is_filling(statement, 0, len(statement)) is expected
 
 
 @pytest.mark.parametrize(

@@ -209,14 +209,18 @@ class Definitions:
             qualified, parameters = self._lowered.qualified(name), ()
         index = self._lowered.begin_function()
         templates = (*self._templates, *self._own_templates)
-        listed = next((one for one in (tried or node).named_children if one.type == "field_initializer_list"), None)
-        known = self._bases.get(class_name, (class_name.rpartition(".")[2],))
         with self._inside("function", templates), self._lowered.within(qualified, class_name):
-            first = lower_initialisers(listed, self._lowered, self._expressions, known) if listed is not None else ()
+            between = self._lowered.source[declarator.end_byte : body.start_byte] if body is not None else b":"
+            first = self._initialisers(tried or node, class_name) if b":" in between else ()
             statements = self._body(body, tried)
         line = declarator.start_point.row + 1
         function = Function(name, qualified, line, class_name, parameters, first, statements, templates)
         self._lowered.end_function(index, function)
+
+    def _initialisers(self, node: Node, class_name: str) -> tuple[Statement, ...]:
+        listed = next((one for one in node.named_children if one.type == "field_initializer_list"), None)
+        known = self._bases.get(class_name, (class_name.rpartition(".")[2],))
+        return lower_initialisers(listed, self._lowered, self._expressions, known) if listed is not None else ()
 
     def _body(self, body: Node | None, tried: Node | None) -> tuple[Statement, ...]:
         if body is not None or tried is None:

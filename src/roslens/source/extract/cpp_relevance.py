@@ -129,6 +129,15 @@ def is_logging(source: bytes, start: int, end: int) -> bool:
     return _LOGGING.match(source, start, end) is not None and not _ENDPOINT.search(source, start, end)
 
 
+def is_filling(source: bytes, start: int, end: int) -> bool:
+    """Return whether a statement computes a number of a message, by its look: ``msg->pose.position.x = y * 2;``."""
+    return _FILLING.match(source, start, end) is not None
+
+
+_FILLING = re.compile(
+    rb"[\w\[\]]+(?:(?:\.|->)[\w\[\]]+)*(?:\.|->)(?:[xyzw]|theta|stamp|covariance\[[^\]]*\]|range_m(?:in|ax)"
+    rb"|(?:time|angle)_\w+)\s*[-+*/]?=[^=\"(){}][^\"(){};]*;"
+)
 _LEADS = 2
 
 

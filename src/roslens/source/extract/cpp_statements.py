@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from roslens.source.extract.cpp_expressions import Expressions
 from roslens.source.extract.cpp_lowered import DEEPEST, Lowered, name_of, opaque
-from roslens.source.extract.cpp_relevance import Level, Relevance, is_logging
+from roslens.source.extract.cpp_relevance import Level, Relevance, is_filling, is_logging
 from roslens.source.extract.cpp_types import declared_name, declared_type, name_and_templates
 from roslens.source.extract.program import (
     Assign,
@@ -98,7 +98,8 @@ class StatementLowering:
         self.add([child for child in node.named_children if child.type != "statement_identifier"], out)
 
     def _expression(self, node: Node, out: Statements) -> None:
-        if not self._may_lead(node) or is_logging(self._lowered.source, node.start_byte, node.end_byte):
+        source, start, end = self._lowered.source, node.start_byte, node.end_byte
+        if not self._may_lead(node) or is_logging(source, start, end) or is_filling(source, start, end):
             return
         for inner in node.named_children:
             if inner.type == "assignment_expression":

@@ -23,6 +23,8 @@ _PRIMITIVE = re.compile(
     r"|(?:std::)?u?int(?:8|16|32|64)_t"
 )
 _SCOPE = re.compile(r"[\w:<>,\s]*::\s*")
+_SIMPLE = re.compile(r"\s*[\w:]*(?:::\w+|_\w*|[^\W_a-z]\w*)\s*")
+"""A scoped name, or one with a capital or an underscore: no keyword."""
 _PLAIN = re.compile(rb"\w*")
 _OPENING, _CLOSING = "<([{", ">)]}"
 _LONGEST = 2000
@@ -87,7 +89,11 @@ def _type(before: bytes, declarator: bytes) -> str:
         return ""
     if "/" in text:
         text = _COMMENT.sub(" ", text)
-    text = _STORAGE.sub("", _ATTRIBUTE.sub("", text))
+    if "[[" in text:
+        text = _ATTRIBUTE.sub("", text)
+    if not declarator and _SIMPLE.fullmatch(text):
+        return text.strip()
+    text = _STORAGE.sub("", text)
     marks = text_of(declarator[:_LONGEST])
     if "::" in marks and "(" not in marks:
         marks = _SCOPE.sub("", marks)

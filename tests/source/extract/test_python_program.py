@@ -1,5 +1,6 @@
 """Whole files of Python as small programs, against what they say by hand."""
 
+import ast
 import random
 from pathlib import Path
 
@@ -8,13 +9,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roslens.source.extract.program import Program
+import roslens
+from roslens.source.extract.program import Call, Literal, Program
 from roslens.source.extract.program_text import program_text
 from roslens.source.extract.python_program import lower_python, program_of_python
 from roslens.source.syntax.python import parse_python
 from roslens.source.syntax.python_tree import parse_tree
 
 FIXTURES = Path(__file__).parents[2] / "fixtures"
+OWN = sorted((Path(roslens.__file__).parent / "source").rglob("*.py"))
 FILES = sorted((FIXTURES / "extract" / "python").glob("*.txt"))
 SEEDS = [
     path.read_bytes()
@@ -88,6 +91,39 @@ def test_functions_and_classes_are_those_of_the_facts():
         named = [function for function in program.functions if function.name != "lambda"]
         assert [function.qualified_name for function in named] == [one.qualified_name for one in facts.functions]
         assert [one.qualified_name for one in program.classes] == [one.qualified_name for one in facts.classes]
+
+
+def found_in(program: Program) -> tuple[set[tuple[int, int]], set[object]]:
+    """Return the places of all calls and the values of all literals."""
+    places, values = set(), set()
+    left = [program.functions, program.classes, program.body]
+    while left:
+        one = left.pop()
+        if isinstance(one, Call) and one.line:
+            places.add((one.line, one.column))
+        if isinstance(one, Literal):
+            values.add(one.value)
+        if isinstance(one, tuple):
+            left.extend(one)
+        elif isinstance(one, msgspec.Struct):
+            left.extend(getattr(one, field) for field in one.__struct_fields__)
+    return places, values
+
+
+def is_format(call: ast.Call) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr == "format"
+
+
+@pytest.mark.parametrize("path", OWN, ids=lambda path: path.stem)
+def test_every_call_and_the_texts_that_it_is_given_are_kept(path):
+    content = path.read_bytes()
+    places, values = found_in(program_of_python(content))
+    calls = [node for node in ast.walk(ast.parse(content)) if isinstance(node, ast.Call)]
+    assert {(call.lineno, call.col_offset + 1) for call in calls if not is_format(call)} <= places
+    assert places <= {(call.lineno, call.col_offset + 1) for call in calls}
+    given = [one for call in calls for one in [*call.args, *(keyword.value for keyword in call.keywords)]]
+    constants = {one.value for one in given if isinstance(one, ast.Constant) and isinstance(one.value, (str, int))}
+    assert constants <= values
 
 
 def nested(before: str, after: str, middle: str = "x") -> bytes:

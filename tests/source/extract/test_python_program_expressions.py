@@ -137,6 +137,12 @@ def test_calls_in_something_opaque_are_kept():
     assert body_of("x = yield f(a)").splitlines() == ["f(a)", "x = `yield f(a)`"]
 
 
+def test_what_is_unpacked_is_opaque():
+    assert body_of("v = [*a.b(c).d(1)]").splitlines() == ["a->b(c)->d(1)", "v = [`*a.b(c).d(1)`]"]
+    assert body_of("f(*a.b(c))").splitlines() == ["a->b(c)", "f(`*a.b(c)`)"]
+    assert program_of_python(b"f(*a.b(c))").body[0].expression.column == 4
+
+
 def test_walrus():
     assert body_of("if (n := f()) > 1: g(n)").splitlines() == ["n = f()", "if (n > 1):", "  g(n)"]
 

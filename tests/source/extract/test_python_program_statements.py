@@ -24,7 +24,7 @@ def text_of(written: str) -> list[str]:
         ("a: List[int] = f()", ["a: List[int] = f()"]),
         ("a: A[\n  b,\n  c\n ] = f()", ["a: A[b, c] = f()"]),
         ("a -= 1", ["a = (a - 1)"]),
-        ("a |= f()", ["a = `a |= f()`"]),
+        ("a |= f()", ["f()", "a = `a |= f()`"]),
         ("a[0] = 1", ["a[0] = 1"]),
         ("if a: pass", []),
         ("if f(): pass", ["if f():"]),
@@ -36,6 +36,7 @@ def text_of(written: str) -> list[str]:
         ("with f(): g()", ["f()", "g()"]),
         ("with (f() as a, b): g()", ["a = f()", "g()"]),
         ("del a\npass", []),
+        ("del a[f()]", ["a[f()]"]),
         ("type X = int", []),
         ("match f():\n case 1 | A.B: g()\n case x if x: h()\n case _: i()",
          ["#1 = f()", "if ((#1 == 1) or (#1 == A->B)):", "  g()", "else:", "  x = #1", "  if x:", "    h()", "  else:",
@@ -97,6 +98,10 @@ def test_body_of_a_class():
         "  for i#1 in v:",
         "    #1 += [i#1]",
     ]
+
+
+def test_calls_among_the_bases_of_a_class():
+    assert text_of("class A(f(), metaclass=g()): pass") == ["class A(f)", "body", "  f()", "  g()"]
 
 
 def test_a_class_in_a_function():

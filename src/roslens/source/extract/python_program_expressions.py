@@ -176,7 +176,8 @@ class Expressions(Reading):
                 return result
         children = node.children
         if len(children) > 1:
-            return Member(self.expression(children[0]), self.text(children[-1]))
+            of = children[0].children[-1] if children[0].kind_id == _SPLAT else children[0]
+            return Member(self.expression(of), self.text(children[-1]))
         name = self.text(node)
         return Name(self._names.get(name, name)) if name else Opaque("")
 
@@ -253,7 +254,7 @@ class Expressions(Reading):
                 elif kind == _DOUBLE_SPLAT:
                     keywords.append(("**", self.expression(child.children[-1])))
                 else:
-                    arguments.append(self.expression(child))
+                    arguments.append(self._item(child))
         elif len(children) > 1:
             arguments.append(self.expression(given))
         if isinstance(function, Member) and function.name == "format" and isinstance(function.of, Literal):
@@ -261,7 +262,7 @@ class Expressions(Reading):
             if text is not None:
                 return text
         self._calls += 1
-        start = node.start_byte
+        start = node.start_byte + self._starred(node)
         line = bisect_right(self._starts, start)
         column = start - self._starts[line - 1] + 1
         return Call(function, tuple(arguments), tuple(keywords), (), line, column)
@@ -360,7 +361,20 @@ class Expressions(Reading):
         if len(items) > MOST_ITEMS:
             self.note(node, f"more than {MOST_ITEMS} items")
             return self._text_only(node)
-        return Sequence(tuple(map(self.expression, items)))
+        return Sequence(tuple(map(self._item, items)))
+
+    def _item(self, node: Node) -> Expression:
+        """Return an item or argument; ``*a.b()``, to the parser a member of ``*a``, is opaque as all that is unpacked."""
+        if self._starred(node):
+            return self._opaque(node) if node.kind_id == _SPLAT else self._splat(node)
+        return self.expression(node)
+
+    def _starred(self, node: Node) -> bool:
+        return self.source[node.start_byte : node.start_byte + 1] == b"*"
+
+    def _splat(self, node: Node) -> Opaque:
+        self.evaluate(node)
+        return self._text_only(node)
 
     def _dictionary(self, node: Node) -> Expression:
         items = self.parts(node)

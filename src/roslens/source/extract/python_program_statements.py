@@ -47,7 +47,7 @@ from roslens.source.syntax.python_tree import LANGUAGE
 
 _WORD = re.compile(rb"[A-Za-z_]\w*")
 _NO_EXCEPTION = Opaque("no exception")
-_KEPT_OPERATORS = frozenset("-*/%")
+_KEPT_OPERATORS = frozenset(("-", "*", "/", "%"))
 _CLASS_METHODS = frozenset({"__new__", "__init_subclass__", "__class_getitem__"})
 _ARMS = frozenset({"except_clause", "except_group_clause"})
 _HANDLERS = {
@@ -68,7 +68,9 @@ _HANDLERS = {
     "assert_statement": "parts_alone",
     "print_statement": "parts_alone",
     "exec_statement": "parts_alone",
+    "delete_statement": "parts_alone",
     "chevron": "parts_alone",
+    "keyword_argument": "parts_alone",
     "global_statement": "global",
     "nonlocal_statement": "global",
     "import_statement": "import",
@@ -76,9 +78,7 @@ _HANDLERS = {
     "future_import_statement": "future",
     "block": "statements",
     "ERROR": "statements",
-    **dict.fromkeys(
-        ("pass_statement", "break_statement", "continue_statement", "comment", "delete_statement"), "nothing"
-    ),
+    **dict.fromkeys(("pass_statement", "break_statement", "continue_statement", "comment"), "nothing"),
     **dict.fromkeys(("type_alias_statement", "string", "identifier", "integer", "concatenated_string"), "nothing"),
 }
 
@@ -182,15 +182,17 @@ class Statements(Expressions):
 
     def _on_augmented(self, node: Node) -> None:
         children = node.children
-        target, value = self.expression(children[0]), self.expression(children[-1])
         operator = self.text(children[1]) if len(children) == 3 else ""
         line = self.line(node)
+        if operator != "+=" and operator[:-1] not in _KEPT_OPERATORS:
+            opaque = self._opaque(node)
+            self.pending.append(Assign(self.expression(children[0]), opaque, line=line))
+            return
+        target, value = self.expression(children[0]), self.expression(children[2])
         if operator == "+=":
             self.pending.append(Assign(target, value, "", "+=", line))
-        elif operator[:-1] in _KEPT_OPERATORS and operator:
-            self.pending.append(Assign(target, Operation(operator[:-1], (target, value)), line=line))
         else:
-            self.pending.append(Assign(target, self._text_only(node), line=line))
+            self.pending.append(Assign(target, Operation(operator[:-1], (target, value)), line=line))
 
     def _on_return(self, node: Node) -> None:
         parts = self.parts(node)
@@ -449,6 +451,9 @@ class Statements(Expressions):
         qualified = f"{self.scope}.{name}" if self.scope else name
         index = len(self.classes)
         self.classes.append(None)
+        bases = node.child_by_field_name("superclasses")
+        if bases is not None:
+            self._on_alone(bases)
         owner, scope = self._owner, self.scope
         self._owner = self.scope = qualified
         body = self.block(node.child_by_field_name("body"))

@@ -1,3 +1,4 @@
+import msgspec
 import pytest
 
 from roslens.judge.read_reference import GivenText, load_reference
@@ -7,7 +8,7 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
 from roslens.model.sample import Sample
-from roslens.model.tally import Moments, Tally
+from roslens.model.tally import BY_GID, Moments, Observer, Tally
 from roslens.model.verdict import State
 from roslens.model.wire import VERSION, Frame
 
@@ -173,3 +174,95 @@ constraints:
     assert told == [("topic:/scan", State.LOW, ""), ("node:/a", State.HIGH, "")]
     found = [(str(one.entity), one.cause) for step in steps for one in step.causes]
     assert found == [("topic:/scan", "node:/a")]
+
+
+GID = "010fbbbb070000000000000000001203"
+ENDS = (
+    Endpoint("/a", Role.PUBLISHER, "/scan", gid=GID),
+    Endpoint("/b", Role.SUBSCRIPTION, "/scan", gid="010faaaa0700000000000000000012ff"),
+)
+
+
+def counted(second, *, host="arm", sender="arm/agent", place="arm's", publisher=BY_GID + GID, latency=0.001):
+    moments = Moments(10, 10 * latency, 10 * latency * latency, latency, latency)
+    told = msgspec.structs.replace(
+        tally(second), publisher=publisher, subscriber="/b", latency=moments, host=host, observer=Observer.INSIDE
+    )
+    return frame(second + 1.0, sender=sender, tallies=[told], counted_at=place)
+
+
+def clock(host, offset, time):
+    return Sample(EntityId(EntityKind.HOST, host), time, {"clock_offset": offset, "clock_bound": 0.0001})
+
+
+def connections(session, time):
+    return {str(one): values for one, values in session.readings(time) if one.kind is EntityKind.CONNECTION}
+
+
+def test_what_an_agent_counted_is_told_with_the_name_of_its_publisher_and_by_one_clock(session):
+    session.take([frame(0.0, graph=Graph("ros2", (Node("/a", "base", 7), Node("/b", "arm", 7)), ENDS))])
+    for second in range(4):
+        session.look(second + 0.5)
+        clocks = [clock("base", 0.0, second + 0.5), clock("arm", 0.25, second + 0.5)]
+        session.take([frame(second + 0.5, sender="arm/agent", samples=clocks), counted(float(second), latency=0.251)])
+        session.look(second + 1.0)
+    found = connections(session, 4.0)
+    assert set(found) == {"connection:/a > /scan > /b"}
+    assert found["connection:/a > /scan > /b"]["latency"] == pytest.approx(0.001)
+    assert found["connection:/a > /scan > /b"]["rate"] == pytest.approx(10)
+
+
+def test_a_latency_between_hosts_whose_clocks_nobody_knows_is_unknown(session):
+    session.take([frame(0.0, graph=Graph("ros2", (Node("/a", "base", 7), Node("/b", "arm", 7)), ENDS))])
+    session.look(0.0)
+    session.take([counted(0.0)])
+    session.look(1.0)
+    (values,) = connections(session, 1.0).values()
+    assert "latency" not in values
+    assert "rate" in values
+
+
+def test_a_publisher_that_is_met_late_is_named_all_the_same(session):
+    session.look(0.0)
+    session.take([counted(0.0)])
+    session.look(0.5)
+    assert connections(session, 0.5) == {}
+    session.take([frame(0.6, graph=Graph("ros2", (Node("/a"), Node("/b")), ENDS))])
+    session.look(0.6)
+    session.look(1.0)
+    assert set(connections(session, 1.0)) == {"connection:/a > /scan > /b"}
+
+
+def test_no_node_is_ever_called_by_its_identifier(session):
+    session.look(0.0)
+    session.take([counted(0.0)])
+    for time in (1.0, 2.0, 3.0, 4.0):
+        session.look(time)
+    assert set(connections(session, 4.0)) == {"connection:? > /scan > /b"}
+
+
+def test_what_two_read_from_the_same_counters_is_counted_once(session):
+    session.take([frame(0.0, graph=Graph("ros2", (Node("/a", "base", 7), Node("/b", "base", 8)), ENDS))])
+    session.look(0.0)
+    for second in range(4):
+        own = counted(float(second), host="base", sender="base/ros2", place="", publisher="/a")
+        beside = frame(second + 1.0, sender="base/monitor", counted_at="base's")
+        others = [counted(float(second), host=name, sender=f"{name}/agent", place="base's") for name in ("base", "x")]
+        session.take([own, beside, *others])
+        session.look(second + 1.0)
+    found = connections(session, 4.0)
+    assert found["connection:/a > /scan > /b"]["rate"] == pytest.approx(10)
+    assert len(found) == 1
+
+
+def test_a_service_is_told_with_the_values_of_all_hosts(session):
+    add = EntityId(EntityKind.SERVICE, "/add")
+    for second in range(3):
+        session.take(
+            [
+                frame(1.0, sender="arm/agent", samples=[Sample(add, 9e9, {"calls": 2.0})], counted_at="arm's"),
+                frame(1.0, sender="base/agent", samples=[Sample(add, 1.0, {"client_calls": 2.0})], counted_at="base's"),
+            ]
+        )
+        session.look(second + 1.0)
+    assert dict(session.readings(3.0))[add] == {"calls": 2.0, "client_calls": 2.0}

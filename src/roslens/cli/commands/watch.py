@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 TEXT = "Watch a running ROS system, or a recording, and say what is not as the reference expects."
 EXAMPLES = """\
   roslens watch --bag drive.bag --reference rover.yaml      a recording, as fast as it can be read
-  roslens watch --reference rover.yaml                      what runs here, until Ctrl-C
+  roslens watch --reference rover.yaml                      what runs here, until Ctrl-C; read again when it changes
   roslens watch --ros1 --for 60s --fail-on low,high,absent  a system test: exit code 1 when something is wrong
   roslens watch --bag drive.mcap                            without a reference: what is there, how fast
   roslens watch --listen 0.0.0.0:7411 --key-file key        agents on other hosts report to this one

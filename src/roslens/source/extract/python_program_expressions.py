@@ -364,7 +364,7 @@ class Expressions(Reading):
         return Sequence(tuple(map(self._item, items)))
 
     def _item(self, node: Node) -> Expression:
-        """Return an item or argument; ``*a.b()``, to the parser a member of ``*a``, is opaque as all that is unpacked."""
+        """Return an item or argument; ``*a.b()``, to the parser a member of ``*a``, is opaque like all of them."""
         if self._starred(node):
             return self._opaque(node) if node.kind_id == _SPLAT else self._splat(node)
         return self.expression(node)

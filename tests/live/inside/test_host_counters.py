@@ -95,3 +95,12 @@ def test_root_reads_the_folders_of_all_users_that_are_theirs(tmp_path):
 def test_a_folder_that_is_not_there_is_no_place(tmp_path):
     assert place_of(str(tmp_path / "none")) == ""
     assert place_of(str(tmp_path)) == place_of(str(tmp_path / "."))
+
+
+@pytest.mark.parametrize("make", [os.mkfifo, lambda path: path.symlink_to("/etc/passwd")])
+def test_links_and_pipes_are_refused_and_nobody_waits_for_them(folder, make):
+    make(folder / f"7-x{slots.SUFFIX}")
+    counters = HostCounters("sensor", {VARIABLE: str(folder)})
+    assert counters.read(time.time())[0][1] == []
+    assert "cannot be read" in counters.failures()[0].what
+    counters.close()

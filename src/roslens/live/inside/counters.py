@@ -76,7 +76,8 @@ class _File:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._handle = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+        # Who reads for other users follows no links of theirs, and waits for no pipe.
+        self._handle = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NOFOLLOW | os.O_NONBLOCK)
         try:
             size = os.fstat(self._handle).st_size
             self._map = mmap.mmap(self._handle, size, prot=mmap.PROT_READ)

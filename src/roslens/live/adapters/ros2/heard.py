@@ -62,10 +62,11 @@ class Heard:
     def choose(self, graph: Graph) -> None:
         """Listen where somebody speaks."""
         self.parameters.follow(graph)
-        self._statistics.choose(graph)
         spoken = {
             end.name for end in graph.endpoints if end.role is Role.PUBLISHER and _TYPES.get(end.name) == end.type
         }
+        if topic_statistics.TOPIC in spoken:
+            self._statistics.choose(graph)
         for topic in self._open.keys() - spoken:
             self._node.destroy_subscription(self._open.pop(topic))
         for topic in sorted(spoken - self._open.keys() - self._refused):

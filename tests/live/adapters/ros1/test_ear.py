@@ -51,7 +51,14 @@ def test_other_monitors_are_listened_to_and_their_levels_are_events():
 
     class Hearing(Listening):
         def take(self):
-            return Taken(reports=[("/monitor", 5.0, STATUS), ("/monitor", 6.0, b"nonsense"), ("/monitor", 7.0, STATUS)])
+            return Taken(
+                reports=[
+                    ("/monitor", 5.0, STATUS),
+                    ("/monitor", 6.0, b"odd"),
+                    ("/monitor", 7.0, STATUS + b"x" * 9),
+                    ("/monitor", 8.0, b""),
+                ]
+            )
 
     listening = Hearing()
     frame = Ear(Observing(), listening, [], False, "/me", reports=True).round()
@@ -59,7 +66,8 @@ def test_other_monitors_are_listened_to_and_their_levels_are_events():
     (event,) = frame.events
     assert (event.time, event.entity) == (5.0, "node:/monitor")
     assert event.detail == "diagnostics: 'motor' is ERROR, was OK: hot"
-    assert "sends no diagnostics" in frame.failures[0].what
+    (failure,) = frame.failures
+    assert "/monitor sends no diagnostics" in failure.what
 
 
 def test_patterns_choose_topics(make):
@@ -87,3 +95,13 @@ def test_statistics_that_nobody_publishes_are_named_once(make):
     failures = [failure for _ in range(3 * SILENT_ROUNDS) for failure in ear.round().failures]
     assert len(failures) == 1
     assert "/enable_statistics" in failures[0].advice
+
+
+def test_what_subscribers_tell_of_what_we_publish_ourselves_is_left_out():
+    class Hearing(Listening):
+        def take(self):
+            own = Tally("/diagnostics", "/me", "/b", 0.0, 1.0, 10, 300, observer=Observer.INSIDE)
+            return Taken([TOLD, own])
+
+    ear = Ear(Observation(), Hearing(), [], True, "/me")
+    assert [(tally.topic, tally.publisher) for tally in ear.round().tallies] == [("/t", "/a")]

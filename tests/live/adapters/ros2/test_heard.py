@@ -1,5 +1,7 @@
+import sys
 from types import SimpleNamespace
 
+import msgspec
 import pytest
 from rosbags.typesys import Stores, get_typestore
 
@@ -7,6 +9,7 @@ from roslens.live.adapters.ros2.heard import DEPTH, Heard
 from roslens.live.adapters.ros2.observation import PARAMETERS_S, Observation
 from roslens.live.adapters.ros2.parameters import Parameters
 from roslens.model.graph import Change, Endpoint, Graph, Node, Role
+from roslens.model.qos import Qos as QosOf
 
 TYPES = {
     "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
@@ -77,11 +80,45 @@ def test_only_topics_on_which_somebody_speaks_are_listened_to(heard):
 
 def test_levels_of_other_monitors_become_events(heard):
     heard.choose(graph("/diagnostics"))
-    heard._open["/diagnostics"].waiting = [array((2, "motor")), array((2, "motor")), b"no array"]
+    heard._open["/diagnostics"].waiting = [array((2, "motor")), array((2, "motor")), b"no array", b"nor"]
     told = heard.take(9.0, lambda gid: "/m" if gid == "ab" * 16 else None)
     (event,) = told.events
     assert (event.time, event.change, event.entity) == (5.0, Change.CHANGED, "node:/m")
-    assert "cannot be read" in told.failures[0].what
+    (failure,) = told.failures
+    assert "what /m sends cannot be read" in failure.what
+
+
+class Qos:
+    RELIABLE, BEST_EFFORT = "reliable", "best effort"
+
+    def __init__(self, depth, reliability):
+        self.reliability = reliability
+
+
+def test_messages_that_cannot_be_imported_are_told_once(monkeypatch):
+    monkeypatch.setitem(sys.modules, "rclpy", SimpleNamespace())
+    monkeypatch.setitem(sys.modules, "rclpy.qos", SimpleNamespace(QoSProfile=Qos, QoSReliabilityPolicy=Qos))
+    made = Heard(SimpleNamespace(), "vm", Parameters(Asking))
+    for _ in range(3):
+        made.choose(graph("/statistics"))
+    (failure,) = made.take(1.0, lambda gid: None).failures
+    assert "/statistics cannot be read: ModuleNotFoundError" in failure.what
+    assert "statistics_msgs" in failure.expected
+    assert made.take(2.0, lambda gid: None).failures == []
+
+
+@pytest.mark.parametrize(("offered", "asked"), [("reliable", Qos.RELIABLE), ("best_effort", Qos.BEST_EFFORT)])
+def test_no_more_is_asked_for_than_is_offered(monkeypatch, offered, asked):
+    opened = []
+    monkeypatch.setitem(sys.modules, "rclpy", SimpleNamespace())
+    monkeypatch.setitem(sys.modules, "rclpy.qos", SimpleNamespace(QoSProfile=Qos, QoSReliabilityPolicy=Qos))
+    monkeypatch.setitem(sys.modules, "diagnostic_msgs", SimpleNamespace())
+    monkeypatch.setitem(sys.modules, "diagnostic_msgs.msg", SimpleNamespace(DiagnosticArray="array"))
+    node = SimpleNamespace(create_subscription=lambda *words, raw: opened.append((*words, raw)))
+    ends = [msgspec.structs.replace(end, qos=QosOf(offered)) for end in graph("/diagnostics").endpoints]
+    Heard(node, "vm", Parameters(Asking)).choose(Graph("ros2", endpoints=tuple(ends)))
+    ((kind, topic, _, qos, raw),) = opened
+    assert (kind, topic, qos.reliability, raw) == ("array", "/diagnostics", asked, True)
 
 
 def test_a_flood_is_read_a_bounded_part_at_a_time(heard):

@@ -57,6 +57,7 @@ class Heard:
         self._statistics = TopicStatistics(host)
         self._open: dict[str, Any] = {}
         self._refused: set[str] = set()
+        self._odd: set[str | None] = set()
         self._failures: list[Failure] = []
 
     def choose(self, graph: Graph) -> None:
@@ -131,10 +132,11 @@ class Heard:
         try:
             return self._levels.take(node or "", read_array(bytes(body), cdr=True), time)
         except ArrayError as error:
-            self._failures.append(
-                Failure(TOOL, f"what {node or 'somebody'} sends cannot be read: {error}",
-                        _TYPES[DIAGNOSTICS], entity=f"topic:{DIAGNOSTICS}", partial=True)
-            )  # fmt: skip
+            if node not in self._odd:
+                self._odd.add(node)
+                what = f"what {node or 'somebody'} sends cannot be read: {error}"
+                expected, entity = _TYPES[DIAGNOSTICS], f"topic:{DIAGNOSTICS}"
+                self._failures.append(Failure(TOOL, what, expected, entity=entity, partial=True))
             return []
 
     def close(self) -> None:

@@ -4,8 +4,10 @@
 
 Writes recordings of PoseStamped on 20 topics to a temporary folder, then lets processes read them in turn: the
 tallies of all topics from the index, the same with the age of every message, and the rosbags library going through
-all messages without decoding them. Rates are messages by CPU seconds of whole processes, less those of a process
-that only imports; peak memory is that of the process.
+all messages without decoding them. Rates are messages by CPU seconds from before the file is opened to the last
+tally, in a process that has imported what it needs; peak memory is that of the process. Machines are shared, so the
+least of several rounds is told: what others take of the caches is in the longer ones. The ratio to rosbags is the
+median of those of the rounds.
 """
 
 from __future__ import annotations
@@ -13,35 +15,40 @@ from __future__ import annotations
 import argparse
 import multiprocessing
 import shutil
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from measure import in_turn, middle
+from measure import middle
 
 TOPICS = 20
 STEP_NS = 50_000
 
-EMPTY = "import roslens.live.adapters.bag.open_bag, rosbags.highlevel"
-
 INDEX = """
-import sys
+import resource, sys, time
 from pathlib import Path
 import rosbags.highlevel
+from rosbags.typesys import Stores, get_typestore
 from roslens.live.adapters.bag.open_bag import open_bag
+get_typestore(Stores.LATEST)
+begun = time.process_time()
 bag = open_bag(Path(sys.argv[1]))
 stamps = {topic.name for topic in bag.topics} if sys.argv[2] == "ages" else ()
 counted = sum(tally.count for _, tallies in bag.tallies(1.0, stamps) for tally in tallies)
+print(time.process_time() - begun, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
 sys.exit(0 if counted == int(sys.argv[3]) and not bag.failures else 4)
 """
 
 LIBRARY = """
-import sys
+import resource, sys, time
 from pathlib import Path
 import roslens.live.adapters.bag.open_bag
 from rosbags.highlevel import AnyReader
+begun = time.process_time()
 with AnyReader([Path(sys.argv[1])]) as reader:
     counted = sum(1 for _ in reader.messages())
+print(time.process_time() - begun, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
 sys.exit(0 if counted == int(sys.argv[3]) else 4)
 """
 
@@ -79,40 +86,43 @@ def written(folder: Path, messages: int) -> dict[str, Path]:
     return paths
 
 
+def measured(script: str, path: Path, way: str, messages: int) -> tuple[float, float]:
+    """Return CPU seconds and peak memory in MB of one reading."""
+    command = [sys.executable, "-c", script, str(path), way, str(messages)]
+    cpu, peak = subprocess.run(command, capture_output=True, check=True, text=True).stdout.split()
+    return float(cpu), float(peak)
+
+
 def main() -> int:
     """Measure and print a table."""
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--messages", type=int, default=1_000_000)
-    arguments.add_argument("--rounds", type=int, default=3)
+    arguments.add_argument("--rounds", type=int, default=5)
     arguments.add_argument("--without-library", action="store_true", help="leave the slow peer out")
     options = arguments.parse_args()
     scratch = Path(tempfile.mkdtemp(prefix="roslens-bench-"))
+    scripts = {"rosbags": LIBRARY} if not options.without_library else {}
+    scripts |= {"index": INDEX, "ages": INDEX}
+    costs: dict[tuple[str, str], list[tuple[float, float]]] = {}
     try:
         # In a process of its own: what this one holds would count as the peak of those it starts.
         with multiprocessing.get_context("spawn").Pool(1) as writer:
             paths = writer.apply(written, (scratch, options.messages))
-        commands = {"": [sys.executable, "-c", EMPTY]}
-        ways = [("index", INDEX), ("ages", INDEX), *([] if options.without_library else [("rosbags", LIBRARY)])]
-        for name, path in paths.items():
-            for way, script in ways:
-                commands[f"{name}|{way}"] = [sys.executable, "-c", script, str(path), way, str(options.messages)]
-        in_turn({"": commands[""]}, 1, {})
-        costs = in_turn(commands, options.rounds, {})
+        for _ in range(options.rounds):
+            for name, path in paths.items():
+                for way, script in scripts.items():
+                    costs.setdefault((name, way), []).append(measured(script, path, way, options.messages))
     finally:
         shutil.rmtree(scratch)
-    start_s = middle([cost.cpu_s for cost in costs.pop("")])
-    print(
-        f"{options.messages:,} messages, {TOPICS} topics; medians of {options.rounds} rounds; start {start_s:.2f} s\n"
-    )
+    print(f"{options.messages:,} messages, {TOPICS} topics; {options.rounds} rounds\n")
     print("| recording | read | CPU s | million/s | peak MB | times rosbags |")
     print("| --- | --- | --- | --- | --- | --- |")
-    for label, runs in costs.items():
-        name, way = label.split("|")
-        cpu = max(middle([cost.cpu_s for cost in runs]) - start_s, 0.001)
-        peak = middle([cost.peak_mb for cost in runs])
-        peer = costs.get(f"{name}|rosbags")
-        factor = f"{(middle([cost.cpu_s for cost in peer]) - start_s) / cpu:.0f}" if peer else ""
-        print(f"| {name} | {way} | {cpu:.2f} | {options.messages / cpu / 1e6:.2f} | {peak:.0f} | {factor} |")
+    for (name, way), runs in costs.items():
+        cpu, peak = min(cost for cost, _ in runs), middle([peak for _, peak in runs])
+        peers = costs.get((name, "rosbags"), [])
+        ratios = [peer / cost for (peer, _), (cost, _) in zip(peers, runs, strict=bool(peers))]
+        factor = f"{middle(ratios):.1f}" if ratios else ""
+        print(f"| {name} | {way} | {cpu:.3f} | {options.messages / cpu / 1e6:.2f} | {peak:.0f} | {factor} |")
     return 0
 
 

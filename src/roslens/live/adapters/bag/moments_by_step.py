@@ -8,6 +8,8 @@ from roslens.live.adapters.bag.block import Ints
 from roslens.model.tally import Moments
 
 _SECOND = 1_000_000_000
+_MANY = 64
+"""Values of a step from which on a call for each step is cheaper than what is done with all values."""
 
 
 def edges_of(numbers: Ints) -> Ints:
@@ -21,6 +23,9 @@ def greatest_of(edges: Ints, values: Ints) -> Ints:
     """Return where the first of the greatest values of each step is; steps begin at ``edges`` and have values."""
     if not len(edges):
         return edges
+    if len(edges) * _MANY < len(values):
+        ends = [*edges[1:].tolist(), len(values)]
+        return np.array([b + int(values[b:e].argmax()) for b, e in zip(edges.tolist(), ends, strict=True)], np.int64)
     greatest = np.repeat(np.maximum.reduceat(values, edges), np.diff(edges, append=len(values)))
     places = np.flatnonzero(values == greatest)
     return places[np.searchsorted(places, edges)]

@@ -31,3 +31,17 @@ def test_endpoints_with_and_without_quality_of_service_are_sorted():
     union.put("ros2", Graph("ros2", endpoints=ends))
     assert set(union.whole().endpoints) == set(ends)
     assert GraphUnion().whole() == Graph("")
+
+
+def test_a_process_is_there_once_with_all_that_is_known_of_it():
+    union = GraphUnion()
+    union.put("base/ros2", Graph("ros2", processes=(Process("base", 5, "lidar.py --x", 7.0),)))
+    union.put("base/monitor", Graph("", processes=(Process("base", 5, nodes=("/lidar",), inner=3),)))
+    assert union.whole().processes == (Process("base", 5, "lidar.py --x", 7.0, ("/lidar",), 3),)
+
+
+def test_what_identifiers_of_hosts_have_is_told():
+    union = GraphUnion()
+    union.put("a/agent", Graph("", identities={"a": ("aaaa",)}))
+    union.put("b/agent", Graph("", identities={"b": ("bbbb", "cccc")}))
+    assert union.whole().identities == {"a": ("aaaa",), "b": ("bbbb", "cccc")}

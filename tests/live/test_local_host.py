@@ -1,3 +1,4 @@
+import os
 import subprocess
 import sys
 
@@ -5,6 +6,9 @@ import pytest
 
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
+from roslens.live.inside import slots
+from roslens.live.inside.host_counters import HostCounters, place_of
+from roslens.live.inside.slots import VARIABLE, CounterFile
 from roslens.live.local_host import LocalHost
 from roslens.model.graph import Change
 
@@ -52,3 +56,27 @@ def test_the_end_of_a_process_is_told_at_once(local):
         while not gone:
             gone = [event for one in local.poll(10.0) for event in one.events if event.change is Change.VANISHED]
     assert gone[0].entity == f"process:here/{child.pid}"
+
+
+def test_who_counts_here_and_what_services_do_is_told_but_no_traffic_of_topics(tmp_path, clock):
+    folder = tmp_path / "counters"
+    folder.mkdir(0o700)
+    counters = HostCounters("here", {VARIABLE: str(folder)}, beside=True)
+    local = LocalHost(
+        "here", HostSampler("here"), ProcessSampler("here"), wall=clock, steady=clock, counters=counters,
+        identities=lambda: ("78fd",),
+    )  # fmt: skip
+    file = CounterFile(str(folder), 8)
+    local.name("here", frozenset({os.getpid()}))
+    assert local.poll()[0].graph.identities == {"here": ("78fd",)}
+    for kind in (slots.PUBLISHED, slots.ASKED):
+        file.slot(kind, b"", "/x", "/node").published(int(clock.now * 1e9), 10)
+    clock.now += 1.0
+    first, *others = local.poll()
+    assert [process.nodes for process in first.graph.processes if process.pid == os.getpid()] == [("/node",)]
+    assert [(frame.sender, frame.counted_at, frame.tallies) for frame in others] == [
+        ("here/monitor", place_of(str(folder)), [])
+    ]
+    assert [(str(one.entity), one.values) for one in others[0].samples] == [("service:/x", {"calls": 1.0})]
+    local.close()
+    file.close()

@@ -160,3 +160,11 @@ def test_a_real_process_ends_at_once():
     sampler.close()
     with pytest.raises(OSError, match="Bad file descriptor"):
         os.fstat(handle)
+
+
+@pytest.mark.parametrize(("status", "inner"), [("NSpid:\t10\t7\n", 7), ("NSpid:\t10\n", 0), ("Name:\tx\n", 0)])
+def test_a_process_in_a_container_sees_another_id_of_itself(machine, sampler, status, inner):
+    machine.start(10)
+    (machine.root / "10" / "status").write_text(status)
+    sampler.find(0.0)
+    assert [process.inner for process in sampler.processes()] == [inner]

@@ -3,14 +3,11 @@ from roslens.source.extract.program import Function, Literal, Name, Opaque, Oper
 from roslens.source.syntax.cpp_query import parse_tree
 
 
-def test_scopes_are_left_as_they_were_entered() -> None:
+def test_a_name_is_qualified_by_the_scope_around() -> None:
     lowered = Lowered(b"")
     assert lowered.qualified("x") == "x"
-    with lowered.within("a.B", "a.B"):
-        assert lowered.qualified("x") == "a.B.x"
-        with lowered.within("a.B.f"):
-            assert (lowered.scope, lowered.class_name) == ("a.B.f", "a.B")
-    assert (lowered.scope, lowered.class_name) == ("", "")
+    lowered.scope = "a.B"
+    assert lowered.qualified("x") == "a.B.x"
 
 
 def test_functions_stand_in_the_order_they_begin() -> None:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
 
 from tree_sitter import Node
 
@@ -40,6 +39,7 @@ _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 _USING = re.compile(rb"using\s+(namespace\s+)?(?:typename\s+)?(?:::\s*)?([\w:\s]+?)\s*;")
 _DEFAULT = re.compile(rb"[^=!<>]=\s*[^=\s][^;]*\)")
 _LONGEST_NAME = 4000
+_Around = tuple[str, tuple[str, ...], list[Field], tuple[str, ...], str, str]
 
 
 class Definitions:
@@ -80,16 +80,19 @@ class Definitions:
             handler(self, node, out)
         return handler is not None
 
-    @contextmanager
-    def _inside(self, where: str, templates: tuple[str, ...]) -> Iterator[None]:
-        before = self._where, self._templates, self._fields, self._own_templates
+    def _enter(self, where: str, templates: tuple[str, ...], scope: str, class_name: str) -> _Around:
+        """Enter a namespace, class or function; return what :meth:`_leave` needs."""
+        lowered = self._lowered
+        around = self._where, self._templates, self._fields, self._own_templates, lowered.scope, lowered.class_name
         self._where, self._templates, self._own_templates = where, templates, ()
-        self._lowered.depth += 1
-        try:
-            yield
-        finally:
-            self._lowered.depth -= 1
-            self._where, self._templates, self._fields, self._own_templates = before
+        lowered.scope, lowered.class_name = scope, class_name
+        lowered.depth += 1
+        return around
+
+    def _leave(self, around: _Around) -> None:
+        lowered = self._lowered
+        lowered.depth -= 1
+        self._where, self._templates, self._fields, self._own_templates, lowered.scope, lowered.class_name = around
 
     def _nested(self, node: Node, out: Statements) -> None:
         """Add what stands in ``extern "C"``, or in what does not parse."""
@@ -106,8 +109,9 @@ class Definitions:
         scope = self._lowered.scope
         if name is not None:
             scope = self._lowered.qualified(dotted(text_of(self._lowered.text(name))))
-        with self._inside("file", self._templates), self._lowered.within(scope):
-            self.add(body.named_children, out)
+        around = self._enter("file", self._templates, scope, self._lowered.class_name)
+        self.add(body.named_children, out)
+        self._leave(around)
 
     def _template(self, node: Node, out: Statements) -> None:
         listed = node.child_by_field_name("parameters")
@@ -142,10 +146,11 @@ class Definitions:
         self._bases[qualified] = (simple, *(base.rpartition(".")[2] for base in bases))
         place, own = len(lowered.classes), self._own_templates
         lowered.classes.append(None)
-        with self._inside("class", (*self._templates, *own)), lowered.within(qualified, qualified):
-            fields: list[Field] = []
-            self._fields = fields
-            self.add(body.named_children, out)
+        around = self._enter("class", (*self._templates, *own), qualified, qualified)
+        fields: list[Field] = []
+        self._fields = fields
+        self.add(body.named_children, out)
+        self._leave(around)
         lowered.classes[place] = Class(simple, qualified, node.start_point.row + 1, bases, tuple(fields), own)
 
     def _field(self, node: Node, out: Statements) -> None:
@@ -209,10 +214,11 @@ class Definitions:
             qualified, parameters = self._lowered.qualified(name), ()
         index = self._lowered.begin_function()
         templates = (*self._templates, *self._own_templates)
-        with self._inside("function", templates), self._lowered.within(qualified, class_name):
-            between = self._lowered.source[declarator.end_byte : body.start_byte] if body is not None else b":"
-            first = self._initialisers(tried or node, class_name) if b":" in between else ()
-            statements = self._body(body, tried)
+        around = self._enter("function", templates, qualified, class_name)
+        between = self._lowered.source[declarator.end_byte : body.start_byte] if body is not None else b":"
+        first = self._initialisers(tried or node, class_name) if b":" in between else ()
+        statements = self._body(body, tried)
+        self._leave(around)
         line = declarator.start_point.row + 1
         function = Function(name, qualified, line, class_name, parameters, first, statements, templates)
         self._lowered.end_function(index, function)
@@ -237,11 +243,12 @@ class Definitions:
             return opaque(lowered.text(node))
         index = lowered.begin_function()
         qualified = lowered.qualified("lambda")
-        with self._inside("function", self._templates), lowered.within(qualified):
-            declarator = node.child_by_field_name("declarator")
-            parameters = self._parameters.of(declarator) if declarator is not None else ()
-            captured = self._captured(node.child_by_field_name("captures"))
-            statements = (*captured, *self._statements.body(body))
+        around = self._enter("function", self._templates, qualified, lowered.class_name)
+        declarator = node.child_by_field_name("declarator")
+        parameters = self._parameters.of(declarator) if declarator is not None else ()
+        captured = self._captured(node.child_by_field_name("captures"))
+        statements = (*captured, *self._statements.body(body))
+        self._leave(around)
         line = node.start_point.row + 1
         function = Function("lambda", qualified, line, lowered.class_name, parameters, (), statements)
         lowered.end_function(index, function)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 from tree_sitter import Node
 
 from roslens.source.extract.program import Class, Expression, Function, Name, Opaque, Operation, Program, Statement
@@ -50,18 +47,6 @@ class Lowered:
     def qualified(self, name: str) -> str:
         """Return ``name`` as seen from the file."""
         return f"{self.scope}.{name}" if self.scope else name
-
-    @contextmanager
-    def within(self, scope: str, class_name: str | None = None) -> Iterator[None]:
-        """Enter a scope, given by its qualified name; None keeps the class."""
-        before = self.scope, self.class_name
-        self.scope = scope
-        if class_name is not None:
-            self.class_name = class_name
-        try:
-            yield
-        finally:
-            self.scope, self.class_name = before
 
     def too_deep(self, node: Node) -> bool:
         """Return whether ``node`` is nested too deeply to be lowered; then it is noted."""

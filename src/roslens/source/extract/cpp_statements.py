@@ -99,12 +99,14 @@ class StatementLowering:
 
     def _expression(self, node: Node, out: Statements) -> None:
         source, start, end = self._lowered.source, node.start_byte, node.end_byte
-        if not self._may_lead(node) or is_logging(source, start, end) or is_filling(source, start, end):
+        if not self._whole and not self._may_lead(node):
             return
         for inner in node.named_children:
-            if inner.type == "assignment_expression":
-                self._assign(inner, out)
-            elif inner.type != "comment":
+            kind = inner.type
+            if kind == "assignment_expression":
+                if not is_filling(source, start, end):
+                    self._assign(inner, out)
+            elif kind != "comment" and not is_logging(source, start, end):
                 self._evaluate(inner, node, out)
 
     def _evaluate(self, inner: Node, node: Node, out: Statements) -> None:
@@ -115,17 +117,19 @@ class StatementLowering:
                 out.append(Evaluate(expression, node.start_point.row + 1))
 
     def _assign(self, node: Node, out: Statements) -> None:
-        left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-        operator = node.child_by_field_name("operator")
-        if left is None or right is None:
+        children = node.children
+        if len(children) != 3:
+            children = [child for child in children if child.type != "comment"]
+        if len(children) != 3:
             return
+        left, operator, right = children
         if right.type == "assignment_expression" and not self._lowered.too_deep(node):
             self._lowered.depth += 1
             self._assign(right, out)
             self._lowered.depth -= 1
             right = right.child_by_field_name("left") or right
         target, value = self._lower(left), self._lower(right)
-        sign = operator.type if operator is not None else "="
+        sign = operator.type
         if sign not in ("=", "+="):
             value, sign = Operation(sign[:-1], (target, value)), "="
         out.append(Assign(target, value, "", sign, node.start_point.row + 1))

@@ -5,6 +5,7 @@ import pytest
 
 from roslens.live.adapters.child import LONGEST_PAUSE_S, Child, clean_environment, find_ros2_python
 from roslens.live.inside.environment import environment
+from roslens.live.publish.downlink import Downlink
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
@@ -67,6 +68,33 @@ def test_it_starts_again_with_pauses_that_grow_and_stop_growing():
         now += pause
     assert pauses == [0.5, 1, 2, 4, 8, 16, 30, 30, 30]
     assert pauses[-1] == LONGEST_PAUSE_S
+
+
+ECHO = """
+import sys
+from roslens.model.wire import Frame, encode_frame
+for line in sys.stdin.buffer:
+    sys.stdout.buffer.write(encode_frame(Frame(1, line.decode().strip(), 0, 1.0)))
+    sys.stdout.flush()
+    if line == b"end\\n":
+        sys.exit(0)
+"""
+
+
+def test_what_is_said_to_it_arrives_also_after_it_was_started_again():
+    line = Downlink()
+    one = Child("test", [sys.executable, "-c", ECHO], {}, line)
+    one.poll(0.0)
+    line.say(b"hello\n")
+    assert [frame.sender for frame in until(one, Frame)] == ["hello"]
+    line.say(b"end\n")
+    until(one, Failure)
+    line.say(b"lost\n")
+    assert line.lost == 1
+    one.poll(100.0)
+    line.say(b"again\n")
+    assert [frame.sender for frame in until(one, Frame)] == ["again"]
+    one.close()
 
 
 def test_one_that_lived_long_starts_again_soon(child):

@@ -16,6 +16,9 @@ def test_arguments(monkeypatch):
     assert [pattern.text for pattern in options.tap] == ["/scan*", "/odom"]
     assert options.tap_budget == 0.2
     assert options.statistics
+    assert (options.diagnostics, options.rated) == (False, "")
+    options = read_arguments(["--diagnostics", "--rated", "/roslens/rated"])
+    assert (options.diagnostics, options.rated) == (True, "/roslens/rated")
     monkeypatch.setenv("ROS_MASTER_URI", "http://robot:11311")
     assert read_arguments([]).master == "http://robot:11311"
 

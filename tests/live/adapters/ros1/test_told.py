@@ -49,6 +49,15 @@ def test_who_asks_is_answered_as_by_a_node(told):
     caller.close()
 
 
+def test_more_can_be_answered():
+    more = {"requestTopic": lambda arguments: [1, "", [arguments[1]]]}
+    server = ToldServer("127.0.0.1", "127.0.0.1", "http://m:1", lambda *_: None, more)
+    caller = Caller(server.uri, Resolver())
+    assert caller.call("requestTopic", "/x", "/t", [["TCPROS"]]) == [1, "", ["/t"]]
+    caller.close()
+    server.close()
+
+
 @pytest.mark.parametrize("length", ["900000000000", "-1", "x", ""])
 def test_a_length_that_is_none_is_refused(told, length):
     line = http.client.HTTPConnection(told.uri[7:-1], timeout=5)

@@ -227,6 +227,26 @@ class Counted:
         return []
 
 
+def test_traffic_of_an_observer_is_not_told():
+    node = FakeNode()
+    node.add("talker", "p", "/diagnostics", 7)
+    node.add("listener", "s", "/diagnostics", 8)
+    node.ends.append(("_roslens_9", "/", "p", "/diagnostics", "a/msg/B", gid(9, 3)))
+
+    class Heard:
+        def read(self, now):
+            tally = Tally("/diagnostics", "", "/ns/listener", 0.0, 1.0, count=5)
+            return [CountedSlot(8, gid(pid, number).hex(), tally, "") for pid, number in ((9, 3), (7, 1))]
+
+        def failures(self):
+            return []
+
+    observation = Observation("robot", reader(node), Heard())
+    observation.changed(1.0)
+    frame, _ = observation.period(2.0, 1.0)
+    assert [tally.publisher for tally in frame.tallies] == ["/ns/talker"]
+
+
 def test_silence_is_told_of_what_is_there_only():
     node = FakeNode()
     node.add("talker", "p", "/t", 7)

@@ -1,0 +1,57 @@
+import pytest
+
+from roslens.live.adapters.ros1.follow import Follower
+from roslens.live.adapters.ros1.master import Master
+from roslens.live.adapters.ros1.resolve import Resolver
+
+ME, API = "/me", "http://127.0.0.1:9/"
+PUBLISHED = (("/diagnostics", "diagnostic_msgs/DiagnosticArray"), ("/rated", "roslens_msgs/RatedSignals"))
+
+
+@pytest.fixture
+def published(system):
+    """Publishers as the master was told of them."""
+    told = []
+
+    def answer():
+        ok = [1, "", []]
+
+        def register(caller, topic, type_, uri):
+            told.append(("register", topic, type_, uri))
+            system.publishers.setdefault(topic, set()).add(caller)
+            return ok
+
+        def unregister(caller, topic, uri):
+            told.append(("unregister", topic, uri))
+            system.publishers[topic].discard(caller)
+            return [1, "", 1]
+
+        system.master.answers.update({"registerPublisher": register, "unregisterPublisher": unregister})
+
+    system.answer = answer
+    answer()
+    return told
+
+
+def test_what_is_published_is_registered_is_no_part_of_the_system_and_is_taken_back(system, published):
+    follower = Follower(Master(system.master.uri, ME, Resolver()), ME, API, PUBLISHED)
+    follower.step()
+    follower.step()
+    assert published == [("register", topic, type_, API) for topic, type_ in PUBLISHED]
+    assert follower.state.publishers == ()
+    follower.leave(lambda _: None)
+    assert published[2:] == [("unregister", topic, API) for topic, _ in PUBLISHED]
+
+
+def test_it_is_registered_at_a_master_that_was_restarted(system, published):
+    follower = Follower(Master(system.master.uri, ME, Resolver()), ME, API, PUBLISHED)
+    follower.step()
+    port = system.master.port
+    system.master.close()
+    follower.step()
+    system.pid, system.publishers, system.subscribers = 101, {}, {}
+    system.start(port)
+    system.answer()
+    assert follower.step().restarted
+    assert [told[:2] for told in published] == [("register", topic) for topic, _ in PUBLISHED] * 2
+    follower.leave(lambda _: None)

@@ -193,3 +193,31 @@ def test_shells_complete_the_new_options(capsys):
     assert main(["completion", "bash"]) == 0
     script = capsys.readouterr().out
     assert all(option in script for option in ("--graph-out", "--live", "--graph"))
+
+
+@pytest.fixture
+def no_ros(monkeypatch):
+    for name in ("ROS_MASTER_URI", "ROSLENS_ROS2_PYTHON"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("roslens.live.adapters.child._unfit", lambda *_: "No module named 'rclpy'")
+
+
+def test_a_file_takes_the_result_of_what_runs(no_ros, tmp_path, capsys):
+    out = tmp_path / "out.txt"
+    assert main(["watch", "--for", "1 s", "-o", str(out)]) == 3
+    assert platform.node() in out.read_text()
+    assert capsys.readouterr().out == ""
+
+
+def test_a_screen_ends_with_the_exit_code_and_the_words_of_what_it_showed(no_ros, tmp_path, capfd, monkeypatch):
+    reference = tmp_path / "r.yaml"
+    reference.write_text(
+        "kind: reference\nname: r\ndefaults: {grace: 0 s}\nconstraints:\n"
+        f"  - {{host: {platform.node()}, memory: <= 1 MB}}\n"
+    )
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    assert main(["watch", "--for", "2.5 s", "--reference", str(reference)]) == 1
+    found = capfd.readouterr()
+    assert "\x1b[?1049l" in found.out
+    assert "Something became wrong once" in found.out
+    assert "roslens: no ROS was found" in found.err

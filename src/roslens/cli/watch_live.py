@@ -47,8 +47,18 @@ def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: froze
         UsageError: the options make no sense, or an address is taken.
     """
     length = length_of(options.length, "--for") if options.length is not None else None
+    with Teller(options, time_of_day) as teller:
+        return _watched(options, files, states, teller, length)
+
+
+def _watched(
+    options: argparse.Namespace,
+    files: ReferenceFiles,
+    states: frozenset[str],
+    teller: Teller,
+    length: float | None,
+) -> int:
     with contextlib.ExitStack() as stack:
-        teller = stack.enter_context(Teller(options, time_of_day))
         session = Session(files.reference, start=time.time())
         publishes = wanted(options)
         sources = _sources(options, publishes)
@@ -82,7 +92,9 @@ def watch_live(options: argparse.Namespace, files: ReferenceFiles, states: froze
             return bool(ended) or (length is not None and time.monotonic() - begun >= length)
 
         run(session, sources, wall=time.time, stopped=stopped, told=told)
-    teller = Teller(argparse.Namespace(**{**vars(options), "output": None}), time_of_day) if on_screen else teller
+    for text in teller.said if on_screen else ():
+        # The screen that showed it is gone.
+        print(f"roslens: {text}", file=sys.stderr)
     # As it was when it was last looked at: to end the observers takes a while, in which nothing is heard of anybody.
     missed = about_nothing(session, files.reference, last, kinds_of(session))
     if options.graph_out is not None:

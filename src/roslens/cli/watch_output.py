@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections import deque
 from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, TextIO
@@ -21,10 +22,15 @@ if TYPE_CHECKING:
     from roslens.live.session import Session, Step
 
 _ENDLESS = 10_000
+_KEPT = 20
 
 
 class Teller:
-    """Writes to standard output or to the file of ``-o``; a context manager."""
+    """Writes to standard output or to the file of ``-o``; a context manager.
+
+    Attributes:
+        said: the latest failures and notes.
+    """
 
     def __init__(self, options: argparse.Namespace, clock: Callable[[float], str]) -> None:
         """Write as the options say; ``clock`` writes times.
@@ -38,6 +44,7 @@ class Teller:
         self._states: set[str] = set()
         self._failed = 0
         self._old_reference = False
+        self.said: deque[str] = deque(maxlen=_KEPT)
         self._stream: TextIO = options.output.open("w", encoding="utf-8") if options.output else sys.stdout
 
     def __enter__(self) -> Teller:
@@ -56,6 +63,8 @@ class Teller:
         self._states.update(one.state.value for one in step.changes)
         self._alarms += sum(one.state.bad for one in step.changes)
         self._failed += len(step.failures)
+        self.said.extend(str(failure) for failure in step.failures)
+        self.said.extend(note.text for note in step.notes)
         for note in step.notes:
             self._old_reference = note.kind is NoteKind.KEPT
 

@@ -3,11 +3,12 @@
 from random import Random
 
 import pytest
+from live.random_traffic import of, told
 from live.time_line import reference
 
-from roslens.live import monitor as monitor_file
+from roslens.live import lookout as lookout_file
 from roslens.live.monitor import Monitor
-from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.tally import Observer, Tally
 
 QUANTITIES = {
     "rate": "15..30",
@@ -57,16 +58,11 @@ def traffic(steps, publisher):
         )  # fmt: skip
 
 
-def of(values):
-    if not values:
-        return Moments()
-    return Moments(len(values), sum(values), sum(one * one for one in values), min(values), max(values))
-
-
 def said(streams, *, every):
+    """Return changes, and values whenever somebody looks; and how often a connection rested."""
     monitor = Monitor(RULES, start=0.0)
     records = sorted((one for stream in streams for one in stream), key=lambda one: one[0])
-    told, place, resting = [], 0, 0
+    told, values, place, resting = [], [], 0, 0
     for tick in range(1, round(records[-1][0] * 10) + 20):
         now = tick / 10
         while place < len(records) and records[place][0] <= now + 1e-9:
@@ -75,17 +71,16 @@ def said(streams, *, every):
         told += [(now, str(v.entity), v.expectation, v.state, round(v.since, 3)) for v in monitor.tick(now)]
         resting += sum(one.envelope is not None for one in monitor._world.connections.values())
         if tick % every == 0:
-            monitor.standing()
-    return told, resting
+            values += [(now, str(v.entity), v.expectation, v.state, v.value) for v in monitor.standing()]
+    return told, values, resting
 
 
 def both(streams, monkeypatch):
     known = said(streams, every=7)
     with monkeypatch.context() as patched:
-        patched.setattr(monitor_file, "PACE_S", -1.0)
-        patched.setattr(monitor_file, "envelope_of", lambda connection, topic: None)
+        patched.setattr(lookout_file, "envelope_of", lambda connection, topic: None)
         everything = said(streams, every=7)
-    assert everything[1] == 0
+    assert everything[2] == 0
     return known, everything
 
 
@@ -96,10 +91,27 @@ def test_the_same_is_said_with_and_without(seed, monkeypatch):
         list(traffic([tuple(draw(values) for values in STEPS) for _ in range(6)], f"/p{number}"))
         for number in range(1 + seed % 2)
     ]
-    (told, _), (all_told, _) = both(streams, monkeypatch)
-    assert told == all_told
+    assert_same(*both(streams, monkeypatch))
+
+
+def assert_same(known, everything):
+    assert known[0] == everything[0]
+    for one, other in zip(known[1], everything[1], strict=True):
+        assert one == (*other[:4], other[4] if other[4] is None else pytest.approx(other[4], rel=1e-6, abs=1e-9))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_unruly_traffic_is_told_of_the_same(seed, monkeypatch):
+    draw = Random(seed)
+    observers = draw.choice([[Observer.INSIDE], [Observer.INSIDE, Observer.TAP]])
+    streams = [
+        list(told(draw, f"/p{number}", observer, 7.0))
+        for number in range(draw.choice([1, 1, 2]))
+        for observer in observers
+    ]
+    assert_same(*both(streams, monkeypatch))
 
 
 def test_steady_traffic_rests(monkeypatch):
-    (_, resting), _ = both([list(traffic([(20.0, 100, 0.01, 0)] * 10, "/p"))], monkeypatch)
+    (_, _, resting), _ = both([list(traffic([(20.0, 100, 0.01, 0)] * 10, "/p"))], monkeypatch)
     assert resting > 60

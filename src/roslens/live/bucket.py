@@ -2,9 +2,50 @@
 
 from __future__ import annotations
 
+from copy import copy
+from typing import Union
+
 import msgspec
 
 from roslens.model.tally import Moments, Tally
+
+
+class Sums(msgspec.Struct, gc=False):
+    """Moments that grow in place, so that taking more in builds nothing."""
+
+    count: int
+    total: float
+    squares: float
+    least: float
+    greatest: float
+
+    @classmethod
+    def of(cls, one: Moments) -> Sums:
+        """Begin with what is known."""
+        return cls(one.count, one.total, one.squares, one.least, one.greatest)
+
+    def take(self, other: Moments | Sums) -> None:
+        """Become the moments of both series together; both have some."""
+        self.count += other.count
+        self.total += other.total
+        self.squares += other.squares
+        if other.least < self.least:
+            self.least = other.least
+        if other.greatest > self.greatest:
+            self.greatest = other.greatest
+
+    @property
+    def mean(self) -> float | None:
+        """The mean; None of nothing."""
+        return self.total / self.count if self.count else None
+
+    @property
+    def deviation(self) -> float | None:
+        """The standard deviation of the population; None of nothing."""
+        return Moments(self.count, self.total, self.squares).deviation
+
+
+Series = Union[Moments, Sums]  # noqa: UP007 - read at run time by Python 3.10 too
 
 
 class Bucket(msgspec.Struct, gc=False):
@@ -47,10 +88,10 @@ class Bucket(msgspec.Struct, gc=False):
     lost: int
     losable: int
     losses_counted: bool
-    period: Moments
-    latency: Moments
-    age: Moments
-    processing: Moments
+    period: Series
+    latency: Series
+    age: Series
+    processing: Series
 
     @classmethod
     def of(cls, tally: Tally, previous: float) -> Bucket:
@@ -76,6 +117,13 @@ class Bucket(msgspec.Struct, gc=False):
             size if sized else 0, count if sized else 0, lost if losses else 0, count if losses else 0, losses,
             period, tally.latency, tally.age, tally.processing,
         )  # fmt: skip
+
+    def twin(self) -> Bucket:
+        """Return a bucket that grows by itself."""
+        one = copy(self)
+        one.period, one.latency = copy(self.period), copy(self.latency)
+        one.age, one.processing = copy(self.age), copy(self.processing)
+        return one
 
     @property
     def gap_began(self) -> float:
@@ -111,12 +159,20 @@ class Bucket(msgspec.Struct, gc=False):
             self.span += period.total
             if period.greatest > self.gap:
                 self.gap, self.gap_at, self.before = period.greatest, tally.longest_at, previous or first
-            self.period = joined(self.period, period)
-        if tally.latency.count:
-            self.latency = joined(self.latency, tally.latency)
-        if tally.age.count:
+            sums = self.period
+            if type(sums) is Sums:
+                sums.take(period)
+            else:
+                self.period = joined(sums, period)
+        latency = tally.latency
+        if latency.count:
+            sums = self.latency
+            if type(sums) is Sums:
+                sums.take(latency)
+            else:
+                self.latency = joined(sums, latency)
+        if tally.age.count or tally.processing.count:
             self.age = joined(self.age, tally.age)
-        if tally.processing.count:
             self.processing = joined(self.processing, tally.processing)
 
     def absorb(self, later: Bucket) -> None:
@@ -142,8 +198,13 @@ class Bucket(msgspec.Struct, gc=False):
         self.processing = joined(self.processing, later.processing)
 
 
-def joined(one: Moments, other: Moments) -> Moments:
-    """Return the moments of both, without building anything where one is empty."""
+def joined(one: Series, other: Series) -> Series:
+    """Return the moments of both: ``one``, grown, where it can grow and both have some."""
     if not other.count:
         return one
-    return one.merged(other) if one.count else other
+    if not one.count:
+        # What still grows elsewhere must not grow here.
+        return other if type(other) is Moments else copy(other)
+    grown = one if type(one) is Sums else Sums.of(one)  # type: ignore[arg-type]
+    grown.take(other)
+    return grown

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from copy import copy
 from typing import TYPE_CHECKING
 
 from roslens.live.connection_name import connection_id
@@ -17,6 +16,8 @@ if TYPE_CHECKING:
 
 _PAUSE_S = 0.5
 """Seconds after a tally outside its envelope until a connection gets another."""
+_INSTANT_S = 1e-9
+"""A look comes rather this early than too late by a rounding."""
 AUTOMATIC = (0.0,)
 
 
@@ -30,8 +31,6 @@ class Connection(Measured):
         host: on which its observer stands.
         gone: whether the graph lacks an end of it.
         envelope: what its tallies have to be so that nothing has to be judged; None where every tally has to be.
-        longest: the tightest bound on gaps that holds for it.
-        strained: whether a tally since the last look may have changed a verdict.
         patience: until when no envelope is looked for, because there was none.
     """
 
@@ -44,11 +43,9 @@ class Connection(Measured):
         "envelope",
         "gone",
         "host",
-        "longest",
         "patience",
         "publisher",
         "settled",
-        "strained",
         "subscriber",
         "topic",
     )
@@ -62,8 +59,6 @@ class Connection(Measured):
         self.gone = False
         self.envelope: Envelope | None = None
         self.patience = -NEVER
-        self.longest = NEVER
-        self.strained = False
         self.seen = True
         self.settled = -NEVER
         self._lengths: tuple[float, ...] = AUTOMATIC
@@ -74,25 +69,40 @@ class Connection(Measured):
 
     def add(self, tally: Tally, now: float) -> bool:
         """Take a tally that is plausible; return whether it told anything new."""
+        envelope = self.envelope
+        if envelope is not None:
+            self.catch_up()
         if tally.observer is self._sole:
             windows = self._order[0]
         else:
             windows = self._by_observer.get(tally.observer) or self._observed(tally)
         first = windows[0]
         until = first.until
-        news = first.add(tally, now)
-        for window in windows[1:]:
+        news = False
+        for window in windows:
             news |= window.add(tally, now)
-        if self.envelope is not None and news and (first.until <= until or not self.envelope.holds(first.buckets[-1])):
+        if (
+            self.envelope is not None
+            and news
+            and (first.until <= until or not all(self.envelope.holds(window.buckets[-1]) for window in windows))
+        ):
             self.envelope = None
-            self.strained = True
             self.patience = now + _PAUSE_S
-        if news and first.buckets[-1].gap > self.longest:
-            self.strained = True
         return news
+
+    def wake(self) -> None:
+        """Look at every tally from now on."""
+        self.catch_up()
+        self.envelope = None
+
+    def catch_up(self) -> None:
+        """Let the windows know when news came that nobody has looked at."""
+        if self.envelope is not None:
+            self.envelope.notice()
 
     def resize(self, lengths: tuple[float, ...], most: int) -> None:
         """Keep a window of each of these lengths, of at most so many buckets."""
+        self.wake()
         if (lengths, most) == (self._lengths, self._most):
             return
         self._most = most
@@ -107,29 +117,15 @@ class Connection(Measured):
         self._lengths = lengths
         self._sort()
 
-    @property
-    def speaks(self) -> bool:
-        """Whether the newest tally of every observer has messages."""
-        for windows in self._order:
-            buckets = windows[0].buckets
-            if not buckets or not buckets[-1].count:
-                return False
-        return True
-
-    def notice(self, now: float) -> None:
-        """Note when news came, without looking at it yet."""
-        for windows in self._order:
+    def heard(self, envelope: Envelope, now: float) -> bool:
+        """Note when news came to a connection with an envelope; False where it is silent for too long."""
+        envelope.notice()
+        windows = self._order[0]
+        first = windows[0]
+        if first.news:
             for window in windows:
                 window.notice(now)
-
-    def heard(self, now: float) -> bool:
-        """Note when news came to a connection with an envelope; False where it is silent for too long."""
-        windows = self._order[0]
-        for window in windows:
-            if window.news:
-                window.notice(now)
-        first = windows[0]
-        self.due = first.noticed + 1.5 * first.spacing + 0.05 + 1e-9
+        self.due = first.noticed + first.patience - _INSTANT_S
         return self.due > now
 
     def settle(self, now: float) -> None:
@@ -137,6 +133,7 @@ class Connection(Measured):
         if self.settled == now:
             return
         self.settled = now
+        self.catch_up()
         for windows in self._order:
             for window in windows:
                 window.settle(now)
@@ -181,6 +178,7 @@ class Connection(Measured):
 
     def best(self, at: int) -> Window | None:
         """Return the window of the best observer who speaks; of those who fell silent where all did."""
+        self.catch_up()
         quiet = None
         for windows in self._order:
             window = windows[at]
@@ -193,6 +191,7 @@ class Connection(Measured):
     @property
     def quiet_since(self) -> float | None:
         """When the monitor noticed the last tally of all, None where it noticed none."""
+        self.catch_up()
         noticed = [windows[0].noticed for windows in self._order if windows[0].spacing]
         return max(noticed, default=None)
 
@@ -233,9 +232,9 @@ class Connection(Measured):
 
 
 def _due(window: Window, now: float) -> float:
-    patient = window.noticed + 1.5 * window.spacing + 0.05
+    patient = window.noticed + window.patience - _INSTANT_S
     if now < patient:
-        return patient + 1e-9
+        return patient
     over = window.noticed + window.length + (window.until - (window.last or window.begun))
     step = min(max(window.length / 20, 0.05), 0.095)
     return now + step if now <= over + step else NEVER
@@ -245,5 +244,5 @@ def _copy(source: Window, length: float) -> Window:
     """Return a window of another length that knows what one knows already."""
     window = Window(source.observer, source.host, length)
     # Each window merges its own buckets.
-    window.take_over(source, [copy(bucket) for bucket in source.buckets])
+    window.take_over(source, [bucket.twin() for bucket in source.buckets])
     return window

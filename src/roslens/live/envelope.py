@@ -12,41 +12,107 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import inf, sqrt
 
-from roslens.live.bucket import Bucket
+from roslens.live.bucket import Bucket, Series
 from roslens.live.connection import Connection
 from roslens.live.measured import Group
+from roslens.live.round import Round
 from roslens.live.topic import SUMMED, Topic
 from roslens.live.traffic import bandwidth, message_size, period, rate
-from roslens.live.window import Window
+from roslens.live.window import EPSILON_S, Window
+from roslens.model.tally import Tally
 
+_BEFORE = -EPSILON_S
+_Bounds = tuple[float, float, float]
+_BOUNDLESS = (-inf, inf, inf)
 _MEANS = ("latency", "age", "processing")
 
 
 class Envelope:
-    """Bounds of a single tally of a connection.
+    """Bounds of a single tally of a connection with one observer.
 
     Attributes:
-        rate: least and greatest messages per second.
+        slow: least messages per second.
+        fast: greatest of them.
         size: of the mean size of a message in bytes.
         gap: the longest time without a message.
         centre: the period from which distances are taken.
         scatter: the greatest mean square of these.
         loss: least and greatest share, in percent.
-        means: by number of the series, where it is bounded: least and greatest mean, and greatest value.
+        latency: least and greatest mean, and greatest value; None where it has no bounds.
+        age: those of it.
+        processing: those of it.
+        windows: of the connection.
+        round: in which the newest tally inside came; None where that was noticed.
     """
 
     __slots__ = (
-        "centre", "gap", "loss", "means", "rate", "scatter", "size",
+        "age", "centre", "fast", "gap", "latency", "loss", "processing", "round", "scatter", "size", "slow", "windows",
     )  # fmt: skip
 
-    def __init__(self) -> None:
-        self.rate = (0.0, inf)
+    def __init__(self, windows: list[Window]) -> None:
+        self.slow, self.fast = 0.0, inf
         self.size: tuple[float, float] | None = None
         self.gap = inf
         self.centre = 0.0
         self.scatter = inf
         self.loss: tuple[float, float] | None = None
-        self.means: dict[str, tuple[float, float, float]] = {}
+        self.latency: _Bounds | None = None
+        self.age: _Bounds | None = None
+        self.processing: _Bounds | None = None
+        self.windows = windows
+        self.round: Round | None = None
+
+    def takes(self, tally: Tally, now: Round) -> bool:
+        """Put a tally into the windows that is plausible, follows the last one, and lies inside; else return False.
+
+        What is asked is never true of a value that is no number. Long, because a call costs as much as ten questions.
+        """
+        windows = self.windows
+        window = windows[0]
+        until, end, count, last, period = window.until, tally.end, tally.count, tally.last, tally.period
+        start = tally.start
+        hole, length, quiet = start - until, end - until, end - last
+        gap, span, squares, centre, size = period.greatest, period.total, period.squares, self.centre, tally.bytes
+        if not (
+            _BEFORE <= hole <= window.spacing
+            and length > EPSILON_S
+            and period.count == count > 0 <= period.least <= gap <= self.gap >= quiet
+            and self.slow * (span + quiet - gap if quiet > gap else span) <= count <= self.fast * span
+            and squares - centre * (span + span - centre * count) <= self.scatter * count
+            and (
+                size >= -1 if self.size is None else self.size[0] * count <= size <= self.size[1] * count and size >= 0
+            )
+            and tally.lost >= -1
+            and start - 1 <= tally.first <= last <= end + 1
+            and tally.observer is window.observer
+        ):
+            return False
+        finite = squares + end + tally.longest_at
+        series = tally.latency
+        if series.count or self.latency is not None:
+            finite += _within(series, self.latency)
+        series = tally.age
+        if series.count or self.age is not None:
+            finite += _within(series, self.age)
+        series = tally.processing
+        if series.count or series.least or self.processing is not None:
+            finite += _within(series, self.processing) if series.least >= 0 else inf
+        if finite - finite != 0 or (self.loss is not None and not self._loss_within(tally.lost, count)):
+            return False
+        if now is not self.round:
+            self.notice()
+            self.round = now
+        for window in windows:
+            window.follow(tally, length, hole)
+        return True
+
+    def notice(self) -> None:
+        """Let windows know when the newest tally inside was noticed; nothing is known of one since the last tick."""
+        if self.round is not None and self.round.time is not None:
+            for window in self.windows:
+                if window.news:
+                    window.notice(self.round.time)
+            self.round = None
 
     def holds(self, bucket: Bucket) -> bool:
         """Whether a bucket lies inside all bounds, and the silence at its end too."""
@@ -54,11 +120,10 @@ class Envelope:
         if not intervals or not bucket.count:
             return False
         span, gap = bucket.span, bucket.gap
-        low, high = self.rate
         quiet = bucket.end - bucket.last
-        if gap > self.gap or quiet > self.gap or intervals > high * span:
+        if gap > self.gap or quiet > self.gap or intervals > self.fast * span:
             return False
-        if intervals < low * (span + quiet - gap if quiet > gap else span):
+        if intervals < self.slow * (span + quiet - gap if quiet > gap else span):
             return False
         if self.scatter < inf:
             moments = bucket.period
@@ -71,12 +136,14 @@ class Envelope:
         size = self.size
         if size is not None and not size[0] * bucket.sized <= bucket.bytes <= size[1] * bucket.sized != 0:
             return False
-        for field, (low, high, greatest) in self.means.items():
-            moments = getattr(bucket, field)
-            count = moments.count
-            if not count or not low * count <= moments.total <= high * count or moments.greatest > greatest:
+        for field in _MEANS:
+            bounds = getattr(self, field)
+            if bounds is not None and _within(getattr(bucket, field), bounds) == inf:
                 return False
         return self.loss is None or self._loss_holds(bucket)
+
+    def _loss_within(self, lost: int, count: int) -> bool:
+        return self.loss is None or (lost >= 0 and self.loss[0] <= 100 * lost / (lost + count) <= self.loss[1])
 
     def _loss_holds(self, bucket: Bucket) -> bool:
         sent = bucket.lost + bucket.losable
@@ -114,7 +181,7 @@ class Envelope:
         return True
 
     def _narrow_rate(self, low: float, high: float) -> None:
-        self.rate = max(self.rate[0], low), min(self.rate[1], high)
+        self.slow, self.fast = max(self.slow, low), min(self.fast, high)
 
     def _narrow_size(self, low: float, high: float) -> None:
         known = self.size or (-inf, inf)
@@ -138,11 +205,11 @@ class Envelope:
         field, _, extreme = key.partition("_")
         if field not in _MEANS:
             return False
-        least, most, greatest = self.means.get(field, (-inf, inf, inf))
+        least, most, greatest = getattr(self, field) or (-inf, inf, inf)
         if extreme:
-            self.means[field] = least, most, min(greatest, high)
+            setattr(self, field, (least, most, min(greatest, high)))
             return low == -inf
-        self.means[field] = max(least, low), min(most, high), greatest
+        setattr(self, field, (max(least, low), min(most, high), greatest))
         return True
 
 
@@ -155,7 +222,7 @@ def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
     alone = connection.alone
     if alone is None or connection.gone or (topic.judged and not topic.calm):
         return None
-    envelope = Envelope()
+    envelope = Envelope(alone)
     groups: Iterable[tuple[Group, float]] = [(group, 1.0) for group in connection.groups]
     shares: dict[str, float | None] = {}
     for group in topic.groups:
@@ -174,6 +241,15 @@ def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
     if all(envelope.holds(bucket) for window in alone for bucket in window.buckets):
         return envelope
     return None
+
+
+def _within(series: Series, bounds: _Bounds | None) -> float:
+    """Return a sum that is finite if a series is and lies inside its bounds, and infinite or no number if not."""
+    count, total, greatest = series.count, series.total, series.greatest
+    low, high, most = bounds or _BOUNDLESS
+    if count > 0 and low * count <= total <= high * count and greatest <= most:
+        return total + series.squares + series.least + greatest
+    return inf
 
 
 def _share(connection: Connection, topic: Topic, group: Group) -> float | None:

@@ -21,7 +21,6 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     """Judge a connection; return what changed."""
     connection.settle(now)
     connection.looked = now
-    connection.strained = False
     due = connection.next_due(now)
     changed: list[Judged] = []
     calm = True

@@ -10,13 +10,11 @@ from roslens.judge.expectation import Reference
 from roslens.live.age_chain import AgeChains
 from roslens.live.clock_watch import ClockWatch, Course
 from roslens.live.connection import Connection
-from roslens.live.due_queue import DueQueue
-from roslens.live.envelope import envelope_of
 from roslens.live.existence import Existence
 from roslens.live.explained import Explained
 from roslens.live.field_check import FieldChecks
 from roslens.live.host_clocks import USUAL_TOLERANCE_S
-from roslens.live.judging import judge_connection, judge_sampled, judge_topic
+from roslens.live.lookout import Lookout
 from roslens.live.measured import Measured
 from roslens.live.plans import plan, required
 from roslens.live.plausible_tally import plausible_tally
@@ -24,9 +22,7 @@ from roslens.live.presence import Presences
 from roslens.live.rulebook import NOTHING_KNOWN, Rulebook
 from roslens.live.sampled import Sampled, finite
 from roslens.live.standing import Standing
-from roslens.live.topic import Topic
 from roslens.live.tree import SystemView, view_of
-from roslens.live.verdict_state import NEVER
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -36,10 +32,6 @@ from roslens.model.tally import Tally
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
-PACE_S = 0.35
-"""Seconds after which what is fine is looked at again, unless it fell silent."""
-RETRY_S = 1.0
-"""Seconds after which it is found out again whether a connection need not be looked at."""
 _CHAINS_S = 0.2
 _SWEEP_S = 30.0
 _KEPT_FAILURES = 100
@@ -64,22 +56,21 @@ class Monitor:
         self._world = World()
         self._clock = ClockWatch(start)
         self._began = start
-        self._suspended = self._held = self._settling = False
+        self._held = self._settling = False
         self._rules = Rulebook(reference)
         self._presences = Presences(self._rules, start)
         self._existence = Existence(self._world, self._presences)
         self._fields = FieldChecks(reference.field_checks, start)
         self._chains = AgeChains(reference.chains, start)
         self._explained = Explained(self._world)
-        self._queue = DueQueue()
-        self._waiting: list[Measured] = []
+        self._lookout = Lookout(self._world, self._existence, self._plan)
         self._moved: list[Standing] = []
         self._retired: list[Verdict] = []
         self._chains_due = self._sweep_due = start
         self._implausible = 0
         self.shed = 0
         self.failures: deque[Failure] = deque(maxlen=_KEPT_FAILURES)
-        self._wait_all(required(self._world, self._rules, start))
+        self._lookout.wait_all(required(self._world, self._rules, start))
 
     @property
     def world(self) -> World:
@@ -91,15 +82,28 @@ class Monitor:
         """Records that could not be true, in whole or in part, and those for which there was no room."""
         return self._implausible + self._world.refused
 
+    def add_tallies(self, tallies: Iterable[Tally]) -> None:
+        """Take the traffic of connections; what cannot be true of it is unknown."""
+        connection_of, lookout = self._world.connections.get, self._lookout
+        now = lookout.round
+        for tally in tallies:
+            connection = connection_of((tally.topic, tally.publisher, tally.subscriber))
+            if connection is None or connection.envelope is None or not connection.envelope.takes(tally, now):
+                self._add(tally, connection)
+            else:
+                lookout.heard = True
+
     def add_tally(self, tally: Tally) -> None:
         """Take the traffic of a connection; what cannot be true of it is unknown."""
+        self.add_tallies((tally,))
+
+    def _add(self, tally: Tally, connection: Connection | None) -> None:
         kept = plausible_tally(tally)
         if kept is not tally:
             self._implausible += 1
             if kept is None:
                 return
         now = self._clock.now
-        connection = self._world.connections.get((kept.topic, kept.publisher, kept.subscriber))
         if connection is None:
             connection = self._meet(kept, now)
             if connection is None:
@@ -107,9 +111,7 @@ class Monitor:
         if connection.add(kept, now):
             if self._held and kept.count:
                 self.clock_runs(now)
-            if not connection.waiting:
-                connection.waiting = True
-                self._waiting.append(connection)
+            self._lookout.wait(connection)
 
     def add_sample(self, sample: Sample) -> None:
         """Take what was read of a host, process, node or service; values that are not finite are unknown."""
@@ -126,14 +128,14 @@ class Monitor:
             sampled.planless = True
         if sampled.add(sample, values):
             self._existence.take_sample(sampled, sample.time)
-            self._wait(sampled)
+            self._lookout.wait(sampled)
 
     def add_graph(self, graph: Graph, time: float) -> None:
         """Take the whole graph as it is at ``time``."""
         now = self._clock.now
         for entity in self._world.take_graph(graph, now):
             entity.planless = True
-            self._wait(entity)
+            self._lookout.wait(entity)
         self._existence.take_graph(graph, time, now)
         self._explained.stale = True
 
@@ -154,7 +156,7 @@ class Monitor:
             self._existence.appear(key, self._presences.existing.get(key, NOTHING_KNOWN))
             for one in self._world.concerned(entity):
                 one.appeared = max(one.appeared, min(event.time, self._clock.now + 1))
-                self._wait(one)
+                self._lookout.wait(one)
 
     def add_field(self, topic: str, time: float, values: Mapping[str, float]) -> None:
         """Take values of fields of the last message on a topic, by path."""
@@ -163,8 +165,7 @@ class Monitor:
 
     def add_frame(self, frame: Frame) -> None:
         """Take everything that an observer tells at once."""
-        for tally in frame.tallies:
-            self.add_tally(tally)
+        self.add_tallies(frame.tallies)
         for sample in frame.samples:
             self.add_sample(sample)
         for event in frame.events:
@@ -182,7 +183,7 @@ class Monitor:
     def clock_runs(self, time: float) -> None:
         """Judge again from the next tick on, after grace."""
         self._held = False
-        if self._suspended:
+        if self._lookout.suspended:
             self._resume(time)
 
     def clock_jumped(self, time: float) -> None:
@@ -207,8 +208,8 @@ class Monitor:
         self._retire(before - {*self._presences.standing, *self._fields.standing, *self._chains.standing}, now)
         for one in self._entities():
             one.planless = True
-            self._wait(one)
-        self._wait_all(required(self._world, rules, now))
+            self._lookout.wait(one)
+        self._lookout.wait_all(required(self._world, rules, now))
         self._explained.stale = True
 
     def tick(self, now: float) -> tuple[Verdict, ...]:
@@ -229,8 +230,7 @@ class Monitor:
 
     def standing(self) -> tuple[Verdict, ...]:
         """Return every verdict as it stands, sorted by entity and expectation."""
-        self._plan(self._waiting, self._clock.now)
-        self._look_again(self._clock.now)
+        self._moved += self._lookout.look_again(self._clock.now)
         return tuple(one.verdict() for one in sorted(self._standing(), key=lambda one: one.key))
 
     def tolerance(self, tally: Tally) -> float:
@@ -242,29 +242,16 @@ class Monitor:
         ]
         return min(highest) / 2 if highest else USUAL_TOLERANCE_S
 
-    def _look_again(self, now: float) -> None:
-        """Bring values to the present that nobody had to look at."""
-        if self._suspended:
-            return
-        for topic in self._world.topics.values():
-            resting = [one for group in topic.connections.values() for one in group if one.envelope is not None]
-            for one in resting:
-                if one.looked < now and not one.planless:
-                    self._moved += judge_connection(one, now)
-            if resting and topic.judged and not topic.planless and topic.looked < now:
-                self._moved += judge_topic(topic, now, graph_known=self._world.graph is not None)
-
     def next_due(self, now: float) -> float:
         """Return when a tick could change something if nothing comes; infinity where only news can."""
-        if self._waiting or self._moved or self._retired:
+        if self._moved or self._retired:
             return now
-        due = min(self._queue.first, self._presences.due, self._fields.due)
+        due = min(self._lookout.due, self._presences.due, self._fields.due)
         return max(min(due, self._chains_due) if self._chains.standing else due, now)
 
     def tree(self, now: float) -> SystemView:
         """Return the system by host, node, topic and connection, with worst states and latest values."""
-        self._plan(self._waiting, self._clock.now)
-        self._look_again(self._clock.now)
+        self._moved += self._lookout.look_again(self._clock.now)
         return view_of(self._world, self._standing(), now)
 
     def _entities(self) -> Iterator[Measured]:
@@ -298,16 +285,6 @@ class Monitor:
                 self._presences.appear((EntityKind.NODE, node), NOTHING_KNOWN)
         return connection
 
-    def _wait(self, one: Measured) -> None:
-        if not one.waiting:
-            one.waiting = True
-            self._waiting.append(one)
-
-    def _wait_all(self, entities: Iterable[Measured]) -> None:
-        for one in entities:
-            one.planless = True
-            self._wait(one)
-
     def _follow_clock(self, now: float) -> None:
         course = self._clock.tick(now)
         if course is Course.JUMPED:
@@ -316,7 +293,7 @@ class Monitor:
             self._suspend(now)
         elif self._settling:
             self._settling = False
-        elif self._suspended and not self._held:
+        elif self._lookout.suspended and not self._held:
             self._resume(now)
 
     def _traffic(self) -> Iterator[Standing]:
@@ -327,18 +304,18 @@ class Monitor:
         )
 
     def _suspend(self, time: float) -> None:
-        if self._suspended:
+        if self._lookout.suspended:
             return
-        self._suspended = True
+        self._lookout.suspended = True
         for connection in self._world.connections.values():
-            connection.envelope = None
+            connection.wake()
         for one in self._traffic():
             one.forget(time, State.SUSPENDED)
             self._moved.append(one)
 
     def _resume(self, time: float) -> None:
         """Begin anew: what came before the break says nothing of what comes now."""
-        self._suspended = False
+        self._lookout.suspended = False
         self._began = time
         self._fields.clear()
         for one in self._entities():
@@ -347,7 +324,7 @@ class Monitor:
             if isinstance(one, Connection):
                 one.clear(time)
             one.due = time
-            self._wait(one)
+            self._lookout.wait(one)
         for standing in self._traffic():
             standing.forget(time, State.UNKNOWN)
             self._moved.append(standing)
@@ -357,17 +334,17 @@ class Monitor:
         self._suspend(time)
         self._began = time
         self._presences.look_again()
-        self._queue = DueQueue()
+        self._lookout.forget_due()
         self._chains_due = self._sweep_due = time
         for one in self._entities():
             one.planned = one.due = float("inf")
             if isinstance(one, Sampled):
                 one.clear(time)
-                self._wait(one)
+                self._lookout.wait(one)
 
     def _judge(self, now: float) -> list[Standing]:
-        changed = self._judge_entities(now)
-        if not self._suspended:
+        changed: list[Standing] = [*self._lookout.judge(now)]
+        if not self._lookout.suspended:
             changed += self._fields.judge(now, self._began)
             if self._chains.standing and now >= self._chains_due:
                 changed += self._chains.judge(now, self._look, self._silence, self._began)
@@ -378,77 +355,10 @@ class Monitor:
             self._sweep(now)
         return changed
 
-    def _judge_entities(self, now: float) -> list[Standing]:
-        waiting, self._waiting = self._waiting, []
-        topics: dict[Topic, None] = {}
-        others: dict[Measured, None] = {}
-        suspended = self._suspended
-        for one in (*waiting, *self._queue.take(now)):
-            one.waiting = False
-            if type(one) is Connection:
-                if one.envelope is not None and not suspended and one.heard(now):
-                    if one.due < one.planned:
-                        self._queue.put(one)
-                    continue
-                topics[self._world.topics[one.topic]] = None
-                others[one] = None
-            elif isinstance(one, Topic):
-                topics[one] = None
-            else:
-                others[one] = None
-        self._plan((*topics, *others), now)
-        changed: list[Standing] = []
-        for one in (*others, *topics):
-            changed += self._judge_one(one, now)
-        for topic in topics:
-            self._rest(topic, now)
-        for one in (*others, *topics):
-            if one.due < one.planned:
-                self._queue.put(one)
-        return changed
-
-    def _rest(self, topic: Topic, now: float) -> None:
-        """Find out which connections need not be judged as long as their tallies are as they are."""
-        quiet = topic.calm or not topic.judged
-        for connections in topic.connections.values():
-            for one in connections:
-                if one.envelope is None and quiet and one.calm and one.looked == now and now >= one.patience:
-                    one.envelope = envelope_of(one, topic)
-                    if one.envelope is None:
-                        one.patience = now + RETRY_S
-                quiet = quiet and one.envelope is not None
-        if quiet and topic.connections:
-            # Its connections wait for it.
-            topic.due = NEVER
-
     def _plan(self, entities: Iterable[Measured], now: float) -> None:
         for one in entities:
             if one.planless:
                 self._retire(plan(one, self._world, self._rules, now), now)
-
-    def _judge_one(self, one: Measured, now: float) -> Iterable[Standing]:
-        if isinstance(one, Sampled):
-            judged = judge_sampled(one, now)
-            if one.seen and not one.fresh(now):
-                self._existence.take_silence(one, now)
-            return judged
-        if self._suspended:
-            return ()
-        strained = isinstance(one, Connection) and one.strained
-        if one.calm and not strained and 0 <= now - one.looked < PACE_S and one.due > now:
-            if not isinstance(one, Connection):
-                one.due = one.looked + PACE_S
-                return ()
-            if one.speaks:
-                one.notice(now)
-                one.due = one.looked + PACE_S
-                return ()
-            self._world.topics[one.topic].calm = False
-        if isinstance(one, Connection):
-            return judge_connection(one, now)
-        if isinstance(one, Topic) and one.judged:
-            return judge_topic(one, now, graph_known=self._world.graph is not None)
-        return ()
 
     def _retire(self, dropped: Iterable[Standing], now: float) -> None:
         """Say of verdicts that are judged no more that they are unknown."""
@@ -465,7 +375,7 @@ class Monitor:
             self._world.forget(connection)
             self._existence.vanish((connection.id.kind, connection.id.name), now)
             self._retire(connection.judged, now)
-            self._wait_all((self._world.topics[connection.topic],))
+            self._lookout.wait_all((self._world.topics[connection.topic],))
         for sampled in self._world.outdated_processes(now):
             del self._world.sampled[sampled.id]
             self._retire(sampled.judged, now)

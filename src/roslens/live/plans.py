@@ -10,7 +10,6 @@ from roslens.live.rulebook import Rulebook
 from roslens.live.sampled import Sampled
 from roslens.live.sentence import Sentence, window_length
 from roslens.live.topic import Topic
-from roslens.live.verdict_state import NEVER
 from roslens.live.window import MAX_BUCKETS, MAX_VALUES
 from roslens.live.world import World
 from roslens.model.entity import EntityKind
@@ -59,7 +58,6 @@ def _plan_connection(connection: Connection, world: World, rules: Rulebook, now:
     if not asked <= set(topic.lengths) or (percentile and topic.most == MAX_BUCKETS):
         return dropped + _plan_topic(topic, world, rules, now)
     _place(connection, topic.lengths, topic.most)
-    _bound(connection, topic)
     return dropped
 
 
@@ -81,7 +79,6 @@ def _plan_topic(topic: Topic, world: World, rules: Rulebook, now: float) -> list
     _place(topic, topic.lengths, topic.most)
     for connection in connections:
         _place(connection, topic.lengths, topic.most)
-        _bound(connection, topic)
     return dropped
 
 
@@ -89,17 +86,10 @@ def _place(entity: Connection | Topic, lengths: tuple[float, ...], most: int) ->
     """Let each sentence of an entity take its window."""
     if isinstance(entity, Connection):
         entity.resize(lengths, most)
-        entity.envelope = None
     for judged in entity.judged:
         window = judged.sentence.window
         judged.at = lengths.index(window) if window else 0
     entity.gather()
-
-
-def _bound(connection: Connection, topic: Topic) -> None:
-    """Find the tightest bound on gaps that holds for a connection."""
-    bounds = (group.high for one in (connection, topic) for group in one.groups if group.key == "largest_gap")
-    connection.longest = min(bounds, default=NEVER)
 
 
 def _about(connection: Connection, world: World, rules: Rulebook) -> tuple[Sentence, ...]:

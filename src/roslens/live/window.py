@@ -26,7 +26,8 @@ BRIEF_S = 1.0
 """A window that is shorter holds two tallies at least, and those that reach into it as a whole."""
 _GRAIN = 1.5
 """Neighbouring tallies share a bucket up to so many times its usual share of the window."""
-_EPSILON = 1e-6
+EPSILON_S = 1e-6
+"""Instants that are closer together are the same."""
 _SLACK_S = 1.0
 _STRANGE = 3
 """So many tallies in a row from another time are a stepped clock, fewer are mistakes."""
@@ -100,29 +101,18 @@ class Window:
         """Take a tally; ``now`` is when the monitor last looked, on its clock. Return whether it told anything new."""
         buckets = self.buckets
         until, spacing = self.until, self.spacing
-        end, hole = tally.end, tally.start - until
-        if buckets and -_EPSILON <= hole <= spacing and end > until + _EPSILON:
-            # What nearly every tally is: the one after the last.
-            length = end - until
-            self.spacing = max(0.9 * spacing, length)
-            if self._strange:
-                self._strange.clear()
-            newest = buckets[-1]
-            previous = self.last if hole <= _SLACK_S else 0.0
-            if end - newest.start <= self._grain:
-                newest.extend(tally, previous)
-                self._end(tally.last, tally.count, end)
-            else:
-                self._append(Bucket.of(tally, previous))
+        hole = tally.start - until
+        if buckets and -EPSILON_S <= hole <= spacing and tally.end > until + EPSILON_S:
+            self.follow(tally, tally.end - until, hole)
             return True
         if not spacing and not buckets:
             self._begin(tally)
             return True
-        if tally.end <= until + _EPSILON:
+        if tally.end <= until + EPSILON_S:
             return self._fill(tally) or self._stranger(tally, now)
         if hole > _SLACK_S + self.spacing and hole > _SLACK_S + self.spacing + now - self.noticed:
             return self._stranger(tally, now)
-        if hole < -_EPSILON:
+        if hole < -EPSILON_S:
             fresh = self._without_known(tally)
             if fresh is None:
                 return False
@@ -136,6 +126,28 @@ class Window:
             self._strange.clear()
         self._append(Bucket.of(tally, self.last if hole <= _SLACK_S else 0.0))
         return True
+
+    def follow(self, tally: Tally, length: float, hole: float) -> None:
+        """Take what nearly every tally is: the one after the last, which ends ``length`` later, after a ``hole``."""
+        spacing = 0.9 * self.spacing
+        self.spacing = length if length > spacing else spacing  # noqa: FURB136
+        if self._strange:
+            self._strange.clear()
+        newest = self.buckets[-1]
+        previous = self.last if hole <= _SLACK_S else 0.0
+        end = tally.end
+        if end - newest.start > self._grain:
+            self._append(Bucket.of(tally, previous))
+            return
+        newest.extend(tally, previous)
+        last = tally.last
+        self.until = end
+        if last > self.last:
+            self.last = last
+        elif tally.count and not last:
+            self.last = end
+        self.news = True
+        self._summed = False
 
     def notice(self, now: float) -> None:
         """Note when news came, without looking at it yet."""
@@ -161,7 +173,7 @@ class Window:
             self.cache = {}
         horizon = self.horizon
         self.quiet = max(horizon - (self.last or self.begun), 0.0)
-        if self.buckets and self.buckets[0].start < horizon - self.length - _EPSILON:
+        if self.buckets and self.buckets[0].start < horizon - self.length - EPSILON_S:
             self._drop(horizon - self.length)
         if not self._summed:
             self._sum()
@@ -179,7 +191,7 @@ class Window:
     @property
     def filled(self) -> bool:
         """Whether the connection has been watched for as long as the window is."""
-        return self.horizon - self.begun >= self.length - _EPSILON
+        return self.horizon - self.begun >= self.length - EPSILON_S
 
     def resize(self, most: int) -> None:
         """Keep at most so many buckets."""
@@ -206,7 +218,7 @@ class Window:
     def _begin(self, tally: Tally) -> None:
         self.clear()
         self.begun = tally.start
-        self.spacing = max(tally.end - tally.start, _EPSILON)
+        self.spacing = max(tally.end - tally.start, EPSILON_S)
         self._append(Bucket.of(tally, 0.0))
 
     def _append(self, bucket: Bucket) -> None:
@@ -242,7 +254,7 @@ class Window:
 
     def _drop(self, before: float) -> None:
         buckets = self.buckets
-        before -= _EPSILON
+        before -= EPSILON_S
         while buckets and buckets[0].start < before:
             if buckets[0].end > before and (self._least > 1 or len(buckets) == 1):
                 break
@@ -264,32 +276,32 @@ class Window:
 
     def _fill(self, tally: Tally) -> bool:
         """Put a late tally where nothing is known yet; what is known already is a duplicate."""
-        if tally.start < self.begun - _EPSILON or not tally.count or tally.end <= self.until - self.length:
+        if tally.start < self.begun - EPSILON_S or not tally.count or tally.end <= self.until - self.length:
             return False
         for number, bucket in enumerate(self.buckets):
-            if bucket.start >= tally.end - _EPSILON:
+            if bucket.start >= tally.end - EPSILON_S:
                 before = self.buckets[number - 1].end if number else self.begun
-                if tally.start < before - _EPSILON:
+                if tally.start < before - EPSILON_S:
                     return False
                 late = Bucket.of(tally, 0.0)
                 self.buckets.insert(number, late)
                 self._summed = False
                 return True
-            if bucket.end > tally.start + _EPSILON:
+            if bucket.end > tally.start + EPSILON_S:
                 return False
         return False
 
     def _without_known(self, tally: Tally) -> Tally | None:
         """Return the part of an overlapping tally that is new, None where that cannot be told."""
-        while self.buckets and self.buckets[-1].start >= tally.start - _EPSILON:
+        while self.buckets and self.buckets[-1].start >= tally.start - EPSILON_S:
             self.buckets.pop()
             self._summed = False
         known = self.buckets[-1].end if self.buckets else tally.start
         overlap = known - tally.start
-        if overlap <= _EPSILON:
+        if overlap <= EPSILON_S:
             return tally
         share = (tally.end - known) / (tally.end - tally.start)
-        if tally.count and tally.first and tally.first >= known - _EPSILON:
+        if tally.count and tally.first and tally.first >= known - EPSILON_S:
             return _cut(tally, known, tally.count, 1.0)
         return _cut(tally, known, round(tally.count * share), share)
 
@@ -298,7 +310,7 @@ class Window:
         strange = self._strange
         if self.until - self.length < tally.start <= self.until:
             return False
-        if strange and tally.start < strange[-1].end - _EPSILON:
+        if strange and tally.start < strange[-1].end - EPSILON_S:
             strange.clear()
         strange.append(tally)
         del strange[:-_STRANGE]

@@ -8,6 +8,7 @@ all is known of the entity.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache
 
 from roslens.judge.amount import amount_text
 from roslens.live.signals import BY_KEY
@@ -80,4 +81,8 @@ def _shown(verdict: Verdict) -> str:
     if verdict.value is None:
         return "unknown"
     signal = BY_KEY.get(verdict.quantity)
-    return amount_text(float(f"{verdict.value:.4g}"), signal.unit if signal else "")
+    return _amount(float(f"{verdict.value:.4g}"), signal.unit if signal else "")
+
+
+# Of four digits the same come again and again, and all of them are written every second.
+_amount = lru_cache(maxsize=65536)(amount_text)

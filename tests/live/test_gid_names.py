@@ -1,3 +1,4 @@
+import msgspec
 import pytest
 
 from roslens.live.gid_names import KEPT_S, MOST_WAITING, WAIT_S, GidNames
@@ -72,4 +73,16 @@ def test_what_waits_is_bounded(names):
 
 
 def test_names_are_taken_as_they_are(names):
+    assert names.named(tally(publisher="/lidar"), 0.0).publisher == "/lidar"
+
+
+def test_nodes_of_another_domain_are_told_to_nobody(names):
+    names.take_graph(graph(LIDAR, PLANNER), 0.0)
+    other = msgspec.structs.replace(tally(publisher=BY_GID + "010fcccc"), subscriber="/elsewhere")
+    assert names.named(other, 0.0) is None
+    assert names.named(msgspec.structs.replace(other, publisher="/elsewhere", subscriber=""), 0.0) is None
+    assert names.due(WAIT_S) == []
+
+
+def test_without_a_graph_nodes_are_known_by_their_own_word(names):
     assert names.named(tally(publisher="/lidar"), 0.0).publisher == "/lidar"

@@ -1,7 +1,8 @@
 """The names of publishers of which an observer without ROS knows the identifiers alone.
 
 Such an observer may hear of a publisher before the graph does, so what it tells waits a moment for the name; and of one
-that is gone from the graph its last messages are counted afterwards, so names are kept for a while.
+that is gone from the graph its last messages are counted afterwards, so names are kept for a while. What a node counts
+that is in no graph is of another domain, and told to nobody.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import msgspec
 from roslens.model.graph import Graph
 from roslens.model.tally import BY_GID, Tally
 
-WAIT_S = 2.0
+WAIT_S = 5.0
 """How long a tally waits for the name of its publisher."""
 KEPT_S = 60.0
 MOST_WAITING = 10_000
@@ -26,6 +27,7 @@ class GidNames:
         self._names: dict[str, str] = {}
         self._left: dict[str, tuple[str, float]] = {}
         self._there: set[tuple[str, str]] = set()
+        self._nodes: set[str] = set()
         self._waiting: deque[tuple[float, Tally]] = deque()
 
     def take_graph(self, graph: Graph, now: float) -> None:
@@ -35,33 +37,44 @@ class GidNames:
         self._left = {gid: left for gid, left in self._left.items() if gid not in names and now - left[1] < KEPT_S}
         self._names = names
         self._there = {(end.node, end.name) for end in graph.endpoints}
+        self._nodes = {end.node for end in graph.endpoints} | {node for node, _ in self._left.values()}
 
     def named(self, tally: Tally, now: float) -> Tally | None:
         """Return a tally with the name of its publisher; None of one that waits, or is silent and no connection."""
-        if tally.publisher.startswith(BY_GID):
-            gid = tally.publisher.removeprefix(BY_GID)
-            name = self._names.get(gid) or self._left.get(gid, ("", 0.0))[0]
-            if not name:
-                if (tally.count or tally.lost > 0) and len(self._waiting) < MOST_WAITING:
-                    self._waiting.append((now, tally))
-                return None
-            tally = msgspec.structs.replace(tally, publisher=name)
-        if not tally.count and not self._stands(tally):
+        known = self._known(tally)
+        if known is None:
+            if (tally.count or tally.lost > 0) and len(self._waiting) < MOST_WAITING:
+                self._waiting.append((now, tally))
             return None
-        return tally
+        return known if known.count or self._stands(known) else None
 
     def due(self, now: float) -> list[Tally]:
         """Return what waits no longer: with a name, or without one where none came in time."""
         found = []
         for _ in range(len(self._waiting)):
             since, tally = self._waiting.popleft()
-            gid = tally.publisher.removeprefix(BY_GID)
-            name = self._names.get(gid, "")
-            if name or not 0 <= now - since < WAIT_S:
-                found.append(msgspec.structs.replace(tally, publisher=name))
-            else:
+            known = self._known(tally)
+            if known is not None:
+                found.append(known)
+            elif 0 <= now - since < WAIT_S:
                 self._waiting.append((since, tally))
+            elif self._counts(tally):
+                found.append(msgspec.structs.replace(tally, publisher=""))
         return found
+
+    def _known(self, tally: Tally) -> Tally | None:
+        """Return a tally with names; None where the graph lacks its node or the name of its publisher."""
+        if not self._counts(tally):
+            return None
+        if not tally.publisher.startswith(BY_GID):
+            return tally
+        gid = tally.publisher.removeprefix(BY_GID)
+        name = self._names.get(gid) or self._left.get(gid, ("", 0.0))[0]
+        return msgspec.structs.replace(tally, publisher=name) if name else None
+
+    def _counts(self, tally: Tally) -> bool:
+        """Tell whether the graph has the node that counted; without a graph of ROS 2 all may be."""
+        return not self._names or (tally.subscriber or tally.publisher) in self._nodes
 
     def _stands(self, tally: Tally) -> bool:
         """Tell whether a connection is still there: what was taken apart is silent, and that is no news."""

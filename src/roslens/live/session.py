@@ -16,6 +16,7 @@ from roslens.live.host_clocks import HostClocks
 from roslens.live.monitor import Monitor
 from roslens.live.node_processes import NodeProcesses
 from roslens.live.note import Note
+from roslens.live.one_stretch import OneStretch
 from roslens.live.seen import Seen
 from roslens.live.service_calls import ServiceCalls
 from roslens.live.tree import SystemView
@@ -89,6 +90,7 @@ class Session:
         self._graph_changed = False
         self._clocks = HostClocks()
         self._names = GidNames()
+        self._stretches = OneStretch()
         self._counted = CountedOnce()
         self._services = ServiceCalls()
         self._now = start
@@ -137,8 +139,7 @@ class Session:
             self._seen.add_graph(whole)
             self.monitor.add_graph(whole, now)
             self._graph_changed = False
-        for tally in self._names.due(now):
-            self.monitor.add_tally(self._by_one_clock(tally, tally.host))
+        self._add_counted(self._names.due(now))
         for sample in self._services.samples(now):
             self.monitor.add_sample(sample)
         changes, causes = self._parted(self.monitor.tick(now))
@@ -215,11 +216,13 @@ class Session:
 
     def _take_counted(self, tallies: Iterable[Tally]) -> None:
         """Take what was read from counters without ROS: publishers may have no name, hosts other clocks."""
-        for tally in tallies:
-            named = self._names.named(tally, self._now)
-            if named is not None:
-                # Whose memory a count lies in is where it was received, whatever else bears the name.
-                self.monitor.add_tally(self._by_one_clock(named, named.host))
+        named = [self._names.named(tally, self._now) for tally in tallies]
+        self._add_counted(tally for tally in named if tally is not None)
+
+    def _add_counted(self, tallies: Iterable[Tally]) -> None:
+        for tally in self._stretches.of(tallies):
+            # Whose memory a count lies in is where it was received, whatever else bears the name.
+            self.monitor.add_tally(self._by_one_clock(tally, tally.host))
 
     def _by_one_clock(self, tally: Tally, receiver: str = "") -> Tally:
         sender = self._hosts.get(tally.publisher, "")

@@ -334,15 +334,17 @@ def joined(counted: list[Counted], node_of: Callable[[str], str | None], host: s
         else:
             tally = msgspec.structs.replace(tally, publisher=publisher, host=host)
         key = (tally.topic, tally.publisher, tally.subscriber)
-        whole[key] = _merged(whole[key], tally) if key in whole else tally
+        whole[key] = merged(whole[key], tally) if key in whole else tally
     return [whole[key] for key in sorted(whole)]
 
 
-def _merged(one: Tally, other: Tally) -> Tally:
+def merged(one: Tally, other: Tally) -> Tally:
+    """Return what two tallies about the same time tell together."""
     firsts = [tally.first for tally in (one, other) if tally.first]
     return msgspec.structs.replace(
         one,
         start=min(one.start, other.start),
+        end=max(one.end, other.end),
         count=one.count + other.count,
         bytes=_added(one.bytes, other.bytes),
         first=min(firsts, default=0.0),

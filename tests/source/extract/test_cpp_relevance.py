@@ -4,6 +4,7 @@ import pytest
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.cpp_relevance import Level, Relevance, is_filling, is_logging
 from roslens.source.extract.program import Call, Member
+from roslens.source.extract.program_text import program_text
 from roslens.source.syntax.macros import load_macros
 
 MACROS = load_macros()
@@ -119,6 +120,16 @@ def test_what_names_an_interface_or_is_short_is_lowered_whole() -> None:
     assert level(b"{" + FILLING + b"}") is Level.NOTHING
     assert level(b"{" + FILLING + b"  pub_ = node->create_publisher<T>(topic, 1);}") is Level.WHOLE
     assert level(b"{" + FILLING + b'  return "text"; }') is Level.WHOLE
+
+
+def test_a_test_matters_where_it_names_an_interface() -> None:
+    for body, expected in (
+        (b"{ auto x = std::make_shared<A>(1); }", Level.NOTHING),
+        (b"{ n.subscribe(1); }", Level.WHOLE),
+    ):
+        assert Relevance(body, 0, len(body), test=True).level is expected
+    text = program_text(program_of_cpp(b"TEST(A, b) { f(); } TEST(A, c) { n.advertise<T>(1); }", MACROS))
+    assert text == "function TEST(A,b)()\nfunction TEST(A,c)()\n  n->advertise<T>(1)\n"
 
 
 def test_what_may_lead_to_an_interface_keeps_its_calls() -> None:

@@ -230,7 +230,8 @@ class Definitions:
 
     def _body(self, body: Node | None, tried: Node | None) -> tuple[Statement, ...]:
         if body is not None or tried is None:
-            return self._statements.body(body) if body is not None else ()
+            test = self._lowered.scope.endswith(")") and "TEST" in self._lowered.scope
+            return self._statements.body(body, test) if body is not None else ()
         inner = tried.child_by_field_name("body")
         then = self._statements.body(inner) if inner is not None else ()
         handlers = self._statements.handlers(tried)

@@ -240,7 +240,7 @@ class Expressions:
         value = self.lower(children[0])
         if _is_text(value) and suffix in _TEXT_SUFFIXES:
             return value
-        return Call(Name(suffix), (value,))
+        return Call(name_of(suffix), (value,))
 
     def _truth(self, node: Node) -> Expression:
         return Literal(node.type == "true")

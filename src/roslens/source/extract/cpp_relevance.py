@@ -2,7 +2,8 @@
 
 Most functions compute. What names an interface of ROS, or is short, is lowered whole. Of the others only statements
 stay that call what may lead to such an interface (``initPublishers();``, ``costmap->configure(node)``), with the
-returns and the control structure around them; those without such calls have no body in the program.
+returns and the control structure around them; those without such calls have no body in the program. A test (``TEST``,
+``TEST_F``) is lowered whole where it names an endpoint or a parameter, else it has no body.
 """
 
 from __future__ import annotations
@@ -81,11 +82,15 @@ class Relevance:
         level: how much of it is lowered.
     """
 
-    def __init__(self, source: bytes, start: int, end: int) -> None:
-        """Judge the body that stands from ``start`` to ``end``."""
+    def __init__(self, source: bytes, start: int, end: int, test: bool = False) -> None:
+        """Judge the body that stands from ``start`` to ``end``; of a ``test`` only one with an interface matters."""
         self._source = source
         self._leading: list[int] = []
         self._others: list[int] = []
+        self._returns: list[int] = []
+        if test:
+            self.level = Level.WHOLE if _ENDPOINT.search(source, start, end) else Level.NOTHING
+            return
         if end - start < _SHORT or _WHOLE.search(source, start, end):
             self.level = Level.WHOLE
             return

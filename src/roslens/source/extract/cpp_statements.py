@@ -56,9 +56,9 @@ class StatementLowering:
         self._relevance: Relevance | None = None
         self._whole = True
 
-    def body(self, node: Node) -> tuple[Statement, ...]:
-        """Return what the body of a function says, as far as it may matter."""
-        relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte)
+    def body(self, node: Node, test: bool = False) -> tuple[Statement, ...]:
+        """Return what the body of a function, or of a ``test``, says, as far as it may matter."""
+        relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test)
         if relevance.level is Level.NOTHING:
             return ()
         before = self._relevance, self._whole

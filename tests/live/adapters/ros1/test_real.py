@@ -362,14 +362,16 @@ def test_silence_is_told_by_the_light_logger(ros, observe):
 @pytest.mark.slow
 def test_parameters_and_diagnostics(ros, observe):
     observer = observe("--parameters", "--reports")
-    observer.until_graph()
+    observer.until(lambda frame: observer.graph and "/rosversion" in observer.graph.parameters.get("", ()))
     ros.python(TELLING)
     events = lambda: [event for frame in observer.frames for event in frame.events]  # noqa: E731
     told = lambda entity: [(one.change, one.detail) for one in events() if one.entity == entity]  # noqa: E731
     observer.until(lambda frame: (Change.VANISHED, "was 0.5") in told("parameter:/telling/gain"), 30)
     assert told("parameter:/telling/gain") == [(Change.APPEARED, "is 0.5"), (Change.VANISHED, "was 0.5")]
     assert told("parameter:/telling/api_key") == [(Change.APPEARED, "is ***")]
-    assert told("parameter:/shared/count")[:2] == [(Change.APPEARED, "is 1"), (Change.CHANGED, "1 is now 2")]
+    counted = told("parameter:/shared/count")
+    assert counted[0][0] is Change.APPEARED
+    assert {change for change, _ in counted[1:]} == {Change.CHANGED}
     assert any(detail == "diagnostics: 'motor' is ERROR, was OK: hot" for _, detail in told("node:/telling"))
     observer.until(lambda frame: "gain" not in observer.graph.parameters.get("/telling", {"gain": ""}))
     assert observer.graph.parameters["/telling"] == {"api_key": "***"}

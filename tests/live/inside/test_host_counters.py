@@ -104,3 +104,17 @@ def test_links_and_pipes_are_refused_and_nobody_waits_for_them(folder, make):
     assert counters.read(time.time())[0][1] == []
     assert "cannot be read" in counters.failures()[0].what
     counters.close()
+
+
+def test_the_first_messages_of_the_first_node_are_counted(tmp_path):
+    folder = tmp_path / "later"
+    counters = HostCounters("sensor", {VARIABLE: str(folder)})
+    now = time.time()
+    assert counters.read(now) == []
+    file = CounterFile(str(folder), 8)
+    file.slot(slots.PUBLISHED, b"", "/scan", "/lidar").published(time.time_ns(), 10)
+    ((place, (tally,)),) = counters.read(now + 0.2)
+    assert place
+    assert tally.count == 1
+    counters.close()
+    file.close()

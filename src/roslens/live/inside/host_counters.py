@@ -73,7 +73,9 @@ class HostCounters:
         for folder, reader in self._readers.items():
             tallies = joined(reader.read(now), _by_gid, self._host)
             self._calls[folder].add(reader.called())
-            if place := self._places.get(folder, ""):
+            # A folder appears with the first node that counts.
+            place = self._places[folder] = self._places.get(folder) or place_of(folder)
+            if place:
                 found.append((place, tallies))
         return found
 

@@ -1,14 +1,20 @@
 """What is not judged because of an envelope would not have changed: the same verdicts as when everything is judged."""
 
+import math
 from random import Random
 
+import msgspec
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from live.random_traffic import of, told
 from live.time_line import reference
 
 from roslens.live import lookout as lookout_file
 from roslens.live.monitor import Monitor
-from roslens.model.tally import Observer, Tally
+from roslens.live.plausible_tally import plausible_tally
+from roslens.live.round import Round
+from roslens.model.tally import Moments, Observer, Tally
 
 QUANTITIES = {
     "rate": "15..30",
@@ -115,3 +121,32 @@ def test_unruly_traffic_is_told_of_the_same(seed, monkeypatch):
 def test_steady_traffic_rests(monkeypatch):
     (_, _, resting), _ = both([list(traffic([(20.0, 100, 0.01, 0)] * 10, "/p"))], monkeypatch)
     assert resting > 60
+
+
+NASTY = st.one_of(st.floats(), st.sampled_from([math.nan, math.inf, -math.inf, -1.0, 0.0, 1e308]))
+SERIES = st.builds(Moments, st.integers(-2, 5), NASTY, NASTY, NASTY, NASTY)
+
+
+@given(
+    st.one_of(
+        st.tuples(st.sampled_from(["start", "end", "first", "last", "longest_at"]), NASTY),
+        st.tuples(st.sampled_from(["count", "bytes", "lost"]), st.integers(-3, 9)),
+        st.tuples(st.sampled_from(["period", "latency", "age", "processing"]), SERIES),
+        st.tuples(
+            st.just("period"), st.builds(Moments, st.just(4), st.sampled_from([0.2, math.inf]), NASTY, NASTY, NASTY)
+        ),
+    ),
+    st.sampled_from([{"rate": "15..30"}, {"message_size": ">= 1"}, {"latency": "<= 1", "loss": "<= 50"}]),
+)
+def test_only_what_can_be_true_is_inside(change, quantities):
+    rules = {"expect": [{"id": key, "name": "/a", "quantity": key, "range": one} for key, one in quantities.items()]}
+    monitor = Monitor(reference(rules), start=0.0)
+    for end, tally in list(traffic([(20.0, 100, 0.01, 0)] * 3, "/p"))[:-1]:
+        monitor.add_tally(tally)
+        monitor.tick(end)
+    ((_, tally),) = list(traffic([(20.0, 100, 0.01, 0)] * 3, "/p"))[-1:]
+    (connection,) = monitor._world.connections.values()
+    assert connection.envelope is not None
+    changed = msgspec.structs.replace(tally, **dict([change]))
+    if connection.envelope.takes(changed, Round()):
+        assert plausible_tally(changed) is changed

@@ -87,7 +87,7 @@ class Envelope:
             and tally.observer is window.observer
         ):
             return False
-        finite = squares + end + tally.longest_at
+        finite = squares + gap + end + tally.longest_at
         series = tally.latency
         if series.count or self.latency is not None:
             finite += _within(series, self.latency)

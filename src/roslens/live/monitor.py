@@ -82,20 +82,15 @@ class Monitor:
         """Records that could not be true, in whole or in part, and those for which there was no room."""
         return self._implausible + self._world.refused
 
-    def add_tallies(self, tallies: Iterable[Tally]) -> None:
-        """Take the traffic of connections; what cannot be true of it is unknown."""
-        connection_of, lookout = self._world.connections.get, self._lookout
-        now = lookout.round
-        for tally in tallies:
-            connection = connection_of((tally.topic, tally.publisher, tally.subscriber))
-            if connection is None or connection.envelope is None or not connection.envelope.takes(tally, now):
-                self._add(tally, connection)
-            else:
-                lookout.heard = True
-
     def add_tally(self, tally: Tally) -> None:
         """Take the traffic of a connection; what cannot be true of it is unknown."""
-        self.add_tallies((tally,))
+        connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
+        if connection is not None:
+            envelope, lookout = connection.envelope, self._lookout
+            if envelope is not None and envelope.takes(tally, lookout.round):
+                lookout.heard = True
+                return
+        self._add(tally, connection)
 
     def _add(self, tally: Tally, connection: Connection | None) -> None:
         kept = plausible_tally(tally)
@@ -165,7 +160,8 @@ class Monitor:
 
     def add_frame(self, frame: Frame) -> None:
         """Take everything that an observer tells at once."""
-        self.add_tallies(frame.tallies)
+        for tally in frame.tallies:
+            self.add_tally(tally)
         for sample in frame.samples:
             self.add_sample(sample)
         for event in frame.events:

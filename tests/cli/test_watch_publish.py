@@ -2,6 +2,7 @@ import argparse
 
 import pytest
 
+from roslens.cli.main import main
 from roslens.cli.watch_publish import publish_through, wanted
 from roslens.judge.expectation import Presence, PresenceMode, Reference, Selector, Told
 from roslens.live.child_source import ChildSource, Publishes
@@ -94,3 +95,9 @@ def test_what_is_too_long_for_a_message_is_a_failure_and_no_crash():
     publish(session.look(0.0))
     assert line.said == b""
     assert "expected at most" in session.monitor.failures[0].what
+
+
+@pytest.mark.parametrize("words", [["--diagnostics"], ["--publish-statistics", "/rated"]])
+def test_a_recording_publishes_nothing(words, capsys):
+    assert main(["watch", "--bag", "none.bag", *words]) == 2
+    assert f"{words[0]} with --bag" in capsys.readouterr().err

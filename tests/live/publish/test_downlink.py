@@ -2,7 +2,7 @@ import os
 import threading
 import time
 
-from roslens.live.publish.downlink import Downlink
+from roslens.live.publish.downlink import LONGEST_WAIT_S, Downlink
 
 
 def pipe():
@@ -45,6 +45,28 @@ def test_who_does_not_read_loses_the_oldest_and_nobody_waits():
     os.close(reading)
     until(lambda: threading.active_count() == 1 or not any(t.name == "downlink" for t in threading.enumerate()))
     assert stream.closed
+
+
+def test_what_was_long_ago_is_told_to_nobody():
+    reading, stream = pipe()
+    now = [0.0]
+    line = Downlink(steady=lambda: now[0])
+    line.attach(stream)
+    line.say(b"x" * 1_000_000)  # of which a pipe holds a part
+    until(lambda: not line._waiting)
+    line.say(b"old")
+    now[0] = LONGEST_WAIT_S
+    line.say(b"middle")
+    assert line.lost == 0
+    now[0] += 0.5
+    line.say(b"new")
+    assert line.lost == 1
+    found = b""
+    while not found.endswith(b"new"):
+        found += os.read(reading, 100_000)
+    assert found[1_000_000:] == b"middlenew"
+    line.detach()
+    os.close(reading)
 
 
 def test_what_is_said_to_one_who_ended_is_lost_and_the_next_one_is_told_again():

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections import deque
+from collections.abc import Callable
 from contextlib import suppress
 from typing import IO
 
 MOST_WAITING = 16_000_000
 """Bytes that wait for an observer that does not read; of more, the oldest are lost."""
+LONGEST_WAIT_S = 10.0
+"""Nobody is told what was so long ago: an observer that was held up goes on with what is now."""
 
 
 class Downlink:
@@ -19,11 +23,12 @@ class Downlink:
             first one began do not count.
     """
 
-    def __init__(self, most_waiting: int = MOST_WAITING) -> None:
-        """Keep at most so many bytes of frames that wait."""
+    def __init__(self, most_waiting: int = MOST_WAITING, steady: Callable[[], float] = time.monotonic) -> None:
+        """Keep at most so many bytes of frames that wait; ``steady`` is a clock that never jumps."""
         self.lost = 0
         self._most = most_waiting
-        self._waiting: deque[bytes] = deque()
+        self._steady = steady
+        self._waiting: deque[tuple[float, bytes]] = deque()
         self._bytes = 0
         self._turn = threading.Condition()
         self._stream: IO[bytes] | None = None
@@ -52,11 +57,14 @@ class Downlink:
             if self._stream is None:
                 self.lost += self._ever
                 return
-            self._waiting.append(frame)
+            now = self._steady()
+            self._waiting.append((now, frame))
             self._bytes += len(frame)
-            while self._bytes > self._most:
-                self._bytes -= len(self._waiting.popleft())
+            while self._bytes > self._most or self._waiting[0][0] < now - LONGEST_WAIT_S:
+                self._bytes -= len(self._waiting.popleft()[1])
                 self.lost += 1
+                if not self._waiting:
+                    return
             self._turn.notify_all()
 
     def _write(self, stream: IO[bytes]) -> None:
@@ -81,6 +89,6 @@ class Downlink:
             self._turn.wait_for(lambda: self._waiting or self._stream is not stream)
             if self._stream is not stream:
                 return None
-            frame = self._waiting.popleft()
+            frame = self._waiting.popleft()[1]
             self._bytes -= len(frame)
             return frame

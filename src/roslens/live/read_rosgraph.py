@@ -44,7 +44,7 @@ def read_rosgraph(path: Path) -> Graph:
 def _endpoints(section: Section) -> Iterator[Endpoint]:
     node = section.text("name", "")
     for field, role in _ENDS.items():
-        for one in section.sections(field, "endpoint", _END):
+        for one in section.sections(field, "topic or service", _END):
             of_messages = role in (Role.PUBLISHER, Role.SUBSCRIPTION)
             type_ = one.section("type" if of_messages else "request_type", "type", _TYPE)
             name = type_.text("name", "") if type_ else ""

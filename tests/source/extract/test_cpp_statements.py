@@ -28,6 +28,8 @@ def body(written: str) -> list[str]:
         ("A & a{b};", ["a: A& = b"]),
         ("auto a{b};", ["a = b"]),
         ("A a(b());", ["a: A = A(b())"]),
+        ("A a(b::c(d), e<f>(g(h)), i[1]);", ["a: A = A(b.c(d), e<f>(g(h)), i[1])"]),
+        ("A a(B (*c)(int));", []),
         ('const char * a[] = {"x"};', ['a: const char*[] = ["x"]']),
         ("A a = {1, 2};", ["a: A = [1, 2]"]),
         ("void (*f)(int) = g;", ["f: void(*)() = g"]),

@@ -18,6 +18,7 @@ from roslens.source.extract.program import (
     Evaluate,
     Expression,
     Format,
+    Item,
     Literal,
     Loop,
     Member,
@@ -32,6 +33,7 @@ from roslens.source.syntax.cpp_names import function_declarator
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 _POINTING = ("pointer_declarator", "reference_declarator")
+_TYPE_NAMES = ("type_identifier", "qualified_identifier", "template_type")
 _DIRECT = ("argument_list", "initializer_list")
 
 Statements = list[Statement]
@@ -196,28 +198,45 @@ class StatementLowering:
 
     def _vexing(self, type_: Node, declarator: Node, node: Node) -> Call | None:
         """Return the call that ``Type name(a, b);`` is inside a function, though it parses as a declaration."""
-        parameters = declarator.child_by_field_name("parameters")
-        nodes = [one for one in parameters.named_children if one.type != "comment"] if parameters is not None else []
-        arguments: list[Expression] = []
-        for one in nodes:
-            children = one.named_children
-            if one.type != "parameter_declaration" or children[0].type not in (
-                "type_identifier",
-                "qualified_identifier",
-            ):
-                return None
-            argument = self._lower(children[0])
-            if len(children) == 2 and self._lowered.text(children[1]) == b"()":
-                row, column = one.start_point
-                argument = Call(argument, (), (), (), row + 1, column + 1)
-            elif len(children) != 1:
-                return None
-            arguments.append(argument)
+        arguments = self._vexing_arguments(declarator)
         if not arguments:
             return None
         name, templates = name_and_templates(self._lowered.text(type_))
         row, column = node.start_point
-        return Call(name_of(name), tuple(arguments), (), templates, row + 1, column + 1)
+        return Call(name_of(name), arguments, (), templates, row + 1, column + 1)
+
+    def _vexing_arguments(self, declarator: Node) -> tuple[Expression, ...] | None:
+        """Return the arguments that parse as parameters; None where they cannot be arguments."""
+        parameters = declarator.child_by_field_name("parameters")
+        if parameters is None or self._lowered.too_deep(declarator):
+            return None
+        arguments: list[Expression] = []
+        for one in parameters.named_children:
+            if one.type == "comment":
+                continue
+            argument = self._vexing_argument(one)
+            if argument is None:
+                return None
+            arguments.append(argument)
+        return tuple(arguments)
+
+    def _vexing_argument(self, one: Node) -> Expression | None:
+        """Return the argument ``a``, ``a(b)`` or ``a[1]`` that parses as a type with an abstract declarator."""
+        children = one.named_children
+        if one.type != "parameter_declaration" or children[0].type not in _TYPE_NAMES or len(children) > 2:
+            return None
+        of = self._lower(children[0])
+        if len(children) == 1:
+            return of
+        if children[1].type == "abstract_function_declarator":
+            self._lowered.depth += 1
+            inner = self._vexing_arguments(children[1])
+            self._lowered.depth -= 1
+            name, templates = name_and_templates(self._lowered.text(children[0]))
+            row, column = one.start_point
+            return Call(name_of(name), inner, (), templates, row + 1, column + 1) if inner is not None else None
+        size = children[1].child_by_field_name("size")
+        return Item(of, self._lower(size)) if size is not None else None
 
     def _return(self, node: Node, out: Statements) -> None:
         values = [child for child in node.named_children if child.type != "comment"]

@@ -12,8 +12,9 @@ from roslens.source.extract.cpp_initialisers import lower_initialisers
 from roslens.source.extract.cpp_lowered import Lowered, name_of, opaque
 from roslens.source.extract.cpp_macros import is_registration, macro_value
 from roslens.source.extract.cpp_parameters import Parameters
-from roslens.source.extract.cpp_statements import StatementLowering, Statements
+from roslens.source.extract.cpp_statements import StatementLowering
 from roslens.source.extract.cpp_types import declared_name, declared_type, dotted
+from roslens.source.extract.cpp_variables import Statements
 from roslens.source.extract.program import (
     Assign,
     Branch,

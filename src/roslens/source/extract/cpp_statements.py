@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable
 
 from tree_sitter import Node
@@ -10,7 +9,8 @@ from tree_sitter import Node
 from roslens.source.extract.cpp_expressions import Expressions
 from roslens.source.extract.cpp_lowered import DEEPEST, Lowered, name_of, opaque
 from roslens.source.extract.cpp_relevance import Level, Relevance, is_filling, is_logging
-from roslens.source.extract.cpp_types import declared_name, declared_type, name_and_templates
+from roslens.source.extract.cpp_types import declared_name
+from roslens.source.extract.cpp_variables import Statements, Variables, target_of
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -18,7 +18,6 @@ from roslens.source.extract.program import (
     Evaluate,
     Expression,
     Format,
-    Item,
     Literal,
     Loop,
     Member,
@@ -26,17 +25,9 @@ from roslens.source.extract.program import (
     Opaque,
     Operation,
     Return,
-    Sequence,
     Statement,
 )
-from roslens.source.syntax.cpp_names import function_declarator
 
-_IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
-_POINTING = ("pointer_declarator", "reference_declarator")
-_TYPE_NAMES = ("type_identifier", "qualified_identifier", "template_type")
-_DIRECT = ("argument_list", "initializer_list")
-
-Statements = list[Statement]
 _Arm = tuple[Statements, Expression, tuple[Statement, ...], int]
 """What stands before a condition, the condition, what it decides, and the line."""
 
@@ -55,6 +46,7 @@ class StatementLowering:
         self._lowered = lowered
         self._expressions = expressions
         self._lower = expressions.lower
+        self._variables = Variables(lowered, expressions)
         self._relevance: Relevance | None = None
         self._whole = True
 
@@ -142,101 +134,7 @@ class StatementLowering:
 
     def declare(self, node: Node, out: Statements, prefix: str | None = None) -> None:
         """Add what a declaration of variables says; ``prefix`` is the scope with its dot, None of local ones."""
-        type_ = node.child_by_field_name("type")
-        declarators = node.children_by_field_name("declarator")
-        body = type_.child_by_field_name("body") if type_ is not None else None
-        if type_ is not None and body is not None:
-            self.on_definition(type_, out)
-        if type_ is None or not declarators:
-            return
-        before = self._lowered.source[node.start_byte : (body or declarators[0]).start_byte]
-        single = node.child_by_field_name("value")
-        for declarator in declarators:
-            self._declare(node, type_, declarator, before, single, prefix, out)
-
-    def _declare(
-        self,
-        node: Node,
-        type_: Node,
-        whole: Node,
-        before: bytes,
-        value: Node | None,
-        prefix: str | None,
-        out: Statements,
-    ) -> None:
-        declarator, kind = whole, whole.type
-        if kind == "init_declarator":
-            declarator = whole.child_by_field_name("declarator") or whole
-            value = whole.child_by_field_name("value")
-        written = self._lowered.text(declarator)
-        made: Expression | None = None
-        if kind == "function_declarator":
-            name_node = whole.child_by_field_name("declarator")
-            if prefix is not None or name_node is None:
-                return
-            made = self._vexing(type_, whole, node)
-            if made is None:
-                return
-            written = self._lowered.text(name_node)
-        elif kind in _POINTING and b"(" in written and function_declarator(whole) is not None:
-            return
-        elif value is not None:
-            made = self._initial(node, type_, declarator, written, value)
-        target = _target(written, prefix or "")
-        if target is not None:
-            out.append(Assign(target, made, declared_type(before, written), "=", node.start_point.row + 1))
-
-    def _initial(self, node: Node, type_: Node, declarator: Node, written: bytes, value: Node) -> Expression:
-        """Return the value of a declared variable: ``= value``, ``(values)`` or ``{values}``."""
-        between = self._lowered.source[declarator.end_byte : value.start_byte]
-        if value.type not in _DIRECT or b"=" in between:
-            return self._lower(value)
-        if written[:1] in b"*&" or b"[" in written:
-            values = self._expressions.several(value)
-            return values[0] if len(values) == 1 and b"[" not in written else Sequence(values)
-        return self._expressions.construct(self._lowered.text(type_), value, node)
-
-    def _vexing(self, type_: Node, declarator: Node, node: Node) -> Call | None:
-        """Return the call that ``Type name(a, b);`` is inside a function, though it parses as a declaration."""
-        arguments = self._vexing_arguments(declarator)
-        if not arguments:
-            return None
-        name, templates = name_and_templates(self._lowered.text(type_))
-        row, column = node.start_point
-        return Call(name_of(name), arguments, (), templates, row + 1, column + 1)
-
-    def _vexing_arguments(self, declarator: Node) -> tuple[Expression, ...] | None:
-        """Return the arguments that parse as parameters; None where they cannot be arguments."""
-        parameters = declarator.child_by_field_name("parameters")
-        if parameters is None or self._lowered.too_deep(declarator):
-            return None
-        arguments: list[Expression] = []
-        for one in parameters.named_children:
-            if one.type == "comment":
-                continue
-            argument = self._vexing_argument(one)
-            if argument is None:
-                return None
-            arguments.append(argument)
-        return tuple(arguments)
-
-    def _vexing_argument(self, one: Node) -> Expression | None:
-        """Return the argument ``a``, ``a(b)`` or ``a[1]`` that parses as a type with an abstract declarator."""
-        children = one.named_children
-        if one.type != "parameter_declaration" or children[0].type not in _TYPE_NAMES or len(children) > 2:
-            return None
-        of = self._lower(children[0])
-        if len(children) == 1:
-            return of
-        if children[1].type == "abstract_function_declarator":
-            self._lowered.depth += 1
-            inner = self._vexing_arguments(children[1])
-            self._lowered.depth -= 1
-            name, templates = name_and_templates(self._lowered.text(children[0]))
-            row, column = one.start_point
-            return Call(name_of(name), inner, (), templates, row + 1, column + 1) if inner is not None else None
-        size = children[1].child_by_field_name("size")
-        return Item(of, self._lower(size)) if size is not None else None
+        self._variables.declare(node, out, self.on_definition, prefix)
 
     def _return(self, node: Node, out: Statements) -> None:
         values = [child for child in node.named_children if child.type != "comment"]
@@ -369,7 +267,7 @@ class StatementLowering:
         first = node.child_by_field_name("initializer")
         if first is not None:
             self.add(first.named_children if first.type == "init_statement" else (first,), out)
-        target = _target(self._lowered.text(declarator), "") if declarator is not None else None
+        target = target_of(self._lowered.text(declarator)) if declarator is not None else None
         sequence = self._lower(over) if over is not None else None
         body = self.block(node.child_by_field_name("body"))
         if body or not (sequence is None or isinstance(sequence, _SAYING_NOTHING)):
@@ -399,14 +297,6 @@ class StatementLowering:
                 condition = opaque(b"catch " + written)
                 otherwise = (Branch(condition, body, otherwise, clause.start_point.row + 1),)
         return otherwise
-
-
-def _target(declarator: bytes, prefix: str) -> Expression | None:
-    name = declared_name(declarator)
-    if name:
-        return Name(prefix + name)
-    names = _IDENTIFIER.findall(declarator.decode("utf-8", "replace")) if b"[" in declarator else ()
-    return Sequence(tuple(map(Name, names))) if names else None
 
 
 _SHORT_VALUE = 40

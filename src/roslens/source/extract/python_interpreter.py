@@ -98,8 +98,6 @@ class Interpreter:
             self._names = outer
             self._frames -= 1
 
-    # Statements
-
     def _block(self, body: list[ast.stmt]) -> _Returned | None:
         for index, statement in enumerate(body):
             self._step()
@@ -235,8 +233,6 @@ class Interpreter:
     def stop(self, _statement: ast.stmt) -> _Returned:
         """End a block."""
         return _STOPPED
-
-    # Expressions
 
     def value(self, node: ast.expr) -> Any:
         """Return the value of an expression."""

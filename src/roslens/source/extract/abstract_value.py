@@ -1,0 +1,142 @@
+"""Values while source is evaluated: texts that may have holes, objects with members, and what ROS gives out.
+
+Numbers, truth values and None are themselves; texts are :class:`~roslens.source.extract.text.Text`.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.model.qos import Qos
+from roslens.source.extract.node_facts import (
+    EndpointFact,
+    Evidence,
+    NodeFacts,
+    ParameterFact,
+    TimerFact,
+)
+from roslens.source.extract.program import Function
+from roslens.source.extract.text import Text
+from roslens.source.extract.workspace_index import Defined
+
+
+class Unknown(msgspec.Struct, frozen=True):
+    """A value of which nothing is known but why."""
+
+    reason: str
+
+
+class Building(msgspec.Struct, eq=False):
+    """The facts of a node while they are collected."""
+
+    unit: str
+    path: str
+    line: int
+    generation: str
+    kind: str = "node"
+    name: Text = Text()
+    namespace: Text = Text()
+    endpoints: list[EndpointFact] = []
+    parameters: list[ParameterFact] = []
+    timers: list[TimerFact] = []
+    remaps: list[tuple[Text, Text]] = []
+    uses: list[str] = []
+    unresolved: list[tuple[Evidence, str]] = []
+    named: bool = False
+
+    def facts(self) -> NodeFacts:
+        """Return what was collected."""
+        return NodeFacts(
+            self.unit, self.path, self.line, self.generation, self.kind, self.name, self.namespace,
+            tuple(self.endpoints), tuple(self.parameters), tuple(self.timers), tuple(self.remaps),
+            tuple(dict.fromkeys(self.uses)), tuple(dict.fromkeys(self.unresolved)),
+        )  # fmt: skip
+
+
+class Obj(msgspec.Struct, eq=False):
+    """An object: of a class of the workspace, or of one that is known by name only.
+
+    Attributes:
+        type: qualified name of its class, joined by ``.``.
+        defined: the class, where it is in the workspace.
+        fields: its members.
+        node: of the node that it is, where it is one.
+        templates: what the template parameters of its class stand for.
+    """
+
+    type: str
+    defined: Defined | None = None
+    fields: dict[str, Any] = {}
+    node: Building | None = None
+    templates: dict[str, str] = {}
+
+
+class Handle(msgspec.Struct, frozen=True, eq=False):
+    """Something names are resolved against: a NodeHandle of ROS 1, a node interface or sub-node of ROS 2."""
+
+    node: Building
+    prefix: Text = Text()
+
+
+class Made(msgspec.Struct, frozen=True, eq=False):
+    """An endpoint that was made: its node and its place in the node's list."""
+
+    node: Building
+    place: int
+
+
+class QosValue(msgspec.Struct, frozen=True):
+    """A quality of service, and the reason where a part of it is unknown."""
+
+    qos: Qos = Qos()
+    unknown: str = ""
+
+
+class Group(msgspec.Struct, frozen=True):
+    """A callback group by the name of what holds it."""
+
+    name: str
+
+
+class Callable(msgspec.Struct, frozen=True, eq=False):
+    """A function of the workspace, with the object and the names it is bound to."""
+
+    function: Function
+    path: str
+    self: Any = None
+    names: dict[str, Any] | None = None
+    arguments: tuple[Any, ...] = ()
+
+
+class Named(msgspec.Struct, frozen=True):
+    """Something outside of the workspace by its whole name: a class, function or constant."""
+
+    name: str
+    templates: tuple[str, ...] = ()
+
+
+class Class(msgspec.Struct, frozen=True, eq=False):
+    """A class of the workspace as a value."""
+
+    defined: Defined
+
+
+def as_text(value: Any) -> Text:
+    """Return a value as text; what is none is a hole with the reason."""
+    if isinstance(value, Text):
+        return value
+    if isinstance(value, bool):
+        return Text.of("true" if value else "false")
+    if isinstance(value, int | float):
+        return Text.of(str(value))
+    from roslens.source.extract.text import unknown
+
+    if isinstance(value, Unknown):
+        return unknown(value.reason)
+    if isinstance(value, Named):
+        return unknown(f"the value of {value.name}")
+    if isinstance(value, Obj):
+        return unknown(f"a {value.type}")
+    return unknown("a value that is no text")

@@ -1,0 +1,237 @@
+"""Calls while source is evaluated: of functions of the workspace, of what ROS knows, and of what is in neither."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any, cast
+
+from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, Unknown, as_text
+from roslens.source.extract.evaluated_expressions import Expressions
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.plain_methods import plain_method
+from roslens.source.extract.program import Call, Function, Member, Name
+from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.vocabulary import Called, find_method, find_outer
+from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_POINTERS = frozenset(
+    {"std.make_shared", "std.make_unique", "boost.make_shared", "make_shared", "make_unique", "new",
+     "std.allocate_shared"}
+)  # fmt: skip
+_CASTS = frozenset(
+    {"std.move", "std.forward", "std.ref", "std.cref", "boost.ref", "boost.cref", "std.dynamic_pointer_cast",
+     "std.static_pointer_cast", "move", "static_cast", "dynamic_cast", "std.const_pointer_cast",
+     "std.make_optional", "std.addressof"}
+)  # fmt: skip
+_FROM_THIS = frozenset({"shared_from_this", "weak_from_this"})
+_BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.bind_front"})
+_TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
+_WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
+
+
+class Calls(Expressions):
+    """Results of calls."""
+
+    def called(self, expression: Call) -> Any:
+        """Return the result of a call."""
+        engine = cast("Evaluation", self)
+        function = expression.function
+        templates = tuple(self._template(one) for one in expression.templates)
+        if isinstance(function, Member):
+            return self._method(expression, function, templates)
+        name = function.name if isinstance(function, Name) else ""
+        if isinstance(function, Name) and name == "super" and not expression.arguments:
+            return engine.frame.self
+        if name in _BINDS or name.endswith((".bind", ".partial")):
+            return self._bound(expression)
+        arguments, keywords = self._arguments(expression)
+        engine.at(expression)
+        if name in _FROM_THIS and isinstance(engine.frame.self, Obj):
+            return engine.frame.self
+        if name in _POINTERS and templates:
+            kind, inside = type_name(templates[0])
+            return engine.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
+        if name in _CASTS and arguments:
+            return arguments[0]
+        if name in _TEXTS and arguments:
+            return as_text(arguments[0])
+        if name in engine.frame.names or not name:
+            return self._apply(self.value(function), expression, arguments, keywords, templates)
+        return self._called_name(name, expression, arguments, keywords, templates)
+
+    def _called_name(
+        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        engine = cast("Evaluation", self)
+        thing = engine.frame.self
+        if isinstance(thing, Obj) and "." not in name:
+            method = engine.methods(thing, name, len(arguments))
+            if method is not None:
+                return engine.call(method, arguments, keywords, expression.arguments, templates)
+            if name in thing.fields:
+                return self._apply(thing.fields[name], expression, arguments, keywords, templates)
+            called = self._call_of(expression, name, arguments, keywords, templates)
+            known = find_method(engine, thing, called)
+            if known is not None:
+                return known(engine, thing, called)
+        found = self.defined(name)
+        if isinstance(found, Callable | Class):
+            return self._apply(found, expression, arguments, keywords, templates)
+        meaning = engine.index.meaning(name, engine.frame.path, engine.frame.scope)
+        return self.outer(meaning, expression, arguments, keywords, templates)
+
+    def outer(
+        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        """Return the result of calling something outside of the workspace."""
+        engine = cast("Evaluation", self)
+        called = self._call_of(expression, name, arguments, keywords, templates)
+        known = find_outer(engine, name)
+        if known is not None:
+            return known(engine, None, called)
+        for one in (*arguments, *keywords.values()):
+            engine.called_outer(one)
+        return Unknown(f"result of {name}()")
+
+    def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
+        """Return an object of a class outside of the workspace."""
+        engine = cast("Evaluation", self)
+        called = Called(name, arguments, keywords, templates, (), engine.place(0))
+        known = find_outer(engine, name)
+        return known(engine, None, called) if known is not None else Obj(name)
+
+    def construct_outer(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Construct a base of an object that is outside of the workspace."""
+        engine = cast("Evaluation", self)
+        known = find_outer(engine, name)
+        if known is not None:
+            known(engine, thing, Called(name, arguments, keywords, (), (), engine.place(0)))
+
+    def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Any:
+        engine = cast("Evaluation", self)
+        name = function.name
+        of_super = (
+            isinstance(function.of, Call)
+            and isinstance(function.of.function, Name)
+            and function.of.function.name == "super"
+        )
+        of = engine.frame.self if of_super else self.value(function.of)
+        arguments, keywords = self._arguments(expression)
+        engine.at(expression)
+        if name in _FROM_THIS and isinstance(of, Obj):
+            return of
+        if of_super and isinstance(of, Obj):
+            return self._of_base(of, name, arguments, keywords)
+        if isinstance(of, Named):
+            return self.outer(f"{of.name}.{name}", expression, arguments, keywords, (*of.templates, *templates))
+        if isinstance(of, Class):
+            return self._of_class(of, expression, name, arguments, keywords)
+        if isinstance(of, Obj):
+            method = engine.methods(of, name, len(arguments) + len(keywords))
+            if method is not None:
+                return engine.call(method, arguments, keywords, expression.arguments, templates)
+            if name in of.fields:
+                return self._apply(of.fields[name], expression, arguments, keywords, templates)
+        called = self._call_of(expression, name, arguments, keywords, templates)
+        known = find_method(engine, of, called)
+        if known is not None:
+            return known(engine, of, called)
+        found = plain_method(of, name, arguments)
+        if isinstance(found, Unknown) and not isinstance(of, list | dict):
+            for one in arguments:
+                engine.called_outer(one)
+        return found
+
+    def _of_base(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
+        """Call a method of the next class after the one that is evaluated."""
+        engine = cast("Evaluation", self)
+        if thing.defined is None:
+            return Unknown(f"{name} of a base")
+        chain = engine.index.chain(thing.defined)
+        here = engine.frame.scope.rpartition(".")[0]
+        places = [
+            place
+            for place, one in enumerate(chain)
+            if one.what.qualified_name == here and one.path in (engine.frame.path, chain[place].path)
+        ]
+        rest = chain[places[0] + 1 :] if places else chain[1:]
+        if name == "__init__":
+            if rest:
+                engine.construct_as(thing, rest[0], arguments, keywords)
+            else:
+                engine.base_constructed(thing, chain[places[0] if places else 0], arguments, keywords)
+            return None
+        for one in rest:
+            found = engine.index.methods(one, name)
+            if found and isinstance(found[0].what, Function):
+                return engine.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
+        called = Called(name, arguments, keywords, (), (), engine.place(0))
+        known = find_method(engine, thing, called)
+        return known(engine, thing, called) if known is not None else Unknown(f"{name} of a base")
+
+    def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
+        """Call a function of a class: of a base with the object, or a static one."""
+        engine = cast("Evaluation", self)
+        found = engine.index.methods(of.defined, name)
+        if name == "__init__" and arguments and isinstance(arguments[0], Obj):
+            engine.construct_as(arguments[0], of.defined, arguments[1:], keywords)
+            return None
+        if found and isinstance(found[0].what, Function):
+            return engine.call(Callable(found[0].what, found[0].path), arguments, keywords, expression.arguments)
+        return Unknown(f"result of {name}()")
+
+    def _apply(
+        self, of: Any, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        engine = cast("Evaluation", self)
+        if isinstance(of, Callable):
+            return engine.call(of, arguments, keywords, expression.arguments, templates)
+        if isinstance(of, Class):
+            return engine.construct(of.defined, arguments, keywords, templates)
+        if isinstance(of, Named):
+            return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
+        return of if isinstance(of, Unknown) else Unknown(f"result of {expression_text(expression.function)}()")
+
+    def _arguments(self, expression: Call) -> tuple[list[Any], dict[str, Any]]:
+        return (
+            [self.value(one) for one in expression.arguments],
+            {name: self.value(one) for name, one in expression.keywords},
+        )
+
+    def _bound(self, expression: Call) -> Any:
+        """Return a function bound to its object: ``std::bind(&A::f, this, _1)``."""
+        arguments = [self.value(one) for one in expression.arguments]
+        function = arguments[0] if arguments else None
+        if not isinstance(function, Callable):
+            return function if function is not None else Unknown("a bound function")
+        rest = arguments[1:]
+        thing = function.self
+        if function.function.class_name and rest and isinstance(rest[0], Obj):
+            thing, rest = rest[0], rest[1:]
+        real = tuple(
+            one for one in rest if not (isinstance(one, Named) and one.name.rpartition(".")[2].startswith("_"))
+        )
+        return Callable(function.function, function.path, thing, function.names, real)
+
+    def _call_of(
+        self, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Called:
+        engine = cast("Evaluation", self)
+        place = Evidence(engine.frame.path, expression.line, expression.column)
+        return Called(name, arguments, keywords, templates, expression.arguments, place)
+
+    def _template(self, written: str) -> str:
+        """Return a template argument with the template parameters around it replaced."""
+        engine = cast("Evaluation", self)
+        bound = engine.frame.templates
+        if bound:
+            written = _WORD.sub(lambda found: bound.get(found[0], found[0]), written)
+        meaning = engine.index.meaning(dotted(written), engine.frame.path, engine.frame.scope)
+        return meaning.replace(".", "::") if "<" not in written and meaning != dotted(written) else written

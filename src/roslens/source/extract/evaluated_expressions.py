@@ -1,0 +1,284 @@
+"""Expressions while source is evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function1
+from typing import TYPE_CHECKING, Any, cast
+
+from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text
+from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.plain_methods import SAME, formatted, hashable
+from roslens.source.extract.program import (
+    Call,
+    Expression,
+    Format,
+    Function,
+    Item,
+    Lambda,
+    Literal,
+    Mapping,
+    Member,
+    Name,
+    Opaque,
+    Operation,
+    Sequence,
+)
+from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.text import Hole, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+
+class Expressions:
+    """Values of expressions; what they need of the evaluation is in it."""
+
+    def value(self, expression: Expression) -> Any:
+        """Return the value of an expression."""
+        engine = cast("Evaluation", self)
+        engine.step()
+        return getattr(engine, _KINDS[type(expression)])(expression)
+
+    def literal(self, expression: Literal) -> Any:
+        """Return a literal."""
+        return Text.of(expression.value) if isinstance(expression.value, str) else expression.value
+
+    def name(self, expression: Name) -> Any:
+        """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
+        engine = cast("Evaluation", self)
+        frame, name = engine.frame, expression.name
+        if name in frame.names:
+            return frame.names[name]
+        if name in ("self", "this"):
+            return frame.self if frame.self is not None else Unknown("self")
+        if isinstance(frame.self, Obj) and name in frame.self.fields:
+            return frame.self.fields[name]
+        found = self.defined(name)
+        if found is not None:
+            return found
+        return Named(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
+
+    def defined(self, name: str) -> Any:
+        """Return what the workspace defines under a name; None where it does not."""
+        engine = cast("Evaluation", self)
+        frame = engine.frame
+        if isinstance(frame.self, Obj) and frame.self.defined is not None and "." not in name:
+            method = engine.method(frame.self, name)
+            if method is not None:
+                return method
+            for one in engine.index.chain(frame.self.defined):
+                constant = engine.index.member(one, name)
+                if constant is not None:
+                    return self._constant(f"{one.what.qualified_name}.{name}", constant)
+        constant = engine.index.constant(name, frame.path, frame.scope)
+        if constant is not None:
+            return self._constant(name, constant)
+        found = engine.index.class_of(name, frame.path, frame.scope)
+        if found is not None:
+            return Class(found)
+        functions = engine.index.functions_of(name, frame.path, frame.scope)
+        if functions and isinstance(functions[0].what, Function):
+            function = functions[0].what
+            bound = frame.self if function.class_name else None
+            return Callable(function, functions[0].path, bound)
+        return None
+
+    def _constant(self, name: str, found: tuple[str, Expression]) -> Any:
+        engine = cast("Evaluation", self)
+        path, expression = found
+        if (path, name) in engine.constants:
+            return engine.constants[path, name]
+        engine.constants[path, name] = Unknown(f"the constant {name}")
+        outer, engine.frame = engine.frame, Frame(path, name.rpartition(".")[0])
+        try:
+            engine.constants[path, name] = self.value(expression)
+        finally:
+            engine.frame = outer
+        return engine.constants[path, name]
+
+    def member(self, expression: Member) -> Any:
+        """Return a member of an object."""
+        engine = cast("Evaluation", self)
+        of = self.value(expression.of)
+        return self.member_of(of, expression.name, engine)
+
+    def member_of(self, of: Any, name: str, engine: Evaluation) -> Any:
+        """Return a member of a value by name."""
+        if isinstance(of, Obj):
+            return self._member_of_object(of, name, engine)
+        if isinstance(of, Named):
+            return Named(f"{of.name}.{name}")
+        if isinstance(of, Class):
+            constant = engine.index.member(of.defined, name)
+            if constant is not None:
+                return self._constant(f"{of.defined.what.qualified_name}.{name}", constant)
+            found = engine.index.methods(of.defined, name)
+            if found and isinstance(found[0].what, Function):
+                return Callable(found[0].what, found[0].path)
+        if isinstance(of, Text) and name in SAME:
+            return of
+        return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
+
+    def _member_of_object(self, of: Obj, name: str, engine: Evaluation) -> Any:
+        if name in of.fields:
+            return of.fields[name]
+        method = engine.method(of, name)
+        if method is not None:
+            if any(getattr(one, "name", "") == "property" for one in method.function.decorators):
+                return engine.call(method, [], {})
+            return method
+        for one in engine.index.chain(of.defined) if of.defined is not None else ():
+            constant = engine.index.member(one, name)
+            if constant is not None:
+                return self._constant(f"{one.what.qualified_name}.{name}", constant)
+        return Unknown(f"{name} of a {of.type}")
+
+    def item(self, expression: Item) -> Any:
+        """Return an item."""
+        of, key = self.value(expression.of), self.value(expression.key)
+        if isinstance(of, dict):
+            return of.get(key, Unknown(f"an item of {expression_text(expression.of)}"))
+        if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
+            return of[key]
+        return of if isinstance(of, Unknown) else Unknown(expression_text(expression))
+
+    def operation(self, expression: Operation) -> Any:
+        """Return the result of an operator."""
+        engine = cast("Evaluation", self)
+        operator = expression.operator
+        if operator in ("and", "or"):
+            return self._boolean(operator, expression.operands)
+        if operator == "?:":
+            holds = engine.truth(self.value(expression.operands[0]))
+            if holds is not None:
+                return self.value(expression.operands[1 if holds else 2])
+            return self._either(expression)
+        if operator == "=":
+            value = self.value(expression.operands[1])
+            engine.assign(expression.operands[0], value)
+            return value
+        values = [self.value(one) for one in expression.operands]
+        if operator in ("+", "<<"):
+            whole = values[0]
+            for one in values[1:]:
+                whole = self.sum(whole, one)
+            return whole
+        if operator == "not" and values:
+            holds = engine.truth(values[0])
+            return Unknown(expression_text(expression)) if holds is None else not holds
+        return self._computed(operator, values, expression)
+
+    def _either(self, expression: Operation) -> Any:
+        one, other = self.value(expression.operands[1]), self.value(expression.operands[2])
+        if isinstance(one, Text) and isinstance(other, Text):
+            if one == other:
+                return one
+            return Text((Hole(f"one of {one} and {other}", default=other.usual),))
+        return one if not isinstance(one, Unknown) else other
+
+    def _boolean(self, operator: str, operands: tuple[Expression, ...]) -> Any:
+        engine = cast("Evaluation", self)
+        stops = operator == "or"
+        for one in operands:
+            holds = engine.truth(self.value(one))
+            if holds is None:
+                return Unknown(expression_text(Operation(operator, operands)))
+            if holds is stops:
+                return stops
+        return not stops
+
+    def _computed(self, operator: str, values: list[Any], expression: Operation) -> Any:
+        if len(values) == 2 and operator in ("==", "!="):
+            one, other = (value.known if isinstance(value, Text) else value for value in values)
+            plain = isinstance(one, str | int | float | bool) and isinstance(other, str | int | float | bool)
+            if plain and not any(isinstance(value, Text) and value.known is None for value in values):
+                return (one == other) is (operator == "==")
+        if len(values) == 2 and operator == "%" and isinstance(values[0], Text):
+            return formatted(values[0], values[1] if isinstance(values[1], list) else [values[1]])
+        if all(isinstance(value, int | float) for value in values) and len(values) == 2:
+            function = _NUMBERS.get(operator)
+            try:
+                return function(*values) if function else Unknown(expression_text(expression))
+            except (ArithmeticError, ValueError):
+                return Unknown(expression_text(expression))
+        if operator == "-" and len(values) == 1 and isinstance(values[0], int | float):
+            return -values[0]
+        return Unknown(expression_text(expression))
+
+    def sum(self, one: Any, other: Any) -> Any:
+        """Return two values added: texts one after the other."""
+        if isinstance(one, Text) or isinstance(other, Text):
+            return Text.of(as_text(one), as_text(other))
+        if isinstance(one, list) and isinstance(other, list):
+            return [*one, *other]
+        if isinstance(one, int | float) and isinstance(other, int | float):
+            return one + other
+        return one if isinstance(one, Unknown) else Unknown("a sum")
+
+    def sequence(self, expression: Sequence) -> list[Any]:
+        """Return a list."""
+        return [self.value(one) for one in expression.items]
+
+    def mapping(self, expression: Mapping) -> dict[Any, Any]:
+        """Return a dictionary."""
+        return {hashable(self.value(key)): self.value(value) for key, value in expression.items}
+
+    def format(self, expression: Format) -> Text:
+        """Return a text put together."""
+        return Text.of(*(as_text(self.value(one)) for one in expression.parts))
+
+    def closure(self, expression: Lambda) -> Any:
+        """Return a function without name."""
+        engine = cast("Evaluation", self)
+        frame = engine.frame
+        program = engine.index.programs[frame.path]
+        return Callable(program.functions[expression.function], frame.path, frame.self, frame.names)
+
+    def opaque(self, expression: Opaque) -> Unknown:
+        """Return that nothing is known."""
+        return Unknown(expression.text or "an expression")
+
+    def truth(self, value: Any) -> bool | None:
+        """Return whether a value is true; None where that is unknown."""
+        if isinstance(value, Text):
+            return None if value.known is None else bool(value.known)
+        if value is None or isinstance(value, bool | int | float | list | dict):
+            return bool(value)
+        return True if isinstance(value, Callable | Class | Made) else None
+
+    def items(self, value: Any) -> list[Any] | None:
+        """Return what a loop goes through; None where it is unknown."""
+        if isinstance(value, list):
+            return value
+        return list(value) if isinstance(value, dict) else None
+
+
+def _shown(value: Any) -> str:
+    return type(value).__name__.lower()
+
+
+_NUMBERS: dict[str, Function1[[Any, Any], Any]] = {
+    "-": lambda one, other: one - other,
+    "*": lambda one, other: one * other,
+    "/": lambda one, other: one / other,
+    "%": lambda one, other: one % other,
+    "<": lambda one, other: one < other,
+    ">": lambda one, other: one > other,
+    "<=": lambda one, other: one <= other,
+    ">=": lambda one, other: one >= other,
+    "//": lambda one, other: one // other,
+}
+_KINDS: dict[type[Any], str] = {
+    Literal: "literal",
+    Name: "name",
+    Member: "member",
+    Item: "item",
+    Call: "called",
+    Operation: "operation",
+    Sequence: "sequence",
+    Mapping: "mapping",
+    Format: "format",
+    Lambda: "closure",
+    Opaque: "opaque",
+}
+"""Method for each kind of expression; calls are in another file."""

@@ -1,0 +1,197 @@
+"""Statements while source is evaluated: assignments, branches, loops, and how constructors initialise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function1
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.program import (
+    Assign,
+    Branch,
+    Call,
+    Evaluate,
+    Expression,
+    Item,
+    Loop,
+    Member,
+    Name,
+    Return,
+    Sequence,
+    Statement,
+)
+from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.text import Text
+from roslens.source.extract.workspace_index import type_arguments, type_name
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+MOST_TURNS = 64
+
+
+def initialise(engine: Evaluation, statement: Statement) -> None:
+    """Evaluate an initialiser of a constructor: of a member, or of a base."""
+    if isinstance(statement, Evaluate) and isinstance(statement.expression, Call):
+        call = statement.expression
+        arguments = [engine.value(one) for one in call.arguments]
+        engine.at(call)
+        _initialise_base(engine, call, arguments, {})
+    elif isinstance(statement, Assign) and isinstance(statement.target, Member) and statement.value is not None:
+        thing = engine.frame.self
+        name = statement.target.name
+        declared = declared_field(engine, thing, name) if isinstance(thing, Obj) else ""
+        value = engine.value(statement.value)
+        if isinstance(statement.value, Sequence):
+            kind, inside = type_name(declared)
+            value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
+        elif declared:
+            value = engine.converted(declared, value)
+        if isinstance(thing, Obj):
+            thing.fields[name] = value
+
+
+def declared_field(engine: Evaluation, thing: Obj, name: str) -> str:
+    """Return the declared type of a member; empty where none of its classes declares it."""
+    for one in engine.index.chain(thing.defined) if thing.defined else ():
+        for field in getattr(one.what, "fields", ()):
+            if field.name == name:
+                return str(field.type)
+    return ""
+
+
+def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    """Construct a base, or delegate to another constructor of the class."""
+    thing = engine.frame.self
+    if not isinstance(call.function, Name) or not isinstance(thing, Obj):
+        return
+    base = engine.index.class_of(call.function.name, engine.frame.path, engine.frame.scope)
+    if base is None:
+        name = engine.index.meaning(call.function.name, engine.frame.path, engine.frame.scope)
+        engine.construct_outer(thing, name, arguments, keywords)
+    else:
+        engine.construct_as(thing, base, arguments, keywords)
+
+
+def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
+    """Follow statements in order."""
+    for statement in body:
+        engine.step()
+        _STATEMENTS[type(statement)](engine, statement)
+        if engine.frame.returned or engine.frame.stopped:
+            return
+
+
+def _assigned(engine: Evaluation, statement: Assign) -> None:
+    if statement.value is None:
+        if isinstance(statement.target, Name):
+            engine.frame.names[statement.target.name] = engine.declared(statement.declared)
+        return
+    value = engine.value(statement.value)
+    if statement.declared:
+        value = engine.converted(statement.declared, value)
+    if statement.operator == "+=":
+        value = engine.sum(engine.value(statement.target), value)
+    if statement.declared and isinstance(statement.target, Name):
+        engine.frame.names[statement.target.name] = value
+    else:
+        assign(engine, statement.target, value)
+
+
+def assign(engine: Evaluation, target: Expression, value: Any) -> None:
+    """Put a value where an expression says."""
+    if isinstance(target, Name):
+        thing = engine.frame.self
+        if target.name not in engine.frame.names and isinstance(thing, Obj) and _is_field(engine, thing, target.name):
+            thing.fields[target.name] = value
+        else:
+            engine.frame.names[target.name] = value
+    elif isinstance(target, Member):
+        of = engine.value(target.of)
+        if isinstance(of, Obj):
+            of.fields[target.name] = value
+    elif isinstance(target, Item):
+        of, key = engine.value(target.of), engine.value(target.key)
+        if isinstance(of, dict):
+            of[_key(key)] = value
+    elif isinstance(target, Sequence):
+        items = value if isinstance(value, list) and len(value) == len(target.items) else None
+        for place, one in enumerate(target.items):
+            assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
+
+
+def _is_field(engine: Evaluation, thing: Obj, name: str) -> bool:
+    if engine.index.programs.get(engine.frame.path) and engine.index.programs[engine.frame.path].language == "python":
+        return False
+    return name in thing.fields or bool(declared_field(engine, thing, name)) or name.endswith("_")
+
+
+def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
+    engine.value(statement.expression)
+
+
+def _returned(engine: Evaluation, statement: Return) -> None:
+    value = None if statement.value is None else engine.value(statement.value)
+    engine.frame.give(value, open_condition=len(engine.conditions) > engine.frame.depth)
+
+
+def _branched(engine: Evaluation, statement: Branch) -> None:
+    holds = engine.truth(engine.value(statement.condition))
+    if holds is not None:
+        block(engine, statement.then if holds else statement.otherwise)
+        return
+    written = expression_text(statement.condition).strip("`()")
+    if written == "no exception":
+        block(engine, statement.then)
+        engine.frame.stopped = False
+        return
+    before = engine.frame.snapshot()
+    _noted(engine, written, statement.then)
+    after = engine.frame.snapshot()
+    engine.frame.restore(before)
+    _noted(engine, f"not {written}", statement.otherwise)
+    engine.frame.join(after, written)
+
+
+def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
+    engine.conditions.append(note)
+    try:
+        block(engine, body)
+    finally:
+        engine.conditions.pop()
+    engine.frame.returned = engine.frame.stopped = False
+
+
+def _looped(engine: Evaluation, statement: Loop) -> None:
+    items = engine.items(engine.value(statement.over)) if statement.over is not None else None
+    if statement.target is not None and items is not None:
+        for item in items[:MOST_TURNS]:
+            assign(engine, statement.target, item)
+            block(engine, statement.body)
+            engine.frame.stopped = False
+            if engine.frame.returned:
+                return
+        return
+    if statement.target is not None:
+        assign(
+            engine, statement.target, Unknown(f"each of {expression_text(statement.over)}" if statement.over else "x")
+        )
+    if statement.over is not None and statement.target is None and engine.truth(engine.value(statement.over)) is False:
+        return
+    block(engine, statement.body)
+    engine.frame.stopped = False
+    if statement.target is not None:
+        engine.frame.returned = False
+
+
+_STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
+    Assign: _assigned,
+    Evaluate: _evaluated,
+    Return: _returned,
+    Branch: _branched,
+    Loop: _looped,
+}
+
+
+def _key(value: Any) -> Any:
+    return value if isinstance(value, int | str | Text) else str(value)

@@ -1,0 +1,326 @@
+"""Evaluates the programs of a workspace far enough to see which nodes, endpoints and parameters they make.
+
+Statements are followed in order, calls into functions of the workspace with the values that are given, objects with
+their members. What is not in the workspace is known by the vocabulary of ROS, or it is unknown. Both ways of an unknown
+condition are followed; what is made there keeps it. Everything is bounded.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from roslens.source.extract.abstract_value import (
+    Building,
+    Callable,
+    Class,
+    Handle,
+    Named,
+    Obj,
+    QosValue,
+    Unknown,
+    as_text,
+)
+from roslens.source.extract.evaluated_calls import Calls
+from roslens.source.extract.evaluated_statements import assign, block, initialise
+from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.program import (
+    Call,
+    Expression,
+    Function,
+)
+from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.workspace_index import Defined, Index, type_arguments, type_name
+
+MOST_STEPS = 150_000
+MOST_DEPTH = 14
+MOST_TURNS = 64
+_STOPPED = object()
+
+
+class SpentError(Exception):
+    """The bounds of evaluation are spent."""
+
+
+class Evaluation(Calls):
+    """One evaluation of a unit: a main function, a class that becomes a node, a module.
+
+    Attributes:
+        index: of the workspace.
+        node: that is built.
+        others: further nodes that were made on the way.
+        conditions: around what is evaluated, outermost first.
+        frame: of the function that is evaluated.
+    """
+
+    def __init__(self, index: Index, node: Building) -> None:
+        super().__init__()
+        self.index = index
+        self.node = node
+        self.others: list[Building] = []
+        self.conditions: list[str] = []
+        self.frame = Frame(node.path, "")
+        self.later: list[tuple[Callable, str]] = []
+        self.reached: set[tuple[str, int]] = set()
+        self._steps = 0
+        self._stack: list[tuple[str, int]] = []
+        self.constants: dict[tuple[str, str], Any] = {}
+        self.site = Evidence(node.path, node.line)
+        self.written: tuple[Expression, ...] = ()
+        self.calls: list[tuple[Evidence, Function, tuple[Expression, ...]]] = []
+
+    # What others ask of it
+
+    def place(self, line: int, column: int = 0, how: str = "written") -> Evidence:
+        """Return evidence of a place in the file that is evaluated."""
+        return Evidence(self.frame.path, line, column, how)
+
+    def at(self, call: Call) -> None:
+        """Note which call is made next."""
+        self.site = Evidence(self.frame.path, call.line, call.column)
+        self.written = call.arguments
+
+    def step(self) -> None:
+        """Count a step.
+
+        Raises:
+            SpentError: there were too many.
+        """
+        self._steps += 1
+        if self._steps > MOST_STEPS:
+            raise SpentError
+
+    def run_later(self) -> None:
+        """Run the callbacks that were given away, once each, with arguments that are unknown."""
+        while self.later:
+            callback, note = self.later.pop(0)
+            key = (callback.path, callback.function.line)
+            if key not in self.reached:
+                with_note = [note] if note else []
+                self.conditions += with_note
+                self.call(callback, [], {})
+                del self.conditions[len(self.conditions) - len(with_note) :]
+
+    def assign(self, target: Expression, value: Any) -> None:
+        """Put a value where an expression says."""
+        assign(self, target, value)
+
+    # Calls into the workspace
+
+    def call(
+        self,
+        function: Callable,
+        arguments: list[Any],
+        keywords: dict[str, Any],
+        written: tuple[Expression, ...] = (),
+        templates: tuple[str, ...] = (),
+    ) -> Any:
+        """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
+        what = function.function
+        key = (function.path, what.line)
+        if key in self._stack or len(self._stack) >= MOST_DEPTH:
+            return Unknown(f"result of {what.name}()")
+        self.reached.add(key)
+        site = self.site
+        arguments = [*function.arguments, *arguments]
+        outer = self.frame
+        frame = Frame(function.path, what.qualified_name, function.self, dict(function.names or {}))
+        if isinstance(function.self, Obj):
+            frame.templates.update(function.self.templates)
+        frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
+        self._bind(what, arguments, keywords, frame)
+        self._stack.append(key)
+        self.calls.append((site, what, written))
+        self.frame = frame
+        try:
+            for statement in what.initialisers:
+                initialise(self, statement)
+            block(self, what.body)
+        finally:
+            self.frame = outer
+            self._stack.pop()
+            self.calls.pop()
+        for parameter, expression in zip(what.parameters, written, strict=False):
+            if parameter.type.endswith("&") and "const" not in parameter.type.split() and parameter.name:
+                self.assign(expression, frame.names.get(parameter.name))
+        return frame.result if frame.returned else None
+
+    def _of_class_templates(self, function: Callable) -> int:
+        """Return how many of a function's template parameters are those of its class."""
+        if not function.function.class_name:
+            return 0
+        found = self.index.class_of(function.function.class_name, function.path, "")
+        return len(getattr(found.what, "templates", ())) if found is not None else 0
+
+    def construct(
+        self, defined: Defined, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
+    ) -> Any:
+        """Make an object of a class of the workspace, its constructor evaluated."""
+        thing = Obj(defined.what.qualified_name, defined, {})
+        names = getattr(defined.what, "templates", ())
+        thing.templates.update(zip(names, templates, strict=False))
+        site, written = self.site, self.written
+        self.prepare(thing)
+        self.site, self.written = site, written
+        self.construct_as(thing, defined, arguments, keywords)
+        return thing
+
+    def prepare(self, thing: Obj) -> None:
+        """Give an object the members that its classes declare."""
+        for one in reversed(self.index.chain(thing.defined)) if thing.defined is not None else ():
+            for field in getattr(one.what, "fields", ()):
+                outer, self.frame = self.frame, Frame(one.path, one.what.qualified_name, thing)
+                self.frame.templates.update(thing.templates)
+                try:
+                    if field.value is not None:
+                        thing.fields[field.name] = self.typed(field.type, self.value(field.value))
+                    elif field.type and "*" not in field.type:
+                        thing.fields[field.name] = self.declared(field.type)
+                finally:
+                    self.frame = outer
+
+    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Evaluate the constructor of one class of an object."""
+        python = self.index.programs[defined.path].language == "python"
+        name = "__init__" if python else defined.what.name
+        found = self.index.methods(defined, name)
+        chosen = _overload(found, len(arguments) + len(keywords))
+        if chosen is not None and isinstance(chosen.what, Function):
+            self.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, self.written)
+            return
+        for base in self.index.chain(defined)[1:2]:
+            self.construct_as(thing, base, arguments, keywords)
+        if not self.index.chain(defined)[1:]:
+            self.base_constructed(thing, defined, arguments, keywords)
+
+    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Construct the bases that are not in the workspace."""
+        for base in self.index.outer_bases(defined):
+            self.construct_outer(thing, base, arguments, keywords)
+
+    def method(self, thing: Obj, name: str) -> Callable | None:
+        """Return a method of an object by name, of its class or the nearest base that has it."""
+        if thing.defined is None:
+            return None
+        for one in self.index.chain(thing.defined):
+            found = self.index.methods(one, name)
+            if found and isinstance(found[0].what, Function):
+                functions = [(f.what, f.path) for f in found if isinstance(f.what, Function)]
+                what, path = next((one for one in functions if one[0].body), functions[0])
+                return Callable(what, path, thing)
+        return None
+
+    def methods(self, thing: Obj, name: str, count: int) -> Callable | None:
+        """Return the method of an object that takes so many arguments."""
+        if thing.defined is None:
+            return None
+        for one in self.index.chain(thing.defined):
+            found = self.index.methods(one, name)
+            chosen = _overload(found, count)
+            if chosen is not None and isinstance(chosen.what, Function):
+                return Callable(chosen.what, chosen.path, thing)
+        return None
+
+    def declared(self, declared: str) -> Any:
+        """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
+        name, inside = type_name(declared)
+        pointer = "ptr" in declared or "*" in declared or name.endswith(("Ptr", "SharedPtr"))
+        if pointer:
+            return None
+        return self.of_type(name, [], {}, tuple(type_arguments(inside)))
+
+    def typed(self, declared: str, value: Any) -> Any:
+        """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
+        name, inside = type_name(declared)
+        if isinstance(value, list) and not declared.startswith(("std::vector", "std::array", "std::map", "std::set")):
+            return self.of_type(name, value, {}, tuple(type_arguments(inside)))
+        if name in ("rclcpp.QoS", "rmw_qos_profile_t") and isinstance(value, int):
+            return self.of_type(name, [value], {})
+        return value
+
+    def callable_type(self, function: Callable, place: int) -> str:
+        """Return the declared type of a parameter of a callback; empty where it has none."""
+        index = place + len([one for one in function.arguments if not isinstance(one, Unknown)])
+        parameters = function.function.parameters
+        return parameters[index].type if index < len(parameters) else ""
+
+    # Statements
+
+    def _bind(self, what: Function, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
+        declared = self.index.declaration(what.qualified_name)
+        for place, parameter in enumerate(what.parameters):
+            if place < len(arguments):
+                frame.names[parameter.name] = self.typed(parameter.type, arguments[place])
+            elif parameter.name in keywords:
+                frame.names[parameter.name] = keywords[parameter.name]
+            else:
+                default = parameter.default
+                if default is None and declared is not None and place < len(declared.parameters):
+                    default = declared.parameters[place].default
+                outer, self.frame = self.frame, frame
+                value = (
+                    Unknown(f"parameter {parameter.name} of {what.name}()") if default is None else self.value(default)
+                )
+                self.frame = outer
+                frame.names[parameter.name] = value
+
+    def converted(self, declared: str, value: Any) -> Any:
+        """Return a value as a declaration makes it."""
+        name, _ = type_name(declared)
+        if isinstance(value, int | float) and name in ("std.string", "string"):
+            return value
+        return self.typed(declared, value)
+
+    # Values by type
+
+    def of_type(
+        self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
+    ) -> Any:
+        """Return an object of a class by its name as written."""
+        if not name or name in _PLAIN:
+            return self.plain(name, arguments)
+        name = self.frame.templates.get(name, name)
+        defined = self.index.class_of(name, self.frame.path, self.frame.scope)
+        if defined is not None:
+            return self.construct(defined, arguments, keywords, templates)
+        return self.made_outer(
+            self.index.meaning(name, self.frame.path, self.frame.scope), arguments, keywords, templates
+        )
+
+    def plain(self, name: str, arguments: list[Any]) -> Any:
+        """Return a value of a fundamental type."""
+        if name in ("std.string", "string", "QString", "std.string_view"):
+            return as_text(arguments[0]) if arguments else Text()
+        if not arguments:
+            return Unknown("a value that is not set")
+        return arguments[0]
+
+    def called_outer(self, callback: Any, note: str = "") -> str:
+        """Remember that a callback was given away; return its name."""
+        if isinstance(callback, Callable):
+            self.later.append((callback, note))
+            return callback.function.qualified_name
+        return str(callback) if isinstance(callback, Text) else ""
+
+
+_PLAIN = frozenset(
+    {"std.string", "string", "QString", "std.string_view", "int", "double", "float", "bool", "size_t", "uint8_t",
+     "uint16_t", "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t", "unsigned int", "unsigned", "long",
+     "char", "auto", "void", "unsigned long", "std.size_t"}
+)  # fmt: skip
+
+
+def _overload(found: list[Defined], count: int) -> Defined | None:
+    """Return the function that takes so many arguments, else the one with the most to say."""
+    functions = [one for one in found if isinstance(one.what, Function)]
+    fit = [
+        one
+        for one in functions
+        if isinstance(one.what, Function)
+        and sum(parameter.default is None for parameter in one.what.parameters) <= count <= len(one.what.parameters)
+    ]
+    best = fit or functions
+    return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)
+
+
+__all__ = ["Class", "Evaluation", "Handle", "Named", "QosValue", "SpentError", "unknown"]

@@ -1,0 +1,89 @@
+"""The names of a function while it is evaluated, and what it returned."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from roslens.source.extract.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.text import Hole, Text
+
+
+class Frame:
+    """One call of a function.
+
+    Attributes:
+        path: of its file.
+        scope: its qualified name, in which names are looked up.
+        self: object it is called on; None of none.
+        names: its parameters and variables.
+        templates: what template parameters stand for.
+        returned: whether it returned for sure.
+        stopped: whether the loop around was left.
+        result: what it returned.
+        depth: conditions around the call, of which a return in it does not depend.
+    """
+
+    def __init__(self, path: str, scope: str, self_: Any = None, names: dict[str, Any] | None = None) -> None:
+        self.path = path
+        self.scope = scope
+        self.self = self_
+        self.names: dict[str, Any] = names if names is not None else {}
+        self.templates: dict[str, str] = {}
+        self.returned = False
+        self.stopped = False
+        self.result: Any = None
+        self.depth = 0
+        self._given = False
+
+    def give(self, value: Any, *, open_condition: bool) -> None:
+        """Return a value; the first one counts where it depends on a condition that is open."""
+        del open_condition
+        if not self._given or _less(self.result, value):
+            self.result = value
+            self._given = True
+        self.returned = True
+
+    def snapshot(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return what names and members of the object hold."""
+        return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
+
+    def restore(self, before: tuple[dict[str, Any], dict[str, Any]]) -> None:
+        """Put back what a snapshot holds."""
+        self.names = dict(before[0])
+        if isinstance(self.self, Obj):
+            self.self.fields.clear()
+            self.self.fields.update(before[1])
+
+    def join(self, other: tuple[dict[str, Any], dict[str, Any]], condition: str) -> None:
+        """Let hold what either way of a condition came to, ``other`` being that where it is true."""
+        _join(self.names, other[0], condition)
+        if isinstance(self.self, Obj):
+            _join(self.self.fields, other[1], condition)
+
+
+def _less(one: Any, other: Any) -> bool:
+    """Whether a value says less than another one."""
+    if one is None or isinstance(one, Unknown):
+        return True
+    return isinstance(one, Text) and isinstance(other, Text) and one.usual is None and other.usual is not None
+
+
+def _join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
+    for name, value in other.items():
+        if name not in names or names[name] is None or isinstance(names[name], Unknown):
+            names[name] = value
+        elif isinstance(value, Text) and isinstance(names[name], Text) and value != names[name]:
+            names[name] = _either(value, names[name], condition)
+        elif isinstance(value, bool | int | float) and value != names[name]:
+            names[name] = Unknown(f"one of {value} and {as_text(names[name])}, by {condition}")
+
+
+def _either(one: Text, other: Text, condition: str) -> Text:
+    """Return the text that is one or the other; a known one counts for the usual."""
+    if not one.parts:
+        return other
+    if not other.parts:
+        return one
+    reason = f"{one} if {condition[:60]}, else {other}"
+    parameter = next((hole.parameter for hole in (*one.holes, *other.holes) if hole.parameter), "")
+    return Text((Hole(reason, parameter, other.usual),))

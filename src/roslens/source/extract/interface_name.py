@@ -1,0 +1,46 @@
+"""Names of message, service and action types as code writes them, in the form of ROS 1 or ROS 2."""
+
+from __future__ import annotations
+
+import re
+
+from roslens.source.extract.workspace_index import type_name
+
+_ENDS = re.compile(
+    r"(\.|_)?(ConstPtr|SharedPtr|UniquePtr|ConstSharedPtr|ConstUniquePtr|Ptr|ConstWeakPtr|WeakPtr|Request|Response|"
+    r"ConstRef|Goal|Result|Feedback)+$"
+)
+_MIDDLE = frozenset({"msg", "srv", "action"})
+_NAME = re.compile(r"[A-Za-z_]\w*")
+
+
+def interface_name(written: str) -> str:
+    """Return ``package/Type`` or ``package/msg/Type`` of a C++ type or dotted Python name; empty where it is none."""
+    text = written.replace(" const", " ").replace("const ", " ").strip()
+    name, _ = type_name(text.replace("/", "::"))
+    pieces = [piece for piece in _without_end(name).split(".") if piece]
+    if len(pieces) >= 3 and pieces[-2].startswith("_") and pieces[-3] in _MIDDLE:
+        pieces = [*pieces[:-2], pieces[-1]]
+    if len(pieces) >= 2 and all(_NAME.fullmatch(piece) for piece in pieces) and pieces[-1][:1].isupper():
+        return "/".join(pieces[-3:] if len(pieces) >= 3 and pieces[-2] in _MIDDLE else pieces[-2:])
+    return ""
+
+
+def of_generation(name: str, generation: str, kind: str) -> str:
+    """Return a type name in the form of a generation; Python of ROS 1 writes ``package.msg.Type`` too."""
+    pieces = name.split("/")
+    if generation == "ros1" and len(pieces) == 3:
+        return f"{pieces[0]}/{pieces[2]}"
+    if generation == "ros2" and len(pieces) == 2:
+        return f"{pieces[0]}/{kind}/{pieces[1]}"
+    return name
+
+
+def _without_end(name: str) -> str:
+    head, dot, last = name.rpartition(".")
+    if not head:
+        return name
+    if _ENDS.fullmatch(f".{last}"):
+        return _without_end(head)
+    shorter = re.sub(r"(ConstPtr|ConstSharedPtr|SharedPtr|Ptr)$", "", last) if last.endswith("Ptr") else last
+    return f"{head}{dot}{shorter or last}"

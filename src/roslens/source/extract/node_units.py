@@ -1,0 +1,185 @@
+"""What in a workspace becomes a node when it is started, and what it makes then."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Callable1
+from collections.abc import Iterator
+
+from roslens.source.extract.abstract_value import Building, Callable, Named, Obj, Unknown
+from roslens.source.extract.evaluated_statements import block
+from roslens.source.extract.evaluation import Evaluation, SpentError
+from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.node_facts import Evidence, NodeFacts
+from roslens.source.extract.program import Branch, Call, Evaluate, Function, Literal, Name, Operation, Program
+from roslens.source.extract.text import Text
+from roslens.source.extract.workspace_index import Defined, Index
+
+_BASES = {
+    "rclcpp.Node": ("ros2", "node"),
+    "rclcpp_lifecycle.LifecycleNode": ("ros2", "lifecycle"),
+    "rclpy.node.Node": ("ros2", "node"),
+    "rclpy.Node": ("ros2", "node"),
+    "rclpy.lifecycle.Node": ("ros2", "lifecycle"),
+    "rclpy.lifecycle.LifecycleNode": ("ros2", "lifecycle"),
+    "nodelet.Nodelet": ("ros1", "nodelet"),
+}
+_FIRST = ("on_configure", "on_activate", "onInit", "onInitialize", "configure", "initialize", "init", "activate")
+_REGISTRATIONS = {
+    "RCLCPP_COMPONENTS_REGISTER_NODE": 0,
+    "PLUGINLIB_EXPORT_CLASS": 0,
+    "CLASS_LOADER_REGISTER_CLASS": 0,
+    "PLUGINLIB_DECLARE_CLASS": 2,
+}
+
+
+def node_classes(index: Index) -> Iterator[tuple[Defined, str, str]]:
+    """Yield the classes that are nodes, with generation and kind: those that a node is a base of."""
+    for path in sorted(index.programs):
+        for one in index.programs[path].classes:
+            found = Defined(path, one)
+            for base in index.outer_bases(found):
+                if base in _BASES:
+                    yield (found, *_BASES[base])
+                    break
+
+
+def registered(index: Index) -> dict[str, Evidence]:
+    """Return the classes that are registered as components, nodelets or plug-ins, and where."""
+    found: dict[str, Evidence] = {}
+    for path, program in index.programs.items():
+        for statement in program.body:
+            if isinstance(statement, Evaluate) and isinstance(call := statement.expression, Call):
+                name = call.function.name if isinstance(call.function, Name) else ""
+                place = _REGISTRATIONS.get(name)
+                if place is not None and place < len(call.arguments):
+                    argument = call.arguments[place]
+                    if isinstance(argument, Name):
+                        found.setdefault(argument.name, Evidence(path, call.line, call.column))
+    return found
+
+
+def facts_of_class(index: Index, defined: Defined, generation: str, kind: str) -> list[NodeFacts]:
+    """Return the facts of a class that is a node, and of further nodes that it makes."""
+    building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
+    engine = Evaluation(index, building)
+
+    def run() -> None:
+        engine.frame = Frame(defined.path, defined.what.qualified_name)
+        thing = Obj(defined.what.qualified_name, defined, {}, building if generation == "ros1" else None)
+        engine.prepare(thing)
+        thing.node = thing.node or building
+        building.named = False
+        engine.construct_as(thing, defined, [], {})
+        _run_methods(engine, thing)
+
+    return _finished(engine, run)
+
+
+def facts_of_plugin(index: Index, defined: Defined, generation: str) -> list[NodeFacts]:
+    """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
+    building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
+    building.named = True
+    engine = Evaluation(index, building)
+
+    def run() -> None:
+        engine.frame = Frame(defined.path, defined.what.qualified_name)
+        thing = Obj(defined.what.qualified_name, defined, {})
+        engine.prepare(thing)
+        engine.construct_as(thing, defined, [], {})
+        _run_methods(engine, thing)
+
+    return _finished(engine, run)
+
+
+def facts_of_main(index: Index, path: str) -> list[NodeFacts]:
+    """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes."""
+    program = index.programs[path]
+    main = next((one for one in program.functions if one.qualified_name == "main"), None)
+    if main is None:
+        return []
+    building = _building("main", path, main.line, _generation(program), "node")
+    engine = Evaluation(index, building)
+
+    def run() -> None:
+        engine.frame = Frame(path, "")
+        engine.call(Callable(main, path), [Unknown("argc"), Unknown("argv")], {})
+        engine.run_later()
+
+    return [one for one in _finished(engine, run) if one.endpoints or one.parameters or one.name.parts]
+
+
+def facts_of_module(index: Index, path: str, function: str = "") -> list[NodeFacts]:
+    """Return the facts of a Python module: of a function of it, else of what it does when it is started."""
+    program = index.programs[path]
+    building = _building(function or "<module>", path, 1, _generation(program), "node")
+    engine = Evaluation(index, building)
+
+    def run() -> None:
+        engine.frame = Frame(path, "")
+        engine.frame.names["__name__"] = Text.of("__main__")
+        chosen: list[Function] = [one for one in program.functions if one.qualified_name == function]
+        if function and chosen:
+            engine.call(Callable(chosen[0], path), [], {})
+        elif not function:
+            for statement in program.body:
+                if isinstance(statement, Branch) and _is_main(statement):
+                    block(engine, statement.then)
+                elif isinstance(statement, Evaluate):
+                    engine.value(statement.expression)
+        engine.run_later()
+
+    return [one for one in _finished(engine, run) if one.endpoints or one.parameters or one.name.parts]
+
+
+def _is_main(branch: Branch) -> bool:
+    condition = branch.condition
+    return isinstance(condition, Operation) and Literal("__main__") in condition.operands
+
+
+def _run_methods(engine: Evaluation, thing: Obj) -> None:
+    """Run what a node does after it is made: its life cycle first, then what was never called."""
+    for name in _FIRST:
+        method = engine.method(thing, name)
+        if method is not None and (method.path, method.function.line) not in engine.reached:
+            engine.call(method, [], {})
+    engine.run_later()
+    if thing.defined is None:
+        return
+    home = engine.index.package(thing.defined.path)
+    for one in engine.index.chain(thing.defined):
+        # What a base in another package could do is not what this node does.
+        if engine.index.package(one.path) == home:
+            for found in engine.index.methods_of(one):
+                if isinstance(found.what, Function) and not _made_by(found.what, one.what.name):
+                    engine.later.append((Callable(found.what, found.path, thing), f"{found.what.name}() is called"))
+    engine.run_later()
+
+
+def _made_by(function: Function, class_name: str) -> bool:
+    """Whether a function is a constructor or destructor, or makes no sense without its template arguments."""
+    return function.name in (class_name, f"~{class_name}", "__init__", "lambda") or bool(function.templates)
+
+
+def _finished(engine: Evaluation, run: Callable1[[], None]) -> list[NodeFacts]:
+    try:
+        run()
+    except (SpentError, RecursionError):
+        place = Evidence(engine.node.path, engine.node.line)
+        engine.node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
+    return [one.facts() for one in (engine.node, *engine.others)]
+
+
+def _building(unit: str, path: str, line: int, generation: str, kind: str) -> Building:
+    building = Building(unit, path, line, generation, kind)
+    building.endpoints, building.parameters, building.timers = [], [], []
+    building.remaps, building.uses, building.unresolved = [], [], []
+    return building
+
+
+def _generation(program: Program) -> str:
+    included = {name for name, _ in program.includes}
+    ros2 = any(name.startswith(("rclcpp", "rclpy")) for name in included)
+    return "ros2" if ros2 or any("/msg/" in name and name.endswith(".hpp") for name in included) else "ros1"
+
+
+__all__ = ["Named", "facts_of_class", "facts_of_main", "facts_of_module", "node_classes", "registered"]

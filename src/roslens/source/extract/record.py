@@ -1,0 +1,190 @@
+"""How the vocabulary records what a node makes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.source.extract.abstract_value import (
+    Building,
+    Callable,
+    Class,
+    Group,
+    Made,
+    Named,
+    Obj,
+    QosValue,
+    Unknown,
+    as_text,
+)
+from roslens.source.extract.interface_name import interface_name, of_generation
+from roslens.source.extract.node_facts import EndpointFact, Evidence, ParameterFact, Sure, TimerFact
+from roslens.source.extract.program import Call, Name
+from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.extract.vocabulary import Called, below, node_of
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+KINDS = {
+    Role.PUBLISHER: "msg",
+    Role.SUBSCRIPTION: "msg",
+    Role.SERVICE_SERVER: "srv",
+    Role.SERVICE_CLIENT: "srv",
+    Role.ACTION_SERVER: "action",
+    Role.ACTION_CLIENT: "action",
+}
+
+
+def endpoint(
+    engine: Evaluation,
+    receiver: Any,
+    called: Called,
+    role: Role,
+    name: Any,
+    kind: Any,
+    *,
+    qos: Any = None,
+    queue: int = -1,
+    latched: bool = False,
+    callback: Any = None,
+    group: Any = None,
+) -> Made:
+    """Record an endpoint of the node that the receiver is."""
+    node = node_of(engine, receiver)
+    written = below(receiver, as_text(name))
+    evidence = origin(engine, called, name)
+    sure = sure_of(written, receiver)
+    if sure is not Sure.CERTAIN or written.holes:
+        evidence = msgspec.structs.replace(evidence, how=how(written), sure=sure)
+    quality = qos if isinstance(qos, QosValue) else None
+    fact = EndpointFact(
+        role,
+        written,
+        type_text(engine, kind, node.generation, role),
+        evidence,
+        qos=quality.qos if quality and node.generation == "ros2" else None,
+        qos_unknown=quality.unknown if quality else "",
+        queue=queue,
+        latched=latched,
+        callback=engine.called_outer(callback),
+        group=group.name if isinstance(group, Group) else "",
+        conditions=tuple(dict.fromkeys(engine.conditions)),
+    )
+    for place, known in enumerate(node.endpoints):
+        if known.evidence == fact.evidence and known.role is role and known.name == fact.name:
+            return Made(node, place)
+    node.endpoints.append(fact)
+    return Made(node, len(node.endpoints) - 1)
+
+
+def origin(engine: Evaluation, called: Called, name: Any) -> Evidence:
+    """Return where an endpoint comes from: the call that says its name, not the helper that only passes it on."""
+    evidence = called.evidence
+    expression = next(
+        (one for one, value in zip(called.written, called.arguments, strict=False) if value is name), None
+    )
+    for site, function, written in reversed(engine.calls):
+        while isinstance(expression, Call) and len(expression.arguments) == 1:
+            expression = expression.arguments[0]
+        if not isinstance(expression, Name) or not site.line:
+            break
+        names = [parameter.name for parameter in function.parameters]
+        place = names.index(expression.name) if expression.name in names else -1
+        if not 0 <= place < len(written):
+            break
+        expression, evidence = written[place], site
+    return evidence
+
+
+def sure_of(name: Text, receiver: Any) -> Sure:
+    """Return how sure a name is: certain where it is written, likely where a parameter or guess decides."""
+    if isinstance(receiver, Unknown):
+        return Sure.LIKELY
+    if not name.holes:
+        return Sure.CERTAIN
+    return Sure.LIKELY if name.usual is not None else Sure.POSSIBLE
+
+
+def how(name: Text) -> str:
+    """Return in words how a name was resolved."""
+    if not name.holes:
+        return "taken to be of this node"
+    return "; ".join(dict.fromkeys(hole.reason for hole in name.holes))
+
+
+def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Text:
+    """Return the type of an endpoint as text."""
+    written = kind if isinstance(kind, str) else ""
+    if isinstance(kind, Named):
+        written = kind.name
+    elif isinstance(kind, Class):
+        written = kind.defined.what.qualified_name
+    elif isinstance(kind, Obj):
+        written = kind.type
+    if not written:
+        return unknown(kind.reason if isinstance(kind, Unknown) else "its type is not written")
+    name = interface_name(written)
+    if not name:
+        meaning = engine.index.meaning(written.replace("::", "."), engine.frame.path, engine.frame.scope)
+        name = interface_name(meaning)
+    return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
+
+
+def type_of_callback(engine: Evaluation, callback: Any, place: int = 0) -> str:
+    """Return the type that a callback takes, as its declaration says."""
+    return engine.callable_type(callback, place) if isinstance(callback, Callable) else ""
+
+
+def parameter(
+    engine: Evaluation, receiver: Any, called: Called, access: str, name: Any, *, default: Any = None, kind: str = "",
+    given: bool = False,
+) -> Text:  # fmt: skip
+    """Record a parameter and return what reading it gives: a hole with its default."""
+    node = node_of(engine, receiver)
+    written = below(receiver, as_text(name))
+    text = as_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
+    fact = ParameterFact(
+        written,
+        called.evidence,
+        access,
+        kind or kind_of(default),
+        text,
+        conditions=tuple(dict.fromkeys(engine.conditions)),
+    )
+    if fact not in node.parameters:
+        node.parameters.append(fact)
+    known = written.known or written.pattern
+    usual = text.usual if text is not None else declared_default(node, written)
+    return Text((Hole(f"parameter {known}", known, usual),))
+
+
+def declared_default(node: Building, name: Text) -> str | None:
+    """Return the default that a node declared for a parameter before."""
+    for one in node.parameters:
+        if one.name == name and one.default is not None:
+            return one.default.usual
+    return None
+
+
+def kind_of(value: Any) -> str:
+    """Return the type of a parameter by its default."""
+    if isinstance(value, bool):
+        return "bool"
+    if isinstance(value, int):
+        return "int"
+    if isinstance(value, float):
+        return "double"
+    if isinstance(value, Text):
+        return "string"
+    return "list" if isinstance(value, list) else ""
+
+
+def timer(engine: Evaluation, receiver: Any, called: Called, period: Any, callback: Any, group: Any) -> None:
+    """Record a timer."""
+    node = node_of(engine, receiver)
+    seconds = float(period) if isinstance(period, int | float) and not isinstance(period, bool) else None
+    name = group.name if isinstance(group, Group) else ""
+    node.timers.append(TimerFact(seconds, called.evidence, engine.called_outer(callback), name))

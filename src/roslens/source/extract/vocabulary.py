@@ -1,0 +1,146 @@
+"""What classes, functions and methods of ROS do that are not in the workspace: found by name, one function each.
+
+The words are in :mod:`~roslens.source.extract.vocabulary_ros1`, :mod:`~roslens.source.extract.vocabulary_ros2` and
+:mod:`~roslens.source.extract.vocabulary_shared`; each registers itself by :func:`outer` and :func:`method`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function1
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.abstract_value import Building, Handle, Made, Obj, QosValue, Unknown
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.program import Expression
+from roslens.source.extract.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+
+class Called(msgspec.Struct, frozen=True):
+    """A call of something outside of the workspace.
+
+    Attributes:
+        name: of the function, class or method.
+        arguments: values by position.
+        keywords: values by name.
+        templates: template arguments, as written.
+        written: the arguments as expressions, for those that are set by the call.
+        evidence: where it is written.
+    """
+
+    name: str
+    arguments: list[Any]
+    keywords: dict[str, Any]
+    templates: tuple[str, ...]
+    written: tuple[Expression, ...]
+    evidence: Evidence
+
+    def argument(self, place: int, *names: str, default: Any = None) -> Any:
+        """Return an argument by position or the first of its names."""
+        for name in names:
+            if name in self.keywords:
+                return self.keywords[name]
+        return self.arguments[place] if 0 <= place < len(self.arguments) else default
+
+
+Word = Function1[["Evaluation", Any, Called], Any]
+_OUTER: dict[str, Word] = {}
+_METHODS: dict[tuple[str, str], Word] = {}
+_ANYWHERE: dict[str, Word] = {}
+_MODULES = ("vocabulary_ros2", "vocabulary_ros1", "vocabulary_shared")
+
+
+def outer(*names: str) -> Function1[[Word], Word]:
+    """Register what a function or constructor does, by whole names joined by ``.``."""
+
+    def keep(word: Word) -> Word:
+        _OUTER.update(dict.fromkeys(names, word))
+        return word
+
+    return keep
+
+
+def method(kind: str, *names: str, anywhere: bool = False) -> Function1[[Word], Word]:
+    """Register what a method of a kind of object does.
+
+    Args:
+        kind: ``node``, ``handle``, ``qos``, ``made``, or the whole name of a class.
+        names: of the method.
+        anywhere: whether it is meant where the object is unknown too.
+    """
+
+    def keep(word: Word) -> Word:
+        _METHODS.update({(kind, name): word for name in names})
+        if anywhere:
+            _ANYWHERE.update(dict.fromkeys(names, word))
+        return word
+
+    return keep
+
+
+def _load() -> None:
+    if not _OUTER:
+        for name in _MODULES:
+            import_module(f"roslens.source.extract.{name}")
+
+
+def find_outer(_engine: Evaluation, name: str) -> Word | None:
+    """Return what calling a function or class by its whole name does."""
+    _load()
+    return _OUTER.get(name)
+
+
+def find_method(engine: Evaluation, receiver: Any, called: Called) -> Word | None:
+    """Return what a method of an object does; None where it is not known."""
+    _load()
+    for kind in kinds_of(engine, receiver):
+        word = _METHODS.get((kind, called.name))
+        if word is not None:
+            return word
+    if isinstance(receiver, Unknown | None) or (isinstance(receiver, Obj) and receiver.defined is None):
+        return _ANYWHERE.get(called.name)
+    return None
+
+
+def kinds_of(engine: Evaluation, receiver: Any) -> list[str]:
+    """Return what an object is, to find its methods."""
+    if isinstance(receiver, Obj):
+        kinds = [receiver.type]
+        if receiver.defined is not None:
+            kinds += engine.index.outer_bases(receiver.defined)
+        if receiver.node is not None:
+            kinds.append("node")
+        return [*kinds, *(kind.rpartition(".")[2] for kind in kinds)]
+    if isinstance(receiver, Handle):
+        return ["handle", "node"]
+    if isinstance(receiver, QosValue):
+        return ["qos"]
+    return ["made"] if isinstance(receiver, Made) else []
+
+
+def node_of(engine: Evaluation, value: Any) -> Building:
+    """Return the node that a value stands for: the one that is built where it is unknown."""
+    if isinstance(value, Handle):
+        return value.node
+    if isinstance(value, Obj):
+        if value.node is not None:
+            return value.node
+        for inner in value.fields.values():
+            if isinstance(inner, Handle):
+                return inner.node
+    return engine.node
+
+
+def below(value: Any, name: Text) -> Text:
+    """Return a name below what a handle puts in front of it."""
+    if not isinstance(value, Handle) or not value.prefix.parts:
+        return name
+    first = name.parts[0] if name.parts else ""
+    if isinstance(first, str) and first[:1] in ("/", "~"):
+        return name
+    return Text.of(value.prefix, "/", name) if name.parts else value.prefix

@@ -1,0 +1,299 @@
+"""The vocabulary of roscpp and rospy: node handles, topics, services, parameters, timers, nodelets."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.model.graph import Role
+from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
+from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
+from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.vocabulary import Called, below, method, node_of, outer
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_OPTIONS = ("ros.SubscribeOptions", "ros.AdvertiseOptions", "ros.AdvertiseServiceOptions")
+
+
+@outer("ros.init", "rospy.init_node")
+def init(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The process becomes a node."""
+    node = engine.node
+    name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
+    node.generation = "ros1"
+    node.named = True
+    node.name = as_text(name) if name is not None else Text((Hole("name of the node"),))
+    anonymous = called.argument(5, "anonymous")
+    flags = called.argument(3)
+    if anonymous is True or (isinstance(flags, Named) and flags.name.endswith("AnonymousName")):
+        node.name = Text.of(node.name, "_", Hole("random end"))
+    return None
+
+
+@outer("ros.NodeHandle", "ros.NodeHandlePtr")
+def handle(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Something names are resolved against: a namespace of the node."""
+    return _handle(engine, called)
+
+
+def _handle(engine: Evaluation, called: Called) -> Handle:
+    engine.node.generation = "ros1"
+    prefix = Text()
+    node: Building = engine.node
+    for value in called.arguments:
+        if isinstance(value, Handle):
+            node, prefix = value.node, value.prefix
+        elif isinstance(value, Text):
+            prefix = below(Handle(node, prefix), _trimmed(value))
+    return Handle(node, prefix)
+
+
+def _trimmed(name: Text) -> Text:
+    """Return a namespace without ``/`` at its end."""
+    last = name.parts[-1] if name.parts else ""
+    if isinstance(last, str) and len(last) > 1 and last.endswith("/"):
+        return Text((*name.parts[:-1], last.rstrip("/")))
+    return name
+
+
+@method("nodelet.Nodelet", "getNodeHandle", "getMTNodeHandle")
+@method("node", "getNodeHandle", "getMTNodeHandle", anywhere=True)
+def public_handle(engine: Evaluation, _thing: Any, _called: Called) -> Any:
+    """The namespace of the node."""
+    return Handle(engine.node)
+
+
+@method("nodelet.Nodelet", "getPrivateNodeHandle", "getMTPrivateNodeHandle")
+@method("node", "getPrivateNodeHandle", "getMTPrivateNodeHandle", anywhere=True)
+def private_handle(engine: Evaluation, _thing: Any, _called: Called) -> Any:
+    """The private namespace of the node."""
+    return Handle(engine.node, Text.of("~"))
+
+
+@method("nodelet.Nodelet", "getName")
+def nodelet_name(engine: Evaluation, _thing: Any, _called: Called) -> Any:
+    """The name of the nodelet."""
+    return Text((Hole("name of the node", default=engine.node.name.usual),))
+
+
+@outer("nodelet.Nodelet")
+def nodelet(engine: Evaluation, thing: Any, _called: Called) -> Any:
+    """A nodelet is constructed."""
+    engine.node.generation = "ros1"
+    engine.node.kind = "nodelet"
+    if isinstance(thing, Obj):
+        thing.node = engine.node
+    return thing
+
+
+def _queue(value: Any) -> int:
+    return value if isinstance(value, int) and not isinstance(value, bool) else -1
+
+
+@method("handle", "advertise", anywhere=True)
+def advertise(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A publisher."""
+    kind = called.templates[0] if called.templates else Unknown("its type")
+    latched = called.argument(2) is True or called.argument(4) is True
+    return endpoint(
+        engine, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=_queue(called.argument(1)),
+        latched=latched,
+    )  # fmt: skip
+
+
+@method("handle", "subscribe", anywhere=True)
+def subscribe(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A subscription."""
+    if not isinstance(thing, Handle) and not called.templates and len(called.arguments) < 2:
+        return Unknown("result of subscribe()")
+    callback = _callback(engine, called, 2)
+    written = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    kind: Any = written or Unknown("the type its callback takes")
+    return endpoint(
+        engine, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=_queue(called.argument(1)),
+        callback=callback,
+    )  # fmt: skip
+
+
+def _callback(engine: Evaluation, called: Called, place: int) -> Any:
+    """Return a callback, bound to the object that is given after it."""
+    callback = called.argument(place)
+    thing = called.argument(place + 1)
+    if isinstance(callback, Callable) and callback.function.class_name and isinstance(thing, Obj):
+        return Callable(callback.function, callback.path, thing, callback.names, callback.arguments)
+    del engine
+    return callback
+
+
+@method("handle", "advertiseService", anywhere=True)
+def advertise_service(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A server of a service."""
+    callback = _callback(engine, called, 1)
+    written = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    kind: Any = written or Unknown("the type its callback takes")
+    return endpoint(engine, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)
+
+
+@method("handle", "serviceClient", anywhere=True)
+def service_client(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A client of a service."""
+    kind = called.templates[0] if called.templates else Unknown("its type")
+    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), kind)
+
+
+@outer("ros.service.call", "ros.service.createClient")
+def call_once(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A service is called by its name."""
+    kind = called.templates[0] if called.templates else called.argument(1)
+    return endpoint(engine, Handle(engine.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
+
+
+@outer("ros.topic.waitForMessage", "rospy.wait_for_message")
+def wait_for_message(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A topic is subscribed to for one message."""
+    kind = called.templates[0] if called.templates else called.argument(1, "topic_type")
+    endpoint(engine, Handle(engine.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
+    return Unknown("a message")
+
+
+@method("handle", "param", "getParam", "getParamCached", "param_cached")
+def read(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A parameter is read, into a variable where one is given."""
+    default = called.argument(2) if called.name == "param" and len(called.arguments) > 2 else None
+    if called.name == "param" and len(called.arguments) == 2:
+        default = called.argument(1)
+    value = parameter(engine, thing, called, "read", called.argument(0), default=default, given=default is not None)
+    if len(called.written) > 1 and not (called.name == "param" and len(called.arguments) == 2):
+        engine.assign(called.written[1], value)
+        return Unknown("whether the parameter is set")
+    return value
+
+
+@outer("ros.param.param", "ros.param.get", "ros.param.getCached")
+def read_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A parameter is read by its name."""
+    named = "param" if called.name.endswith(".param") else "getParam"
+    inner = Called(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
+    return read(engine, Handle(engine.node), inner)
+
+
+@method("handle", "setParam")
+def write(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A parameter is written."""
+    parameter(engine, thing, called, "written", called.argument(0))
+    return None
+
+
+@method("handle", "hasParam", "searchParam", "deleteParam", "ok", "shutdown")
+def ask(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Something is asked that only a run can answer."""
+    return Unknown(f"result of {called.name}()")
+
+
+@method("handle", "getNamespace", "resolveName", "getUnresolvedNamespace")
+def namespace(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """The namespace of a handle, or a name below it."""
+    if called.name == "resolveName":
+        return below(thing, as_text(called.argument(0)))
+    if isinstance(thing, Handle) and thing.prefix.parts:
+        return thing.prefix
+    del engine
+    return Text((Hole("namespace of the node", default=""),))
+
+
+@outer("ros.this_node.getName", "rospy.get_name")
+def own_name(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
+    """The full name of the node."""
+    return Text((Hole("full name of the node", default="~"),))
+
+
+@outer("ros.this_node.getNamespace", "rospy.get_namespace")
+def own_namespace(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
+    """The namespace of the node."""
+    return Text((Hole("namespace of the node", default="/"),))
+
+
+@outer("ros.names.resolve", "rospy.resolve_name", "ros.names.remap")
+def resolve(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A name is resolved: it stays what it is."""
+    return as_text(called.argument(len(called.arguments) - 1))
+
+
+@method("handle", "createTimer", "createWallTimer", "createSteadyTimer", anywhere=True)
+def create_timer(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A timer."""
+    timer(engine, thing, called, called.argument(0), _callback(engine, called, 1), None)
+    return Obj("ros.Timer")
+
+
+@outer("rospy.Publisher")
+def py_publisher(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A publisher of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.PUBLISHER, called.argument(0, "name"), called.argument(1, "data_class"),
+        queue=_queue(called.argument(6, "queue_size")), latched=called.argument(4, "latch") is True,
+    )  # fmt: skip
+
+
+@outer("rospy.Subscriber")
+def py_subscriber(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A subscription of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.SUBSCRIPTION, called.argument(0, "name"), called.argument(1, "data_class"),
+        queue=_queue(called.argument(4, "queue_size")), callback=called.argument(2, "callback"),
+    )  # fmt: skip
+
+
+@outer("rospy.Service")
+def py_service(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A server of a service of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.SERVICE_SERVER, called.argument(0, "name"),
+        called.argument(1, "service_class"), callback=called.argument(2, "handler"),
+    )  # fmt: skip
+
+
+@outer("rospy.ServiceProxy")
+def py_service_proxy(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A client of a service of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.SERVICE_CLIENT, called.argument(0, "name"),
+        called.argument(1, "service_class"),
+    )  # fmt: skip
+
+
+@outer("rospy.get_param", "rospy.get_param_cached")
+def py_read(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A parameter is read by rospy."""
+    given = len(called.arguments) > 1 or "default" in called.keywords
+    return parameter(
+        engine, _here(engine), called, "read", called.argument(0, "param_name"), default=called.argument(1, "default"),
+        given=given,
+    )  # fmt: skip
+
+
+@outer("rospy.set_param")
+def py_write(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A parameter is written by rospy."""
+    parameter(engine, _here(engine), called, "written", called.argument(0, "param_name"))
+    return None
+
+
+@outer("rospy.Timer")
+def py_timer(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A timer of rospy."""
+    timer(engine, _here(engine), called, called.argument(0, "period"), called.argument(1, "callback"), None)
+    return Obj("rospy.Timer")
+
+
+def _here(engine: Evaluation) -> Handle:
+    engine.node.generation = "ros1"
+    return Handle(engine.node)
+
+
+for _name in _OPTIONS:
+    outer(_name)(lambda _engine, _thing, called: Obj(called.name))
+
+
+__all__ = ["node_of"]

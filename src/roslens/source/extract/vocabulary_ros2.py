@@ -1,0 +1,466 @@
+"""The vocabulary of rclcpp and rclpy: nodes, endpoints, parameters, timers, quality of service."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.model.qos import Qos
+from roslens.source.extract.abstract_value import (
+    Building,
+    Callable,
+    Group,
+    Handle,
+    Named,
+    Obj,
+    QosValue,
+    Unknown,
+    as_text,
+)
+from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
+from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.vocabulary import Called, method, node_of, outer
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_NODES = ("rclcpp.Node", "rclpy.node.Node", "rclpy.create_node", "rclcpp.Node.make_shared", "rclpy.Node")
+_LIFECYCLE = ("rclcpp_lifecycle.LifecycleNode", "rclpy.lifecycle.LifecycleNode", "rclpy.lifecycle.Node",
+              "rclpy.lifecycle.node.LifecycleNode")  # fmt: skip
+_PRESETS = {
+    "SensorDataQoS": Qos("best_effort", "volatile", "keep_last", 5),
+    "qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
+    "SystemDefaultsQoS": Qos(),
+    "qos_profile_system_default": Qos(),
+    "ServicesQoS": Qos("reliable", "volatile", "keep_last", 10),
+    "qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
+    "ParametersQoS": Qos("reliable", "volatile", "keep_last", 1000),
+    "qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
+    "ParameterEventsQoS": Qos("reliable", "volatile", "keep_last", 1000),
+    "qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
+    "ClockQoS": Qos("best_effort", "volatile", "keep_last", 1),
+    "RosoutQoS": Qos("reliable", "transient_local", "keep_last", 1000),
+    "BestAvailableQoS": Qos("best_available", "best_available", "keep_last", 10),
+    "rmw_qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
+    "qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
+    "rmw_qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
+    "rmw_qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
+}
+_WORDS = {
+    "reliable": "reliable",
+    "best_effort": "best_effort",
+    "besteffort": "best_effort",
+    "volatile": "volatile",
+    "transient_local": "transient_local",
+    "transientlocal": "transient_local",
+    "keep_last": "keep_last",
+    "keeplast": "keep_last",
+    "keep_all": "keep_all",
+    "keepall": "keep_all",
+    "automatic": "automatic",
+    "manual_by_topic": "manual_by_topic",
+    "manualbytopic": "manual_by_topic",
+    "best_available": "best_available",
+    "bestavailable": "best_available",
+}
+
+
+@outer(*_NODES)
+def node(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A node is made, or a class that is one is constructed."""
+    return _node(engine, thing, called, "node")
+
+
+@outer(*_LIFECYCLE)
+def lifecycle_node(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A managed node."""
+    return _node(engine, thing, called, "lifecycle")
+
+
+def _node(engine: Evaluation, thing: Any, called: Called, kind: str) -> Any:
+    building = engine.node
+    if building.named and (not isinstance(thing, Obj) or thing.node is None):
+        building = Building(engine.node.unit, called.evidence.path or engine.node.path, called.evidence.line, "ros2")
+        building.endpoints, building.parameters, building.timers = [], [], []
+        building.remaps, building.uses, building.unresolved = [], [], []
+        engine.others.append(building)
+    building.named = True
+    building.generation = "ros2"
+    building.kind = kind if building.kind == "node" else building.kind
+    name = called.argument(0, "node_name", "name")
+    building.name = as_text(name) if name is not None else Text((Hole("name of the node"),))
+    namespace = called.argument(1, "namespace")
+    if isinstance(namespace, Text):
+        building.namespace = namespace
+    if isinstance(thing, Obj):
+        thing.node = building
+        return thing
+    return Obj("rclcpp.Node", None, {}, building)
+
+
+def _quality(value: Any) -> Any:
+    """Return what is given as quality of service as one; a number is a depth."""
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, int):
+        return QosValue(Qos("reliable", "volatile", "keep_last", value))
+    if isinstance(value, Obj) and isinstance(value.fields.get("qos"), QosValue):
+        return value.fields["qos"]
+    if isinstance(value, Named) and value.name.rpartition(".")[2] in _PRESETS:
+        return QosValue(_PRESETS[value.name.rpartition(".")[2]])
+    if isinstance(value, Text | Unknown):
+        reason = value.reason if isinstance(value, Unknown) else str(value)
+        return QosValue(Qos(), reason)
+    return value if isinstance(value, QosValue) else None
+
+
+def _group(called: Called, *places: int) -> Any:
+    for value in (*(called.argument(place) for place in places), *called.keywords.values()):
+        if isinstance(value, Group):
+            return value
+        if isinstance(value, Obj) and isinstance(value.fields.get("callback_group"), Group):
+            return value.fields["callback_group"]
+    return None
+
+
+def _python(called: Called) -> bool:
+    return called.evidence.path.endswith(".py") or (not called.templates and _is_type(called.argument(0, "msg_type")))
+
+
+def _is_type(value: Any) -> bool:
+    return isinstance(value, Named) and ("." in value.name)
+
+
+@method("node", "create_publisher", "create_lifecycle_publisher", anywhere=True)
+def publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A publisher."""
+    if not called.templates and _python(called):
+        name, kind, qos = called.argument(1, "topic"), called.argument(0, "msg_type"), called.argument(2, "qos_profile")
+    else:
+        name, kind, qos = (
+            called.argument(0),
+            called.templates[0] if called.templates else Unknown("its type"),
+            called.argument(1),
+        )
+    return endpoint(engine, thing, called, Role.PUBLISHER, name, kind, qos=_quality(qos))
+
+
+@method("node", "create_subscription", anywhere=True)
+def subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A subscription."""
+    if not called.templates and _python(called):
+        name, kind = called.argument(1, "topic"), called.argument(0, "msg_type")
+        callback, qos = called.argument(2, "callback"), called.argument(3, "qos_profile")
+    else:
+        name, qos, callback = called.argument(0), called.argument(1), called.argument(2)
+        if isinstance(qos, Callable):
+            qos, callback = callback, qos
+        kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
+    return endpoint(
+        engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=_quality(qos), callback=callback,
+        group=_group(called, 3, 4),
+    )  # fmt: skip
+
+
+@method("node", "create_service", anywhere=True)
+def service(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A server of a service."""
+    if not called.templates and _python(called):
+        name, kind, callback = (
+            called.argument(1, "srv_name"),
+            called.argument(0, "srv_type"),
+            called.argument(2, "callback"),
+        )
+    else:
+        name, callback = called.argument(0), called.argument(1)
+        kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
+    return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, kind, callback=callback, group=_group(called, 3))
+
+
+@method("node", "create_client", anywhere=True)
+def client(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A client of a service."""
+    if not called.templates and _python(called):
+        name, kind = called.argument(1, "srv_name"), called.argument(0, "srv_type")
+    else:
+        name, kind = called.argument(0), called.templates[0] if called.templates else Unknown("its type")
+    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, name, kind, group=_group(called, 2))
+
+
+@outer("rclcpp.create_publisher", "rclcpp.create_subscription", "rclcpp.create_service", "rclcpp.create_client",
+       "rclcpp.create_timer", "rclcpp.create_wall_timer", "image_transport.create_publisher",
+       "image_transport.create_subscription")  # fmt: skip
+def free_function(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A function that makes an endpoint of the node it is given first."""
+    name = called.name.rpartition(".")[2]
+    templates = called.templates or ("sensor_msgs::msg::Image",) * called.name.startswith("image_transport")
+    first = 1
+    # Some take the interfaces of a node one by one.
+    while first < len(called.arguments) and isinstance(called.arguments[first], Obj | Handle):
+        first += 1
+    inner = msgspec.structs.replace(
+        called, name=name, arguments=called.arguments[first:], templates=templates, written=called.written[first:]
+    )
+    if called.name.startswith("image_transport") and name == "create_subscription":
+        given = inner.arguments
+        inner = msgspec.structs.replace(
+            inner, arguments=[*given[:1], given[3] if len(given) > 3 else None, *given[1:2]]
+        )
+    words = {"create_publisher": publisher, "create_subscription": subscription, "create_service": service,
+             "create_client": client}  # fmt: skip
+    word = words.get(name, wall_timer)
+    return word(engine, called.argument(0), inner)
+
+
+@outer("rclcpp_action.create_server", "rclpy.action.ActionServer", "rclpy.action.server.ActionServer")
+def action_server(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A server of an action."""
+    return _action(engine, called, Role.ACTION_SERVER)
+
+
+@outer("rclcpp_action.create_client", "rclpy.action.ActionClient", "rclpy.action.client.ActionClient")
+def action_client(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A client of an action."""
+    return _action(engine, called, Role.ACTION_CLIENT)
+
+
+def _action(engine: Evaluation, called: Called, role: Role) -> Any:
+    if called.templates:
+        texts = [one for one in called.arguments if isinstance(one, Text)]
+        name, kind = texts[0] if texts else called.argument(1), called.templates[0]
+    else:
+        name, kind = called.argument(2, "action_name"), called.argument(1, "action_type")
+    callbacks = [one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)]
+    for one in callbacks[1:]:
+        engine.called_outer(one)
+    return endpoint(
+        engine, called.argument(0, "node"), called, role, name, kind, callback=callbacks[0] if callbacks else None,
+        group=_group(called, 5, 6),
+    )  # fmt: skip
+
+
+@method("node", "create_wall_timer", "create_timer", "create_ros_timer", anywhere=True)
+def wall_timer(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A timer."""
+    given = called.arguments
+    callback = next((one for one in (*given, *called.keywords.values()) if isinstance(one, Callable)), None)
+    period = next((one for one in given if isinstance(one, int | float)), called.keywords.get("timer_period_sec"))
+    timer(engine, thing, called, period, callback, _group(called, 2))
+    return Obj("rclcpp.TimerBase")
+
+
+@outer("ms", "us", "ns", "s", "std.chrono.milliseconds", "std.chrono.seconds", "std.chrono.microseconds",
+       "std.chrono.nanoseconds", "std.chrono.duration", "rclcpp.Duration", "ros.Duration", "ros.WallDuration",
+       "rospy.Duration", "rclcpp.Rate", "ros.Rate", "rclcpp.WallRate", "std.chrono_literals.ms",
+       "std.chrono_literals.s")  # fmt: skip
+def duration(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A stretch of time in seconds."""
+    value = called.argument(0)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return value if isinstance(value, Text) else Unknown("a duration")
+    last = called.name.rpartition(".")[2]
+    factor = {"ms": 1e-3, "milliseconds": 1e-3, "us": 1e-6, "microseconds": 1e-6, "ns": 1e-9, "nanoseconds": 1e-9}
+    return value * factor.get(last, 1.0)
+
+
+@method("node", "declare_parameter", anywhere=True)
+def declare(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A parameter is declared."""
+    default = called.argument(1, "value", "default_value")
+    if isinstance(default, Obj) and default.type.endswith("ParameterValue"):
+        default = default.fields.get("value")
+    return parameter(
+        engine, thing, called, "declared", called.argument(0, "name"), default=default, given=default is not None,
+        kind=_kind(called),
+    )  # fmt: skip
+
+
+@outer("rclcpp.ParameterValue", "rclpy.parameter.Parameter", "rclcpp.Parameter", "rclpy.Parameter")
+def parameter_value(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A value of a parameter."""
+    if called.name == "rclcpp.ParameterValue":
+        return called.argument(0, default=Unknown("a value that is not set"))
+    return called.argument(2 if "rclpy" in called.name else 1, "value", default=Unknown("a parameter"))
+
+
+def _kind(called: Called) -> str:
+    written = called.templates[0] if called.templates else ""
+    words = {"std::string": "string", "bool": "bool", "int": "int", "int64_t": "int", "double": "double",
+             "float": "double", "std::vector<std::string>": "string_array", "std::vector<double>": "double_array",
+             "std::vector<int64_t>": "int_array", "std::vector<bool>": "bool_array"}  # fmt: skip
+    return words.get(written.replace("const ", ""), "")
+
+
+@method("node", "declare_parameters", anywhere=True)
+def declare_all(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """Several parameters are declared at once."""
+    prefix = called.argument(0, "namespace")
+    given = called.argument(1, "parameters")
+    pairs = list(given.items()) if isinstance(given, dict) else given if isinstance(given, list) else []
+    for pair in pairs:
+        if isinstance(pair, list | tuple) and pair:
+            name = as_text(pair[0])
+            if isinstance(prefix, Text) and prefix.parts:
+                name = Text.of(prefix, ".", name)
+            default = pair[1] if len(pair) > 1 else None
+            parameter(engine, thing, called, "declared", name, default=default, given=default is not None)
+    return None
+
+
+@method("node", "get_parameter", "get_parameter_or", anywhere=True)
+def read(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A parameter is read, into a variable where one is given."""
+    default = called.argument(2, "alternative_value")
+    value = parameter(
+        engine, thing, called, "read", called.argument(0, "name"), default=default, given=default is not None
+    )
+    if len(called.written) > 1 and called.name in ("get_parameter", "get_parameter_or"):
+        engine.assign(called.written[1], value)
+        return Unknown("whether the parameter is set")
+    return value
+
+
+@method("node", "set_parameter", "set_parameters", "has_parameter", anywhere=True)
+def write(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A parameter is written, or asked for; by names that are not followed."""
+    return Unknown(f"result of {called.name}()")
+
+
+@method("node", "create_callback_group", anywhere=True)
+def callback_group(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A callback group, named after where it is made."""
+    del engine
+    kind = called.argument(0)
+    word = kind.name.rpartition(".")[2] if isinstance(kind, Named) else "group"
+    return Group(f"{word}:{called.evidence.line}")
+
+
+@outer("rclpy.callback_groups.ReentrantCallbackGroup", "rclpy.callback_groups.MutuallyExclusiveCallbackGroup")
+def python_group(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A callback group of rclpy."""
+    return Group(f"{called.name.rpartition('.')[2].removesuffix('CallbackGroup')}:{called.evidence.line}")
+
+
+@method("node", "create_sub_node")
+def sub_node(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A node below another one: its names begin with the namespace."""
+    before = thing.prefix if isinstance(thing, Handle) else Text()
+    name = as_text(called.argument(0))
+    return Handle(node_of(engine, thing), Text.of(before, "/", name) if before.parts else name)
+
+
+@method("node", "get_node_base_interface", "get_node_topics_interface", "get_node_services_interface",
+        "get_node_parameters_interface", "get_node_clock_interface", "get_node_logging_interface",
+        "get_node_waitables_interface", "get_node_graph_interface", "get_node_timers_interface", "shared_from_this",
+        "weak_from_this", "lock", "get")  # fmt: skip
+def interface(engine: Evaluation, thing: Any, _called: Called) -> Any:
+    """A part of a node stands for the node."""
+    return thing if isinstance(thing, Obj | Handle) else Handle(engine.node)
+
+
+@method("node", "get_name", "get_fully_qualified_name", "get_effective_namespace", "get_namespace")
+def own_name(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """The name of the node, which may be given to it from outside."""
+    node_ = node_of(engine, thing)
+    if "namespace" in called.name:
+        return Text((Hole("namespace of the node", default=""),))
+    if "fully" in called.name:
+        return Text((Hole("full name of the node", default="~"),))
+    return Text((Hole("name of the node", default=node_.name.usual),))
+
+
+@outer("rclcpp.QoS", "rclpy.qos.QoSProfile", "rclpy.qos.QoSPresetProfiles.get_from_short_key")
+def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A quality of service."""
+    value = _from_words(called)
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = value
+        return thing
+    return value
+
+
+def _from_words(called: Called) -> QosValue:
+    base = QosValue(Qos("reliable", "volatile", "keep_last", 0))
+    first = called.argument(0, "depth", "history_depth")
+    if isinstance(first, QosValue):
+        base = first
+    elif isinstance(first, int) and not isinstance(first, bool):
+        base = QosValue(Qos("reliable", "volatile", "keep_last", first))
+    elif isinstance(first, Named):
+        base = _quality(first) or base
+    elif isinstance(first, Text | Unknown):
+        reason = first.reason if isinstance(first, Unknown) else str(first)
+        base = QosValue(Qos("reliable", "volatile", "keep_last", 0), f"its depth is {reason}")
+    for name, value in called.keywords.items():
+        if name in ("reliability", "durability", "history", "liveliness"):
+            base = _with(base, name, value)
+    return base
+
+
+def _with(base: QosValue, name: str, value: Any) -> QosValue:
+    word = _WORDS.get(value.name.rpartition(".")[2].lower(), "") if isinstance(value, Named) else ""
+    if not word:
+        return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is not known")
+    return QosValue(msgspec.structs.replace(base.qos, **{name: word}), base.unknown)
+
+
+@outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
+def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """How many messages are kept."""
+    if called.name.endswith("from_rmw"):
+        return _quality(called.argument(0)) or QosValue(Qos(), "a profile of the middleware")
+    if called.name.endswith("All"):
+        return QosValue(Qos("reliable", "volatile", "keep_all", 0))
+    depth = called.argument(0)
+    return _quality(depth) if depth is not None else QosValue()
+
+
+@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in _PRESETS))
+def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A quality of service that has a name."""
+    value = QosValue(_PRESETS[called.name.rpartition(".")[2]])
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = value
+        return thing
+    return value
+
+
+@method("qos", "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
+        "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
+        "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
+        "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
+def refined(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A quality of service with one policy changed."""
+    del engine
+    base = thing.fields["qos"] if isinstance(thing, Obj) else thing
+    found = _refined(base, called)
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = found
+        return thing
+    return found
+
+
+for _name in ("QoS", "rclcpp.QoS", "rclcpp.SensorDataQoS", "rclcpp.SystemDefaultsQoS", "rclcpp.ServicesQoS"):
+    method(_name, "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
+           "reliability", "durability", "history", "deadline", "lifespan", "liveliness")(refined)  # fmt: skip
+
+
+def _refined(base: QosValue, called: Called) -> QosValue:
+    name, qos_ = called.name, base.qos
+    fixed = {"reliable": {"reliability": "reliable"}, "best_effort": {"reliability": "best_effort"},
+             "transient_local": {"durability": "transient_local"}, "durability_volatile": {"durability": "volatile"},
+             "keep_all": {"history": "keep_all"}, "reliability_best_available": {"reliability": "best_available"},
+             "durability_best_available": {"durability": "best_available"}}  # fmt: skip
+    if name in fixed:
+        return QosValue(msgspec.structs.replace(qos_, **fixed[name]), base.unknown)
+    first = called.argument(0)
+    if name == "keep_last" and isinstance(first, int):
+        return QosValue(msgspec.structs.replace(qos_, history="keep_last", depth=first), base.unknown)
+    if name in ("reliability", "durability", "history", "liveliness") and first is not None:
+        return _with(base, name, first)
+    fields = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
+    if name in fields and isinstance(first, int | float):
+        return QosValue(msgspec.structs.replace(qos_, **{fields[name]: float(first)}), base.unknown)
+    return base

@@ -1,0 +1,220 @@
+"""The vocabulary of libraries of both generations: transforms, images, filters of messages, actions, diagnostics."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.model.qos import Qos
+from roslens.source.extract.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown
+from roslens.source.extract.record import endpoint, sure_of
+from roslens.source.extract.text import Text
+from roslens.source.extract.vocabulary import Called, method, node_of, outer
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_IMAGE = "sensor_msgs::msg::Image"
+_CAMERA = "sensor_msgs::msg::CameraInfo"
+_TF = "tf2_msgs::msg::TFMessage"
+_DYNAMIC = QosValue(Qos("reliable", "volatile", "keep_last", 100))
+_STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
+
+
+def _at(engine: Evaluation, called: Called) -> Any:
+    """Return the first argument that stands for a node."""
+    for value in (*called.arguments, *called.keywords.values()):
+        if isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None):
+            return value
+    return Handle(engine.node)
+
+
+@outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
+def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A listener to transforms."""
+    node = Handle(node_of(engine, _at(engine, called)))
+    static = msgspec.structs.replace(_STATIC.qos, depth=100)
+    endpoint(engine, node, called, Role.SUBSCRIPTION, Text.of("/tf"), _TF, qos=_DYNAMIC)
+    endpoint(engine, node, called, Role.SUBSCRIPTION, Text.of("/tf_static"), _TF, qos=QosValue(static))
+    return Obj(called.name)
+
+
+@outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
+def broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A broadcaster of transforms."""
+    node = Handle(node_of(engine, _at(engine, called)))
+    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
+    return Obj(called.name)
+
+
+@outer("tf2_ros.StaticTransformBroadcaster",
+       "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
+def static_broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A broadcaster of transforms that stay."""
+    node = Handle(node_of(engine, _at(engine, called)))
+    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
+    return Obj(called.name)
+
+
+@outer("message_filters.Subscriber")
+def filtered(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later."""
+    found = Obj("message_filters.Subscriber", None, {"templates": list(called.templates)})
+    if called.arguments or called.keywords:
+        _filtered(engine, found, called)
+    return found
+
+
+def _filtered(engine: Evaluation, found: Obj, called: Called) -> None:
+    templates = found.fields.get("templates") or []
+    texts = [place for place, one in enumerate(called.arguments) if isinstance(one, Text)]
+    python = called.evidence.path.endswith(".py")
+    if python and not called.templates:
+        # Subscriber(topic, type) of rospy, Subscriber(node, type, topic) of rclpy.
+        names = [one for one in called.arguments if isinstance(one, Text)]
+        kinds = [one for one in called.arguments if not isinstance(one, Text | Handle | Obj | int | None)]
+        name, kind = names[0] if names else called.keywords.get("topic"), kinds[0] if kinds else Unknown("its type")
+    else:
+        name = called.arguments[texts[0]] if texts else called.argument(1, default=Unknown("its name"))
+        kind = templates[0] if templates else Unknown("its type")
+    quality = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, QosValue)), None)
+    queue = next((one for one in called.arguments if isinstance(one, int) and not isinstance(one, bool)), -1)
+    endpoint(engine, _at(engine, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
+
+
+@method("message_filters.Subscriber", "subscribe")
+def filtered_later(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A filtered subscription is made."""
+    _filtered(engine, thing, called)
+    return None
+
+
+@outer("image_transport.ImageTransport")
+def images(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """What images are published and subscribed to with."""
+    return Obj("image_transport.ImageTransport", None, {"handle": _at(engine, called)})
+
+
+def _handle(thing: Any, engine: Evaluation) -> Any:
+    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.node)
+
+
+@method("image_transport.ImageTransport", "advertise", "advertiseCamera")
+def image_publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A publisher of images, and with a camera of what is known of it."""
+    handle, queue = _handle(thing, engine), called.argument(1)
+    size = queue if isinstance(queue, int) else -1
+    made = endpoint(engine, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
+    if called.name.endswith("Camera"):
+        endpoint(engine, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
+    return made
+
+
+@method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
+def image_subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A subscription to images, and with a camera to what is known of it."""
+    handle, queue = _handle(thing, engine), called.argument(1)
+    size = queue if isinstance(queue, int) else -1
+    callback = called.argument(2)
+    made = endpoint(
+        engine, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback
+    )
+    if called.name.endswith("Camera"):
+        endpoint(engine, handle, called, Role.SUBSCRIPTION, _camera(called.argument(0)), _CAMERA, queue=size)
+    return made
+
+
+@outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
+def camera(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """An image with what is known of its camera, in ROS 2."""
+    role = Role.PUBLISHER if called.name.endswith("publisher") else Role.SUBSCRIPTION
+    made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE)
+    endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
+    return made
+
+
+def _camera(image: Any) -> Any:
+    """Return the topic of the camera's information beside a topic of images."""
+    if not isinstance(image, Text) or image.known is None:
+        return Unknown("the topic beside that of the image")
+    folder, slash, _ = image.known.rpartition("/")
+    return Text.of(f"{folder}{slash}camera_info")
+
+
+@outer("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer",
+       "actionlib.action_server.ActionServer")  # fmt: skip
+def action_server(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A server of an action of actionlib."""
+    return _action(engine, called, Role.ACTION_SERVER)
+
+
+@outer("actionlib.SimpleActionClient", "actionlib.ActionClient", "actionlib.simple_action_client.SimpleActionClient",
+       "actionlib.action_client.ActionClient")  # fmt: skip
+def action_client(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A client of an action of actionlib."""
+    return _action(engine, called, Role.ACTION_CLIENT)
+
+
+def _action(engine: Evaluation, called: Called, role: Role) -> Any:
+    engine.node.generation = "ros1"
+    name = next((one for one in called.arguments if isinstance(one, Text)), None)
+    if name is None:
+        name = called.argument(0, "name", "ns")
+    kind: Any = called.templates[0] if called.templates else called.argument(1, "ActionSpec")
+    if isinstance(kind, str):
+        kind = kind.removesuffix("Action")
+    callback = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)), None)
+    return endpoint(engine, _at(engine, called), called, role, name, kind, callback=callback)
+
+
+@outer("dynamic_reconfigure.Server", "dynamic_reconfigure.server.Server")
+def reconfigure(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A server that lets parameters of a node be changed while it runs."""
+    given = [one for one in called.arguments if isinstance(one, Handle)]
+    handle = given[0] if given else Handle(engine.node, Text.of("~"))
+    for name, kind, role in (
+        ("parameter_descriptions", "dynamic_reconfigure::ConfigDescription", Role.PUBLISHER),
+        ("parameter_updates", "dynamic_reconfigure::Config", Role.PUBLISHER),
+        ("set_parameters", "dynamic_reconfigure::Reconfigure", Role.SERVICE_SERVER),
+    ):
+        endpoint(engine, handle, called, role, Text.of(name), kind, latched=role is Role.PUBLISHER)
+    return Obj("dynamic_reconfigure.Server")
+
+
+@method("dynamic_reconfigure.Server", "setCallback")
+def reconfigured(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """What is called when parameters are changed."""
+    engine.called_outer(called.argument(0))
+    return None
+
+
+@outer("diagnostic_updater.Updater")
+def updater(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A publisher of diagnostics."""
+    node = Handle(node_of(engine, _at(engine, called)))
+    kind = "diagnostic_msgs::msg::DiagnosticArray"
+    quality = QosValue(Qos("reliable", "volatile", "keep_last", 1))
+    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/diagnostics"), kind, qos=quality, queue=1)
+    return Obj("diagnostic_updater.Updater")
+
+
+@method("made", "publish", "call", "async_call", "call_async", "async_send_request", "sendGoal", "async_send_goal",
+        "send_goal", "send_goal_async", "publish_feedback")  # fmt: skip
+def use(_engine: Evaluation, thing: Made, called: Called) -> Any:
+    """A message is published, or a service or action called."""
+    fact = thing.node.endpoints[thing.place]
+    place = msgspec.structs.replace(called.evidence, how="written")
+    if place not in fact.sites:
+        thing.node.endpoints[thing.place] = msgspec.structs.replace(fact, sites=(*fact.sites, place))
+    return Unknown(f"result of {called.name}()")
+
+
+@method("made", "get_topic_name", "getTopic", "get_service_name", "getService")
+def topic_of(_engine: Evaluation, thing: Made, _called: Called) -> Any:
+    """The name of an endpoint."""
+    return thing.node.endpoints[thing.place].name
+
+
+__all__ = ["sure_of"]

@@ -1,0 +1,296 @@
+"""Programs of a workspace by what they define: classes, functions and constants, and what a name means at a place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import msgspec
+
+from roslens.source.extract.program import Assign, Class, Expression, Function, Name, Program
+
+_SMART = frozenset(
+    {"std.shared_ptr", "std.unique_ptr", "std.weak_ptr", "boost.shared_ptr", "boost.scoped_ptr", "boost.weak_ptr",
+     "std.optional", "boost.optional", "std.reference_wrapper", "std.atomic", "shared_ptr", "unique_ptr", "weak_ptr"}
+)  # fmt: skip
+_QUALIFIERS = frozenset(
+    {"const", "constexpr", "static", "inline", "mutable", "typename", "struct", "class", "volatile"}
+)
+
+
+class Defined(msgspec.Struct, frozen=True):
+    """A class or function and the file it is in."""
+
+    path: str
+    what: Class | Function
+
+
+class Index:
+    """What the programs of a workspace define; the first definition of a name counts."""
+
+    def __init__(self, programs: Mapping[str, Program], packages: Mapping[str, str] | None = None) -> None:
+        """Index programs by path; ``packages`` names the package of each, by default its first folder."""
+        self.programs = dict(programs)
+        self._packages = packages or {}
+        self._classes: dict[str, list[Defined]] = {}
+        self._functions: dict[str, list[Defined]] = {}
+        self._classes_by_last: dict[str, list[Defined]] = {}
+        self._functions_by_last: dict[str, list[Defined]] = {}
+        self._constants: dict[str, tuple[str, Expression]] = {}
+        self._declared: dict[str, Function] = {}
+        self._methods: dict[str, list[Defined]] = {}
+        self._modules: dict[str, list[str]] = {}
+        self._aliases: dict[str, str] = {}
+        for path in sorted(self.programs):
+            self._add(path, self.programs[path])
+
+    def _add(self, path: str, program: Program) -> None:
+        # Modules of Python have names of their own; what C++ defines is known by its whole name everywhere.
+        before = _before(path, program)
+        if before:
+            pieces = path.removesuffix(".py").removesuffix("/__init__").split("/")
+            for place in range(len(pieces)):
+                self._modules.setdefault(".".join(pieces[place:]), []).append(path)
+        self._add_classes(path, program, before)
+        self._add_functions(path, program, before)
+        for statement in program.body:
+            if isinstance(statement, Assign) and isinstance(statement.target, Name) and statement.value is not None:
+                self._constants.setdefault(before + statement.target.name, (path, statement.value))
+        for alias, meaning in program.imports.items() if not before else ():
+            if "." in alias:
+                # What a class or namespace names otherwise holds in all files that are in it.
+                self._aliases.setdefault(alias, meaning)
+        for declared in program.declarations:
+            self._declared.setdefault(declared.qualified_name, declared)
+
+    def _add_classes(self, path: str, program: Program, before: str) -> None:
+        for one in program.classes:
+            defined = Defined(path, one)
+            self._classes.setdefault(before + one.qualified_name, []).append(defined)
+            if not before:
+                self._classes_by_last.setdefault(one.name, []).append(defined)
+            for field in one.fields:
+                if field.value is not None:
+                    self._constants.setdefault(f"{before}{one.qualified_name}.{field.name}", (path, field.value))
+
+    def _add_functions(self, path: str, program: Program, before: str) -> None:
+        for function in program.functions:
+            if function.name == "lambda":
+                continue
+            defined = Defined(path, function)
+            self._functions.setdefault(before + function.qualified_name, []).append(defined)
+            if function.class_name:
+                self._methods.setdefault(before + function.class_name, []).append(defined)
+            elif not before:
+                self._functions_by_last.setdefault(function.name, []).append(defined)
+
+    def named(self, name: str, path: str, scope: str) -> Iterator[str]:
+        """Yield what a name may mean in a scope of a file, the likeliest first."""
+        program = self.programs.get(path)
+        if program is not None and program.language == "python":
+            yield from self._named_in_python(name, path, scope, program)
+            return
+        for prefix in _prefixes(scope):
+            yield f"{prefix}.{name}" if prefix else name
+        if program is None:
+            return
+        head, dot, rest = name.partition(".")
+        for prefix in _prefixes(scope):
+            full = f"{prefix}.{head}" if prefix else head
+            meaning = program.imports.get(full) or self._aliases.get(full)
+            if meaning is not None:
+                yield dotted(meaning) + dot + rest
+        for using in program.using:
+            yield f"{using}.{name}"
+
+    def _named_in_python(self, name: str, path: str, scope: str, program: Program) -> Iterator[str]:
+        for prefix in _prefixes(scope):
+            yield f"{path}:{prefix}.{name}" if prefix else f"{path}:{name}"
+        head, dot, rest = name.partition(".")
+        meanings = [program.imports[head] + dot + rest] if head in program.imports else []
+        for meaning in [*meanings, *(f"{using}.{name}" for using in program.using)]:
+            pieces = meaning.strip(".").split(".")
+            for place in range(len(pieces) - 1, 0, -1):
+                found = self._modules.get(".".join(pieces[:place]))
+                if found:
+                    near = max(found, key=lambda one: (_together(one, path), -len(one)))
+                    yield f"{near}:{'.'.join(pieces[place:])}"
+
+    def package(self, path: str) -> str:
+        """Return the package that a file belongs to."""
+        return self._packages.get(path) or path.partition("/")[0]
+
+    def key(self, defined: Defined) -> str:
+        """Return the name by which what a class defines is kept."""
+        return _before(defined.path, self.programs[defined.path]) + defined.what.qualified_name
+
+    def meaning(self, name: str, path: str, scope: str) -> str:
+        """Return a name with its aliases of the file resolved, as far as they go."""
+        program = self.programs.get(path)
+        head, dot, rest = name.partition(".")
+        for prefix in _prefixes(scope) if program else ():
+            full = f"{prefix}.{head}" if prefix else head
+            found = (program.imports.get(full) if program else None) or self._aliases.get(full)
+            if found is not None and dotted(found) != name:
+                return dotted(found) + dot + rest
+        return name
+
+    def class_of(self, name: str, path: str, scope: str) -> Defined | None:
+        """Return the class that a name means; by its last part alone where that is the only one of its kind."""
+        for one in self.named(name, path, scope):
+            if one in self._classes:
+                return self._classes[one][0]
+        if self._is_python(path):
+            return None
+        candidates = self._classes_by_last.get(name.rpartition(".")[2], [])
+        if len({one.what.qualified_name for one in candidates}) == 1 and _fits(name, candidates[0]):
+            return candidates[0]
+        return None
+
+    def functions_of(self, name: str, path: str, scope: str) -> list[Defined]:
+        """Return the functions that a name means, those of the same file first."""
+        for one in self.named(name, path, scope):
+            if one in self._functions:
+                return sorted(self._functions[one], key=lambda found: found.path != path)
+        if self._is_python(path):
+            return []
+        candidates = self._functions_by_last.get(name.rpartition(".")[2], [])
+        fit = [one for one in candidates if _fits(name, one)]
+        return fit if len({one.what.qualified_name for one in fit}) == 1 else []
+
+    def _is_python(self, path: str) -> bool:
+        program = self.programs.get(path)
+        return program is not None and program.language == "python"
+
+    def methods(self, defined: Defined, name: str) -> list[Defined]:
+        """Return the methods of a class by name; several where it is overloaded."""
+        return self._functions.get(f"{self.key(defined)}.{name}", [])
+
+    def methods_of(self, defined: Defined) -> list[Defined]:
+        """Return all methods of a class, in whatever file."""
+        return self._methods.get(self.key(defined), [])
+
+    def member(self, defined: Defined, name: str) -> tuple[str, Expression] | None:
+        """Return the file and value of a constant of a class."""
+        return self._constants.get(f"{self.key(defined)}.{name}")
+
+    def constant(self, name: str, path: str, scope: str) -> tuple[str, Expression] | None:
+        """Return the file and value of a constant outside of functions."""
+        for one in self.named(name, path, scope):
+            if one in self._constants:
+                return self._constants[one]
+        program = self.programs.get(path)
+        if program and name in program.macros:
+            return path, program.macros[name]
+        for other in self.programs.values() if name.isupper() else ():
+            if name in other.macros:
+                return path, other.macros[name]
+        return None
+
+    def declaration(self, qualified_name: str) -> Function | None:
+        """Return how a function is declared elsewhere, with the defaults of its parameters."""
+        return self._declared.get(qualified_name)
+
+    def chain(self, defined: Defined) -> list[Defined]:
+        """Return a class and its bases in the workspace, nearest first, each once."""
+        found: list[Defined] = []
+        waiting = [defined]
+        while waiting and len(found) < 50:
+            one = waiting.pop(0)
+            if any(self.key(one) == self.key(known) for known in found):
+                continue
+            found.append(one)
+            waiting += [base for name in self._bases(one) if (base := self.class_of(name, one.path, _around(one)))]
+        return found
+
+    def outer_bases(self, defined: Defined) -> list[str]:
+        """Return the bases of a class and of its bases that are not in the workspace, aliases resolved."""
+        return [
+            self.meaning(name, one.path, _around(one))
+            for one in self.chain(defined)
+            for name in self._bases(one)
+            if self.class_of(name, one.path, _around(one)) is None
+        ]
+
+    @staticmethod
+    def _bases(defined: Defined) -> tuple[str, ...]:
+        return defined.what.bases if isinstance(defined.what, Class) else ()
+
+
+def _before(path: str, program: Program) -> str:
+    return f"{path}:" if program.language == "python" else ""
+
+
+def _together(one: str, other: str) -> int:
+    """Return how many folders two paths have in common."""
+    count = 0
+    for left, right in zip(one.split("/")[:-1], other.split("/")[:-1], strict=False):
+        if left != right:
+            break
+        count += 1
+    return count
+
+
+def _around(defined: Defined) -> str:
+    return defined.what.qualified_name.rpartition(".")[0]
+
+
+def _fits(name: str, defined: Defined) -> bool:
+    """Whether a qualified name may mean this: a scope that is written has to be the end of its scope."""
+    scope = name.rpartition(".")[0]
+    around = _around(defined)
+    return not scope or around == scope or around.endswith(f".{scope}")
+
+
+def _prefixes(scope: str) -> Iterator[str]:
+    while scope:
+        yield scope
+        scope = scope.rpartition(".")[0]
+    yield ""
+
+
+def dotted(written: str) -> str:
+    """Return a C++ type or name with ``.`` between scopes and without template arguments."""
+    depth, kept = 0, []
+    for sign in written:
+        depth += (sign == "<") - (sign == ">")
+        if not depth and sign != ">":
+            kept.append(sign)
+    return "".join(kept).replace("::", ".").strip(" .&*")
+
+
+def type_name(written: str) -> tuple[str, str]:
+    """Return the class that a declared type means, without smart pointers, and its template arguments."""
+    text = " ".join(word for word in written.replace("&", " ").replace("*", " ").split() if word not in _QUALIFIERS)
+    for _ in range(5):
+        head, bracket, rest = text.partition("<")
+        inside = rest.rpartition(">")[0]
+        name = dotted(head)
+        if bracket and name in _SMART:
+            text = " ".join(word for word in _first(inside).split() if word not in _QUALIFIERS)
+            continue
+        tail = rest.rpartition(">")[2]
+        if tail.startswith("::"):
+            return f"{name}{tail.replace('::', '.')}".strip(" ."), inside
+        return name.strip(), inside
+    return dotted(text), ""
+
+
+def _first(arguments: str) -> str:
+    depth = 0
+    for place, sign in enumerate(arguments):
+        depth += (sign in "<(") - (sign in ">)")
+        if sign == "," and not depth:
+            return arguments[:place]
+    return arguments
+
+
+def type_arguments(written: str) -> list[str]:
+    """Return template arguments one by one."""
+    found, depth, begin = [], 0, 0
+    for place, sign in enumerate(written):
+        depth += (sign in "<(") - (sign in ">)")
+        if sign == "," and not depth:
+            found.append(written[begin:place].strip())
+            begin = place + 1
+    last = written[begin:].strip()
+    return [*found, last] if last else found

@@ -36,6 +36,8 @@ ASKING_SETTLE_S = 0.4
 """The same while nodes are asked for their parameters, since every question is a change of the graph."""
 ASK_S = 0.02
 """How long it is from one look for their answers to the next."""
+LOOK_S = 1.0
+"""How often the graph is looked at where nothing tells of its changes."""
 MEET_S = 0.5
 """How long the first graph waits: who was there before is met in that time, and did not appear."""
 _LARGEST_DOMAIN = 232
@@ -45,7 +47,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     """Read the command line."""
     parser = argparse.ArgumentParser(prog="python -m roslens.live.adapters.ros2", description=__doc__)
     parser.add_argument("--domain", type=int, metavar="N", help="domain id (default: that of the environment)")
-    parser.add_argument("--period", type=_period, default=1.0, metavar="S", help="seconds between frames")
+    parser.add_argument("--period", type=_period, default=0.2, metavar="S", help="seconds between frames")
     parser.add_argument("--tap", action="append", default=[], metavar="PATTERN", help="subscribe to these topics too")
     parser.add_argument("--tap-budget", type=_percent, default=10.0, metavar="PERCENT", help="of a core for --tap")
     parser.add_argument("--diagnostics", action="store_true", help="publish what is asked on standard input")
@@ -176,6 +178,7 @@ class _Turns:
         self._due = time.monotonic() + period
         self._settled: float | None = time.monotonic() + MEET_S
         self._asking = False
+        self._look_due = 0.0
 
     def run(self) -> None:
         """Go on until the process is stopped."""
@@ -196,7 +199,10 @@ class _Turns:
         self._due = max(self._due + self._period, time.monotonic() + self._period / 10)
         frame, stale = self._observation.period(time.time(), self._period)
         self._speaker.say(frame)
-        if stale or self._polled:
+        looks = self._polled and time.monotonic() >= self._look_due
+        if looks:
+            self._look_due = time.monotonic() + LOOK_S
+        if stale or looks:
             self._settle()
 
     def _left(self) -> float:

@@ -25,6 +25,8 @@ from roslens.model.tally import Observer, Tally
 
 DRAIN_S = 0.01
 DEPTH = 1000
+TURN_S = 1.0
+"""How long a topic is observed at least: what is subscribed to for less is hardly found."""
 
 
 def within(costs: dict[str, float], credit: float, first: int) -> list[str]:
@@ -126,7 +128,7 @@ class Tap:
         self._turn = 0
         self._debt = 0.0
         self._shed = 0
-        self._since = time.time()
+        self._since = self._settled = time.time()
         self._spent = time.process_time()
 
     @property
@@ -154,7 +156,7 @@ class Tap:
             one.drain()
 
     def tallies(self, now: float, node_of: Callable[[str], str | None]) -> list[Tally]:
-        """Return what came since the last call, then choose anew what to observe until the next."""
+        """Return what came since the last call; once in a turn choose anew what to observe in the next."""
         self.drain()
         counted = [
             Counted(0, gid, tally, "") for one in self._open.values() for gid, tally in one.tallies(self._since, now)
@@ -163,7 +165,9 @@ class Tap:
         found = [
             msgspec.structs.replace(tally, observer=Observer.TAP) for tally in joined(counted, node_of, self._host)
         ]
-        self._rotate(self._settle_account(now - self._since))
+        if now - self._settled >= TURN_S:
+            self._rotate(self._settle_account(now - self._settled))
+            self._settled = now
         self._since = now
         return found
 

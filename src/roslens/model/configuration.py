@@ -1,0 +1,254 @@
+"""A configuration of a system, from source: its nodes as they would run, each fact with what shows it.
+
+Names are resolved. A name of which a part cannot be known without running has ``*`` in its place, and ``resolved`` says
+so.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+import msgspec
+
+from roslens.model.graph import Endpoint, Graph, Node
+
+
+class Origin(str, Enum):
+    """What kind of source a fact has.
+
+    - code: read from the source of the node
+    - launch: a launch file, or a file of parameters that it names
+    - catalogue: known of a node whose source is not in the workspace
+    - hint: said by the user in ``roslens.toml``
+    - implicit: every node of its kind has it
+    """
+
+    CODE = "code"
+    LAUNCH = "launch"
+    CATALOGUE = "catalogue"
+    HINT = "hint"
+    IMPLICIT = "implicit"
+
+
+class Proof(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
+    """Where a fact comes from, how it was resolved and how sure it is.
+
+    Attributes:
+        path: file below the root of the workspace; of a catalogue the place where its source can be read.
+        line: in it; 0 where the whole file is meant.
+        column: in bytes.
+        how: in words.
+        sure: ``certain``, ``likely`` (a default that may be set otherwise) or ``possible`` (a guess).
+        origin: what kind of source it is.
+    """
+
+    path: str = ""
+    line: int = 0
+    column: int = 0
+    how: str = ""
+    sure: str = "certain"
+    origin: Origin = Origin.CODE
+
+    @property
+    def place(self) -> str:
+        """Return ``path:line``, as far as it is known."""
+        return f"{self.path}:{self.line}" if self.line else self.path
+
+
+class ConfiguredEndpoint(msgspec.Struct, frozen=True, omit_defaults=True):
+    """An endpoint as it would be.
+
+    Attributes:
+        endpoint: with resolved names.
+        proof: where it is made.
+        given: its name as the code gives it, unknown parts as ``{reason}``.
+        resolved: whether all of its name is known.
+        conditions: what must hold for it to be made, as written, outermost first.
+        remapped: the remapping that changed its name.
+        qos_unknown: reason why a part of the quality of service is unknown.
+        queue: size of the queue in ROS 1; -1 where unknown.
+        latched: whether it keeps the last message (ROS 1).
+        callback: what is called.
+        group: callback group.
+        sites: where it publishes or calls.
+    """
+
+    endpoint: Endpoint
+    proof: Proof
+    given: str = ""
+    resolved: bool = True
+    conditions: tuple[str, ...] = ()
+    remapped: Proof | None = None
+    qos_unknown: str = ""
+    queue: int = -1
+    latched: bool = False
+    callback: str = ""
+    group: str = ""
+    sites: tuple[Proof, ...] = ()
+
+    @property
+    def implicit(self) -> bool:
+        """Whether every node of its kind has it."""
+        return self.proof.origin is Origin.IMPLICIT
+
+
+class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A parameter of a node: what declares or reads it, and what sets it.
+
+    Attributes:
+        name: ROS 2: as declared; ROS 1: resolved.
+        value: as text that it would have; None where it is unknown.
+        type: of the value, or as declared.
+        default: as declared; None where there is none or it is unknown.
+        range: as declared.
+        access: ``declared``, ``read``, ``written``; empty where code does not know it.
+        proof: where code declares or reads it.
+        set_type: of the value that is set.
+        set_by: where its value is set; None where the default holds.
+        conditions: of the code that reaches it.
+    """
+
+    name: str
+    value: str | None = None
+    type: str = ""
+    default: str | None = None
+    range: str = ""
+    access: str = ""
+    proof: Proof | None = None
+    set_type: str = ""
+    set_by: Proof | None = None
+    conditions: tuple[str, ...] = ()
+
+
+class ConfiguredRemap(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
+    """A remapping as written, and whether any name of the node matched it; ``uncertain`` where that cannot be known."""
+
+    source: str
+    target: str
+    proof: Proof
+    used: bool = False
+    uncertain: bool = False
+
+
+class ConfiguredTimer(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A timer; its period in seconds, None where unknown."""
+
+    period_s: float | None
+    proof: Proof
+    callback: str = ""
+    group: str = ""
+
+
+class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
+    """What could not be evaluated: as written, where, the reason; ``node`` is empty where no node is meant."""
+
+    text: str
+    proof: Proof
+    reason: str
+    node: str = ""
+
+
+class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A node as it would run.
+
+    Attributes:
+        name: resolved.
+        proof: where it is started; of a node that no launch file starts, where it is defined.
+        resolved: whether all of its name is known.
+        package: that has it.
+        executable: of the package; of a component the name of its class.
+        kind: ``node``, ``lifecycle``, ``container``, ``component``, ``nodelet``, ``test`` or ``process``.
+        defined: where its code is; None where it is unknown.
+        unit: class or function that is the node.
+        container: name of the node it is loaded into.
+        machine: on which it runs; empty of this one.
+        anonymous: whether its name gets a random end.
+        conditions: of its start.
+        endpoints: sorted by role and name.
+        parameters: sorted by name.
+        remaps: in the order in which they hold.
+        timers: in source order.
+    """
+
+    name: str
+    proof: Proof
+    resolved: bool = True
+    package: str = ""
+    executable: str = ""
+    kind: str = "node"
+    defined: Proof | None = None
+    unit: str = ""
+    container: str = ""
+    machine: str = ""
+    anonymous: bool = False
+    conditions: tuple[str, ...] = ()
+    endpoints: tuple[ConfiguredEndpoint, ...] = ()
+    parameters: tuple[ConfiguredParameter, ...] = ()
+    remaps: tuple[ConfiguredRemap, ...] = ()
+    timers: tuple[ConfiguredTimer, ...] = ()
+
+
+class ConfiguredArgument(msgspec.Struct, frozen=True, omit_defaults=True):
+    """An argument of a launch file; ``default`` None must be given."""
+
+    name: str
+    proof: Proof
+    default: str | None = None
+    description: str = ""
+    choices: tuple[str, ...] = ()
+
+
+class Configuration(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What would run together.
+
+    Attributes:
+        title: the launch file with its arguments, or the packages.
+        generation: ``ros1`` or ``ros2``.
+        nodes: sorted by name.
+        parameters: set outside of nodes (ROS 1), sorted by name.
+        arguments: that the launch file declares.
+        included: files that the launch file includes, directly or not.
+        unresolved: what could not be evaluated.
+        version: of this form.
+    """
+
+    title: str
+    generation: str
+    nodes: tuple[ConfiguredNode, ...] = ()
+    parameters: tuple[ConfiguredParameter, ...] = ()
+    arguments: tuple[ConfiguredArgument, ...] = ()
+    included: tuple[str, ...] = ()
+    unresolved: tuple[Unresolved, ...] = ()
+    version: int = 1
+
+    def graph(self, *, implicit: bool = True) -> Graph:
+        """Return the computation graph, as a live system would show it: nodelets are part of their manager.
+
+        Args:
+            implicit: whether endpoints that every node has are part of it.
+        """
+        names = {node.name for node in self.nodes}
+        inside = {
+            node.name: node.container
+            for node in self.nodes
+            if node.kind == "nodelet" and node.container in names and node.container != node.name
+        }
+        endpoints = {
+            msgspec.structs.replace(one.endpoint, node=inside.get(node.name, node.name))
+            for node in self.nodes
+            for one in node.endpoints
+            if implicit or not one.implicit
+        }
+        parameters = {
+            node.name: {one.name: one.value for one in node.parameters if one.value is not None} for node in self.nodes
+        }
+        return Graph(
+            self.generation,
+            tuple(sorted({Node(name) for name in names if name not in inside})),
+            tuple(sorted(endpoints, key=_order)),
+            parameters={name: values for name, values in parameters.items() if values and name not in inside},
+        )
+
+
+def _order(endpoint: Endpoint) -> tuple[str, str, str, str]:
+    return endpoint.node, endpoint.role.value, endpoint.name, endpoint.type

@@ -1,0 +1,167 @@
+"""What launch files start and what code becomes, joined: the configuration of a system as it would run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import msgspec
+
+from roslens.model.configuration import (
+    Configuration,
+    ConfiguredArgument,
+    ConfiguredNode,
+    Unresolved,
+)
+from roslens.model.errors import DocumentError
+from roslens.source.extract.assemble_arguments import CommandLine, command_line
+from roslens.source.extract.assemble_node import Given, assembled, container_name
+from roslens.source.extract.assemble_parameters import set_outside
+from roslens.source.extract.assemble_proof import launch_proof
+from roslens.source.extract.assemble_units import Meant, Units, meant_by
+from roslens.source.extract.files import Files, joined
+from roslens.source.extract.launched import Argument, Launch, Launched, Setting
+from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
+from roslens.source.extract.parameter_file import ros2_parameters
+from roslens.source.extract.text import Text
+
+Known = Callable[[Launched, str, Sequence[Text]], Meant | None]
+"""What is known of a node whose code is not in the workspace: by what is started, the generation and its arguments."""
+
+_CLASSES = {TargetKind.COMPONENT: "component", TargetKind.NODELET: "nodelet"}
+_STARTED = frozenset({TargetKind.EXECUTABLE, TargetKind.SCRIPT})
+
+
+def assemble(
+    launch: Launch,
+    units: Units,
+    *,
+    title: str,
+    known: Known | None = None,
+    files: Files | None = None,
+    by_launch: bool = True,
+) -> Configuration:
+    """Return the configuration that a launch comes to.
+
+    Args:
+        launch: what is started and set.
+        units: the code of the workspace.
+        title: of the configuration.
+        known: knows nodes whose code is not in the workspace.
+        files: from which files of parameters on command lines are read.
+        by_launch: False where ``launch`` stands for targets, see :func:`targets_started`.
+    """
+    whole = _Whole(launch, units, known, files, by_launch=by_launch)
+    for launched in launch.nodes:
+        whole.start(launched)
+    unresolved = [Unresolved(one.text, launch_proof(one.evidence), one.reason) for one in launch.unresolved]
+    unresolved += whole.unresolved
+    return Configuration(
+        title,
+        launch.generation,
+        tuple(sorted(whole.nodes, key=lambda node: (node.name, node.proof))),
+        tuple(set_outside(launch.settings)),
+        tuple(_argument(one) for one in launch.arguments),
+        launch.included,
+        tuple(sorted(dict.fromkeys(unresolved), key=lambda one: (one.proof, one.node, one.text, one.reason))),
+    )
+
+
+def targets_started(package: str, units: Units, generation: str) -> Launch:
+    """Return a launch of all that a package's build makes: each program, each component and nodelet."""
+    nodes = []
+    for target in sorted(units.targets(package), key=lambda one: (one.name, one.evidence)):
+        kind = _CLASSES.get(target.kind)
+        if kind is not None:
+            nodes.append(_started(target, kind))
+        elif target.kind in _STARTED and target.installed:
+            nodes.append(_started(target, "node"))
+    return Launch(generation, tuple(nodes))
+
+
+def _started(target: Target, kind: str) -> Launched:
+    name = Text.of(target.name)
+    return Launched(
+        package=Text.of(target.package),
+        executable=Text() if kind != "node" else name,
+        evidence=target.evidence,
+        plugin=name if kind != "node" else Text(),
+        conditions=target.conditions,
+        kind=kind,
+    )
+
+
+class _Whole:
+    def __init__(
+        self, launch: Launch, units: Units, known: Known | None, files: Files | None, *, by_launch: bool
+    ) -> None:
+        self.launch, self.units, self.known, self.files, self.by_launch = launch, units, known, files, by_launch
+        self.nodes: list[ConfiguredNode] = []
+        self.unresolved: list[Unresolved] = []
+
+    def start(self, launched: Launched) -> None:
+        generation = self.launch.generation
+        line = command_line(launched.arguments, generation, launched.evidence)
+        if launched.kind == "process":
+            words = " ".join(str(word) for word in (launched.executable, *launched.arguments) if word.parts)
+            self._miss(words or "a process", launched, "a program is started that is no node: what it makes is unknown")
+            return
+        meant = self._meant(launched, line)
+        given = Given(
+            launched,
+            self._with_files(line, launched),
+            generation,
+            self.launch.settings,
+            container_name(launched, generation),
+            self.by_launch,
+        )
+        if not meant.facts:
+            if not self.by_launch:
+                # A program that makes no node is no node; nobody said that it is one.
+                return
+            node, missing = assembled(given, _nothing(launched, generation), meant)
+            self.nodes.append(msgspec.structs.replace(node, defined=None))
+            self.unresolved += [one for one in missing if one.reason]
+            self._miss(_shown(launched), launched, f"{meant.reason}; what it publishes and subscribes is unknown")
+            return
+        for facts in meant.facts:
+            node, missing = assembled(given, facts, meant)
+            self.nodes.append(node)
+            self.unresolved += missing
+
+    def _meant(self, launched: Launched, line: CommandLine) -> Meant:
+        meant = meant_by(launched, self.units)
+        if meant.facts or self.known is None:
+            return meant
+        return self.known(launched, self.launch.generation, line.rest) or meant
+
+    def _with_files(self, line: CommandLine, launched: Launched) -> CommandLine:
+        if not line.files:
+            return line
+        settings: list[Setting] = []
+        for file in line.files:
+            content = None if file.known is None or self.files is None else self.files.content(joined("", file.known))
+            if content is None:
+                self._miss(str(file), launched, "there is no such file of parameters in the workspace")
+                continue
+            try:
+                settings += ros2_parameters(content, joined("", file.known or ""))
+            except DocumentError as error:
+                self._miss(error.what, launched, f"{error.where}: expected {error.expected}")
+        return msgspec.structs.replace(line, settings=(*settings, *line.settings))
+
+    def _miss(self, text: str, launched: Launched, reason: str) -> None:
+        self.unresolved.append(Unresolved(text, launch_proof(launched.evidence), reason))
+
+
+def _nothing(launched: Launched, generation: str) -> NodeFacts:
+    """Return facts of a node of which nothing is known."""
+    return NodeFacts("", launched.evidence.path, launched.evidence.line, generation, name=launched.executable)
+
+
+def _shown(launched: Launched) -> str:
+    return "/".join(str(one) for one in (launched.package, launched.plugin or launched.executable) if one.parts)
+
+
+def _argument(one: Argument) -> ConfiguredArgument:
+    default = None if one.default is None else str(one.default)
+    return ConfiguredArgument(one.name, launch_proof(one.evidence), default, one.description, one.choices)

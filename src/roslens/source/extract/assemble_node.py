@@ -1,0 +1,263 @@
+"""One node of a configuration: its name, endpoints and parameters, from what starts it and what its code says."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import msgspec
+
+from roslens.model.configuration import (
+    ConfiguredEndpoint,
+    ConfiguredNode,
+    ConfiguredRemap,
+    ConfiguredTimer,
+    Origin,
+    Unresolved,
+)
+from roslens.model.graph import Endpoint
+from roslens.source.extract.assemble_actions import folded
+from roslens.source.extract.assemble_arguments import CommandLine
+from roslens.source.extract.assemble_parameters import Values, doubt, parameters_of
+from roslens.source.extract.assemble_proof import launch_proof, proof_of
+from roslens.source.extract.assemble_units import Meant
+from roslens.source.extract.implicit_endpoints import implicit_endpoints
+from roslens.source.extract.launched import Launched, Setting
+from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, Sure
+from roslens.source.extract.resolve_name import (
+    TOP,
+    Place,
+    Rule,
+    absolute,
+    below,
+    expand,
+    may_match,
+    renamed,
+    resolve,
+    rule,
+)
+from roslens.source.extract.text import Hole, Text, unknown
+
+_SIM_TIME = {"ros2": "use_sim_time", "ros1": "/use_sim_time"}
+
+
+class Given(msgspec.Struct, frozen=True):
+    """What starts a node, besides its code.
+
+    Attributes:
+        launched: as the launch file says.
+        line: its command line.
+        outside: parameters set outside of nodes (ROS 1).
+        container: resolved name of the node it is loaded into.
+        by_launch: whether a launch file starts it; else its target does.
+    """
+
+    launched: Launched
+    line: CommandLine
+    generation: str
+    outside: tuple[Setting, ...] = ()
+    container: str = ""
+    by_launch: bool = True
+
+
+def place_of(given: Given, facts: NodeFacts) -> Place:
+    """Return the name and namespace of a node: what the launch file says holds over what its code says."""
+    launched, generation = given.launched, given.generation
+    own = _usual(facts.name)
+    rules = (*_own_rules(facts), *given.line.rules)
+    name_rule = renamed("__node", own.known or "", rules, generation)
+    namespace_rule = renamed("__ns", own.known or "", rules, generation)
+    local = name_rule is not None and name_rule in _own_rules(facts)
+    name = launched.name if launched.name.parts and not local else name_rule.target if name_rule else own
+    if name_rule is not None and generation == "ros1":
+        name = name_rule.target
+    namespace = launched.namespace
+    if generation == "ros2" and launched.namespace.parts in ((), ("/",)):
+        namespace = absolute(TOP, _usual(facts.namespace))
+    if namespace_rule is not None:
+        namespace = absolute(TOP, namespace_rule.target)
+    if not name.parts:
+        name = unknown("name of the node")
+    # A name with a separator in it is one of ROS 1, where a node may be given a path.
+    whole = absolute(namespace, name)
+    return Place(namespace, whole, generation)
+
+
+def _usual(text: Text) -> Text:
+    return Text.of(
+        *(part.default if isinstance(part, Hole) and part.default is not None else part for part in text.parts)
+    )
+
+
+def _own_rules(facts: NodeFacts) -> tuple[Rule, ...]:
+    place = Evidence(facts.path, facts.line)
+    return tuple(rule(source, target, place) for source, target in facts.remaps)
+
+
+def rules_of(given: Given, facts: NodeFacts) -> tuple[Rule, ...]:
+    """Return the remappings of a node in the order in which they are tried."""
+    launched = tuple(rule(one.source, one.target, one.evidence) for one in given.launched.remaps)
+    if given.generation == "ros1":
+        launched = tuple(Rule(one.source, one.target, one.evidence) for one in given.launched.remaps)
+        return (*launched, *given.line.rules)
+    return (*_own_rules(facts), *launched, *given.line.rules)
+
+
+def assembled(given: Given, facts: NodeFacts, meant: Meant) -> tuple[ConfiguredNode, list[Unresolved]]:
+    """Return a node and what of it is unresolved."""
+    node = _Node(given, facts, meant)
+    return node.configured(), node.unresolved
+
+
+class _Node:
+    def __init__(self, given: Given, facts: NodeFacts, meant: Meant) -> None:
+        self.given, self.facts, self.meant = given, facts, meant
+        self.place = place_of(given, facts)
+        self.name = self.place.node.pattern
+        self.rules = rules_of(given, facts)
+        settings = (*given.outside, *given.launched.settings, *given.line.settings)
+        self.values = Values(self.place, settings, self.rules)
+        self.used: set[int] = set()
+        self.uncertain: set[int] = set()
+        self.unresolved: list[Unresolved] = []
+        self.origin = meant.origin
+
+    def configured(self) -> ConfiguredNode:
+        facts, launched = self.facts, self.given.launched
+        endpoints = [self._endpoint(one) for one in facts.endpoints]
+        if self.given.generation == "ros1":
+            endpoints = folded(endpoints)
+        parameters = parameters_of(facts.parameters, self.values)
+        endpoints += self._implicit()
+        self._unresolved_of_code()
+        return ConfiguredNode(
+            self.name,
+            launch_proof(launched.evidence) if self.given.by_launch else proof_of(launched.evidence),
+            not self.place.node.holes,
+            launched.package.pattern,
+            (launched.plugin if launched.plugin.parts else launched.executable).pattern,
+            self._kind(),
+            proof_of(Evidence(facts.path, facts.line), self.origin),
+            facts.unit,
+            self.given.container,
+            launched.machine,
+            launched.anonymous or any(hole.reason == "random end" for hole in self.place.node.holes),
+            (*launched.conditions, *self.meant.conditions),
+            tuple(_distinct(endpoints)),
+            parameters,
+            tuple(self._remaps()),
+            tuple(
+                ConfiguredTimer(one.period_s, proof_of(one.evidence, self.origin), one.callback, one.group)
+                for one in facts.timers
+            ),
+        )
+
+    def _kind(self) -> str:
+        kind = self.given.launched.kind
+        if kind == "node" and self.facts.kind in ("lifecycle", "container"):
+            return self.facts.kind
+        return self.meant.kind or kind
+
+    def _endpoint(self, fact: EndpointFact) -> ConfiguredEndpoint:
+        filled = self.values.fill(fact.name)
+        resolved, by = resolve(filled.text, self.place, self.rules)
+        self._note(filled.text, by)
+        kind = self.values.fill(fact.type)
+        # Doubt about a name is that of its holes; with what launch files set they may be none.
+        stated = Sure.CERTAIN if fact.name.holes else fact.evidence.sure
+        sure = doubt(stated, filled.sure, kind.sure if fact.type.holes else Sure.CERTAIN)
+        if resolved.holes or (by is None and any(may_match(one, filled.text, self.place) for one in self.rules)):
+            sure = Sure.POSSIBLE
+        proof = proof_of(fact.evidence, self.origin)
+        how = "; ".join(filled.how) or ("" if fact.name.holes else proof.how)
+        proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
+        given = str(fact.name)
+        if resolved.holes:
+            self._miss(
+                given, fact, f"the name of this {fact.role.value.replace('_', ' ')} depends on " + _why(resolved)
+            )
+        if kind.text.known is None:
+            self._miss(str(fact.type), fact, f"the type of {resolved.pattern} is unknown")
+        return ConfiguredEndpoint(
+            Endpoint(self.name, fact.role, resolved.pattern, kind.text.known or "", qos=fact.qos),
+            proof, given, not resolved.holes, fact.conditions, None if by is None else launch_proof(by.evidence),
+            fact.qos_unknown, fact.queue, fact.latched, fact.callback, fact.group,
+            tuple(proof_of(one, self.origin) for one in fact.sites),
+        )  # fmt: skip
+
+    def _note(self, name: Text, by: Rule | None) -> None:
+        for number, one in enumerate(self.rules):
+            if one is by:
+                self.used.add(number)
+            elif by is None and not one.special and may_match(one, name, self.place):
+                self.uncertain.add(number)
+
+    def _implicit(self) -> list[ConfiguredEndpoint]:
+        facts = self.facts
+        python = facts.path.endswith(".py") if self.origin is Origin.CODE else None
+        found = implicit_endpoints(
+            self.name, self.given.generation, self._kind(),
+            sim_time=self.values.is_true(_SIM_TIME[self.given.generation]),
+            lifecycle=facts.kind == "lifecycle" or self.given.launched.kind == "lifecycle",
+            cpp=None if python is None else not python,
+        )  # fmt: skip
+        remapped = []
+        for one in found:
+            resolved, by = resolve(Text.of(one.endpoint.name), self.place, self.rules)
+            self._note(Text.of(one.endpoint.name), by)
+            proof = None if by is None else launch_proof(by.evidence)
+            endpoint = msgspec.structs.replace(one.endpoint, name=resolved.pattern)
+            remapped.append(msgspec.structs.replace(one, endpoint=endpoint, remapped=proof))
+        return remapped
+
+    def _remaps(self) -> list[ConfiguredRemap]:
+        # Code that is unknown, or not understood everywhere, may have the name that a remapping is for.
+        open_ = bool(self.facts.unresolved) or self.origin is not Origin.CODE
+        found = []
+        for number, one in enumerate(self.rules):
+            if one.special:
+                continue
+            used = number in self.used or one in self.values.used
+            source = f"{one.node}:{one.source}" if one.node else str(one.source)
+            uncertain = not used and (open_ or number in self.uncertain)
+            found.append(ConfiguredRemap(source, str(one.target), launch_proof(one.evidence), used, uncertain))
+        return found
+
+    def _unresolved_of_code(self) -> None:
+        for evidence, reason in self.facts.unresolved:
+            self.unresolved.append(Unresolved("", proof_of(evidence, self.origin), reason, self.name))
+        if self.place.node.holes:
+            proof = launch_proof(self.given.launched.evidence)
+            self.unresolved.append(
+                Unresolved(
+                    str(self.place.node), proof, f"the node's name depends on {_why(self.place.node)}", self.name
+                )
+            )
+
+    def _miss(self, text: str, fact: EndpointFact, reason: str) -> None:
+        self.unresolved.append(Unresolved(text, proof_of(fact.evidence, self.origin), reason, self.name))
+
+
+def container_name(launched: Launched, generation: str) -> str:
+    """Return the resolved name of the container or manager that something is loaded into; empty where it has none."""
+    if not launched.container.parts:
+        return ""
+    namespace = launched.namespace if generation == "ros1" else TOP
+    return expand(launched.container, Place(namespace, below(namespace, launched.name), generation)).pattern
+
+
+def _why(text: Text) -> str:
+    return "; ".join(dict.fromkeys(hole.reason for hole in text.holes))
+
+
+def _distinct(endpoints: Sequence[ConfiguredEndpoint]) -> list[ConfiguredEndpoint]:
+    """Return endpoints sorted, those of code before the same ones that every node has."""
+    kept: dict[tuple[str, str, str, str, int, bool], ConfiguredEndpoint] = {}
+    for one in sorted(endpoints, key=lambda one: (one.implicit, one.proof.place)):
+        end = one.endpoint
+        place = "" if one.implicit else one.proof.path
+        key = (end.role.value, end.name, end.type, place, 0 if one.implicit else one.proof.line, one.implicit)
+        same = (end.role.value, end.name, end.type)
+        if one.implicit and any(other[:3] == same for other in kept):
+            continue
+        kept.setdefault(key, one)
+    return sorted(kept.values(), key=lambda one: (one.endpoint.role.value, one.endpoint.name, one.proof.place))

@@ -1,0 +1,166 @@
+"""Which value each parameter of a node has, and what sets it; texts in which such values stand in place of holes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import msgspec
+
+from roslens.model.configuration import ConfiguredParameter, Proof
+from roslens.source.extract.assemble_proof import launch_proof, proof_of
+from roslens.source.extract.launched import Setting
+from roslens.source.extract.node_facts import ParameterFact, Sure
+from roslens.source.extract.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
+from roslens.source.extract.text import Hole, Text
+
+_NAME_OF_NODE = "name of the node"
+_FULL_NAME_OF_NODE = "full name of the node"
+_NAMESPACE_OF_NODE = "namespace of the node"
+_ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
+
+
+class Filled(msgspec.Struct, frozen=True):
+    """A text with values in place of holes, how sure it is now, and in words what decided it."""
+
+    text: Text
+    sure: Sure = Sure.CERTAIN
+    how: tuple[str, ...] = ()
+
+
+class Values:
+    """The parameters that are set for one node; the last setting of a name holds."""
+
+    def __init__(self, place: Place, settings: Iterable[Setting], rules: tuple[Rule, ...] = ()) -> None:
+        """Keep the settings that are for the node at ``place``, in order of growing precedence."""
+        self._place = place
+        self._rules = rules
+        self.set: dict[str, Setting] = {}
+        self.used: set[Rule] = set()
+        for one in settings:
+            if not one.node or node_pattern_matches(one.node, place.node.pattern):
+                name = self._setting_name(one)
+                self.set.pop(name, None)
+                self.set[name] = one
+
+    def key(self, name: Text) -> str:
+        """Return a name in the form in which parameters are compared: as it is in ROS 2, resolved in ROS 1."""
+        if self._place.generation == "ros2":
+            return name.pattern
+        resolved, rule = resolve(name, self._place, self._rules)
+        if rule is not None:
+            self.used.add(rule)
+        return resolved.pattern
+
+    def _setting_name(self, setting: Setting) -> str:
+        return setting.name.pattern if self._place.generation == "ros2" else expand(setting.name, self._place).pattern
+
+    def value(self, name: Text) -> Setting | None:
+        """Return what sets a parameter."""
+        return self.set.get(self.key(name))
+
+    def fill(self, text: Text) -> Filled:
+        """Return a text with the values of parameters, else their defaults, in place of holes."""
+        if not text.holes:
+            return Filled(text)
+        parts: list[Text] = []
+        sure, how = Sure.CERTAIN, []
+        for part in text.parts:
+            if isinstance(part, str):
+                parts.append(Text((part,)))
+                continue
+            found, doubt, note = self._of_hole(part)
+            parts.append(found)
+            how += [note] if note else []
+            sure = max(sure, doubt, key=_DOUBT.__getitem__)
+        return Filled(Text.of(*parts), sure, tuple(dict.fromkeys(how)))
+
+    def _of_hole(self, hole: Hole) -> tuple[Text, Sure, str]:
+        if hole.reason in (_NAME_OF_NODE, _FULL_NAME_OF_NODE):
+            whole = self._place.node
+            short = hole.reason == _NAME_OF_NODE and self._place.generation == "ros2" and whole.known is not None
+            name = Text.of(base_name(whole.pattern)) if short else whole
+            return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, hole.reason
+        if hole.reason == _NAMESPACE_OF_NODE:
+            return self._place.namespace, Sure.CERTAIN, hole.reason
+        if hole.parameter:
+            found = self.value(Text.of(hole.parameter))
+            if found is not None and found.value.known is not None:
+                return found.value, Sure.CERTAIN, f"parameter {hole.parameter}, set in {_place_of(found)}"
+            if found is not None:
+                return found.value, Sure.POSSIBLE, f"parameter {hole.parameter}, set in {_place_of(found)}"
+        if hole.default is not None:
+            of = f"default of parameter {hole.parameter}" if hole.parameter else f"default of {hole.reason}"
+            return Text.of(hole.default), Sure.LIKELY, of
+        return Text((hole,)), Sure.POSSIBLE, hole.reason
+
+    def is_true(self, name: str, default: str | None = None) -> bool:
+        """Return whether a parameter is set to true."""
+        found = self.value(Text.of(name))
+        value = found.value.known if found is not None else default
+        return (value or "").lower() in ("true", "1", "yes", "on")
+
+
+_DOUBT = {Sure.CERTAIN: 0, Sure.LIKELY: 1, Sure.POSSIBLE: 2}
+
+
+def doubt(*sures: Sure) -> Sure:
+    """Return the least sure of several."""
+    return max(sures, key=_DOUBT.__getitem__, default=Sure.CERTAIN)
+
+
+def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[ConfiguredParameter, ...]:
+    """Return the parameters that code knows with what sets them, then those that are set although no code is known."""
+    found: dict[str, ConfiguredParameter] = {}
+    for fact in sorted(facts, key=lambda one: (_ACCESS.get(one.access, 3), one.evidence)):
+        filled = values.fill(fact.name)
+        name = values.key(filled.text)
+        known = found.get(name)
+        if known is not None:
+            found[name] = _completed(known, fact)
+            continue
+        setting = values.set.get(name)
+        default = None if fact.default is None else fact.default.usual
+        found[name] = _with(
+            ConfiguredParameter(
+                name, default, fact.type, default, fact.range, fact.access, proof_of(fact.evidence),
+                conditions=fact.conditions,
+            ),
+            setting,
+        )  # fmt: skip
+    for name, setting in values.set.items():
+        if name not in found:
+            found[name] = _with(ConfiguredParameter(name, None, setting.type), setting)
+    return tuple(found[name] for name in sorted(found))
+
+
+def set_outside(settings: Iterable[Setting]) -> Iterator[ConfiguredParameter]:
+    """Yield parameters that a launch file of ROS 1 sets outside of nodes, the last setting of each name."""
+    last = {one.name.pattern: one for one in settings}
+    for name in sorted(last):
+        yield _with(ConfiguredParameter(name, None, last[name].type), last[name])
+
+
+def _completed(known: ConfiguredParameter, fact: ParameterFact) -> ConfiguredParameter:
+    """Return a parameter with what a further place of the code says of it."""
+    default = known.default if known.default is not None or fact.default is None else fact.default.usual
+    value = default if known.value is None and known.set_by is None else known.value
+    return msgspec.structs.replace(
+        known, type=known.type or fact.type, default=default, value=value, range=known.range or fact.range
+    )
+
+
+def _with(parameter: ConfiguredParameter, setting: Setting | None) -> ConfiguredParameter:
+    if setting is None:
+        return parameter
+    return msgspec.structs.replace(parameter, value=setting.value.known, set_type=setting.type, set_by=_set_by(setting))
+
+
+def _set_by(setting: Setting) -> Proof:
+    proof = launch_proof(setting.evidence)
+    if setting.value.known is not None:
+        return proof
+    return msgspec.structs.replace(proof, how=str(setting.value), sure=Sure.POSSIBLE.value)
+
+
+def _place_of(setting: Setting) -> str:
+    return f"{setting.evidence.path}:{setting.evidence.line}"

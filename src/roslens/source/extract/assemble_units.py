@@ -1,0 +1,142 @@
+"""Which code an executable, component or nodelet means that is started by name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Protocol
+
+import msgspec
+
+from roslens.model.configuration import Origin
+from roslens.source.extract.launched import Launched
+from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
+
+_PROGRAMS = frozenset({TargetKind.EXECUTABLE, TargetKind.SCRIPT})
+_LOADED = frozenset({TargetKind.COMPONENT, TargetKind.NODELET, TargetKind.PLUGIN})
+
+
+class Units(Protocol):
+    """What is known of a workspace: its packages, what their builds make, and the nodes that code becomes."""
+
+    def has(self, package: str) -> bool:
+        """Return whether the workspace has a package of that name."""
+
+    def targets(self, package: str) -> Sequence[Target]:
+        """Return what the build of a package makes."""
+
+    def program(self, path: str, function: str = "") -> Sequence[NodeFacts]:
+        """Return the nodes that a file becomes when it is started: by its main function, or a function of a module."""
+
+    def of_class(self, name: str) -> Sequence[NodeFacts]:
+        """Return the nodes that an object of a class becomes; ``name`` is qualified, joined by ``.``."""
+
+
+class Meant(msgspec.Struct, frozen=True):
+    """What something that is started means: its nodes, or the reason why they are unknown."""
+
+    facts: tuple[NodeFacts, ...] = ()
+    reason: str = ""
+    origin: Origin = Origin.CODE
+    conditions: tuple[str, ...] = ()
+    kind: str = ""
+
+
+class KnownUnits:
+    """Facts that are there already; for tests, and where all of a workspace was evaluated before."""
+
+    def __init__(self, targets: Mapping[str, Sequence[Target]], facts: Iterable[NodeFacts]) -> None:
+        """Keep targets by package, and facts by file and class."""
+        self._targets = dict(targets)
+        self._programs: dict[tuple[str, str], list[NodeFacts]] = {}
+        self._classes: dict[str, list[NodeFacts]] = {}
+        for one in facts:
+            unit = "" if one.unit in ("main", "<module>") else one.unit
+            self._programs.setdefault((one.path, unit), []).append(one)
+            self._classes.setdefault(one.unit.replace("::", "."), []).append(one)
+
+    def has(self, package: str) -> bool:
+        """Return whether the workspace has a package of that name."""
+        return package in self._targets
+
+    def targets(self, package: str) -> Sequence[Target]:
+        """Return what the build of a package makes."""
+        return self._targets.get(package, ())
+
+    def program(self, path: str, function: str = "") -> Sequence[NodeFacts]:
+        """Return the nodes that a file becomes when it is started."""
+        return self._programs.get((path, function), ())
+
+    def of_class(self, name: str) -> Sequence[NodeFacts]:
+        """Return the nodes that an object of a class becomes."""
+        return self._classes.get(name, ())
+
+
+def meant_by(launched: Launched, units: Units) -> Meant:
+    """Return the code that is started; where there is none, the reason."""
+    package = launched.package.known
+    if package is None:
+        return Meant(reason=f"the package is unknown: {launched.package}")
+    if launched.kind in ("component", "nodelet"):
+        return _loaded(launched, package, units)
+    name = launched.executable.known
+    if name is None:
+        return Meant(reason=f"the executable is unknown: {launched.executable}")
+    if not units.has(package):
+        return Meant(reason=f"package {package} is not in the workspace")
+    target = _best(units.targets(package), name, _PROGRAMS)
+    if target is None:
+        return Meant(reason=f"no build of package {package} makes {name}")
+    return facts_of_target(target, units)
+
+
+def facts_of_target(target: Target, units: Units) -> Meant:
+    """Return the nodes that a target becomes."""
+    if target.kind in _LOADED or (target.entry and ":" not in target.entry.replace("::", "")):
+        found = units.of_class((target.entry or target.name).replace("::", "."))
+        what = f"class {target.entry or target.name}"
+    else:
+        found = _of_program(target, units)
+        what = target.entry or f"a main function in {', '.join(target.sources) or 'its sources'}"
+    if not found:
+        return Meant(reason=f"{target.name}: {what} makes no node that could be found", conditions=target.conditions)
+    return Meant(tuple(found), conditions=target.conditions)
+
+
+def _of_program(target: Target, units: Units) -> Sequence[NodeFacts]:
+    module, _, function = target.entry.partition(":")
+    if function:
+        ends = (module.replace(".", "/") + ".py", module.replace(".", "/") + "/__init__.py")
+        paths = [path for path in target.sources if path.endswith(ends)] or list(target.sources)
+        for path in paths:
+            if found := units.program(path, function):
+                return found
+    for path in target.sources:
+        if found := units.program(path):
+            return found
+    return ()
+
+
+def _loaded(launched: Launched, package: str, units: Units) -> Meant:
+    name = launched.plugin.known
+    if name is None:
+        return Meant(reason=f"the class is unknown: {launched.plugin}")
+    # A nodelet is loaded by package/Class; its package is nodelet itself.
+    owner = name.partition("/")[0] if launched.kind == "nodelet" and "/" in name else package
+    target = _best(units.targets(owner), name, _LOADED) if units.has(owner) else None
+    if target is not None:
+        return facts_of_target(target, units)
+    if not units.has(owner):
+        return Meant(reason=f"package {owner} is not in the workspace")
+    found = units.of_class(name.partition("/")[2].replace("::", ".") if "/" in name else name.replace("::", "."))
+    return Meant(tuple(found)) if found else Meant(reason=f"package {owner} registers no {name}")
+
+
+def _best(targets: Sequence[Target], name: str, kinds: frozenset[TargetKind]) -> Target | None:
+    fit = [one for one in targets if one.kind in kinds and _named(one, name)]
+    return min(fit, key=lambda one: (not one.installed, bool(one.conditions)), default=None)
+
+
+def _named(target: Target, name: str) -> bool:
+    return name in (target.name, target.entry) or (
+        target.kind is TargetKind.SCRIPT and target.name.endswith(f"/{name}")
+    )

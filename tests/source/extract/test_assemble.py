@@ -1,0 +1,346 @@
+import msgspec
+import pytest
+
+from roslens.model.configuration import Origin
+from roslens.model.graph import Role
+from roslens.source.extract.assemble import assemble, targets_started
+from roslens.source.extract.assemble_units import KnownUnits, Meant
+from roslens.source.extract.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
+from roslens.source.extract.node_facts import (
+    EndpointFact,
+    Evidence,
+    NodeFacts,
+    ParameterFact,
+    Sure,
+    Target,
+    TargetKind,
+)
+from roslens.source.extract.text import Hole, Text
+
+CODE = Evidence("pkg/src/talker.cpp", 12, 5)
+START = Evidence("pkg/launch/a.launch.py", 7, 3)
+YAML = Evidence("pkg/config/a.yaml", 4, 7)
+
+
+def end(role: Role, name: Text | str, kind: str = "std_msgs/msg/String", line: int = 12, **others) -> EndpointFact:
+    text = name if isinstance(name, Text) else Text.of(name)
+    return EndpointFact(role, text, Text.of(kind), msgspec.structs.replace(CODE, line=line), **others)
+
+
+def parameter_name(name: str, default: str | None = None) -> Text:
+    return Text((Hole(f"parameter {name}", name, default),))
+
+
+def talker(**others) -> NodeFacts:
+    facts = {"endpoints": (end(Role.PUBLISHER, "chatter"),), "name": Text.of("talker")} | others
+    return NodeFacts("main", "pkg/src/talker.cpp", 10, facts.pop("generation", "ros2"), **facts)
+
+
+TARGET = Target(TargetKind.EXECUTABLE, "pkg", "talker", ("pkg/src/talker.cpp",), Evidence("pkg/CMakeLists.txt", 9))
+
+
+def started(**others) -> Launched:
+    return Launched(Text.of("pkg"), Text.of("talker"), START, **others)
+
+
+def configured(facts, *launched, targets=(TARGET,), generation="ros2", known=None, **of_launch):
+    units = KnownUnits({"pkg": targets}, facts if isinstance(facts, tuple) else (facts,))
+    return assemble(Launch(generation, tuple(launched), **of_launch), units, title="test", known=known)
+
+
+def only(configuration):
+    (node,) = configuration.nodes
+    return node
+
+
+def explicit(node):
+    return [one for one in node.endpoints if not one.implicit]
+
+
+def names(node):
+    return [one.endpoint.name for one in explicit(node)]
+
+
+@pytest.mark.parametrize("generation", ["ros1", "ros2"])
+def test_a_launch_file_names_the_node_and_its_namespace(generation):
+    node = only(
+        configured(
+            talker(generation=generation),
+            started(name=Text.of("mine"), namespace=Text.of("/robot")),
+            generation=generation,
+        )
+    )
+    assert node.name == "/robot/mine"
+    assert names(node) == ["/robot/chatter"]
+    assert (node.proof.path, node.proof.line, node.proof.origin) == (START.path, 7, Origin.LAUNCH)
+    assert node.defined is not None
+    assert node.defined.place == "pkg/src/talker.cpp:10"
+
+
+def test_without_a_name_in_the_launch_file_the_code_names_it():
+    assert only(configured(talker(namespace=Text.of("own")), started())).name == "/own/talker"
+
+
+def test_a_node_that_nobody_names_is_a_pattern_and_listed():
+    configuration = configured(talker(name=Text.of(Hole("result of name()"))), started())
+    assert only(configuration).name == "/*"
+    assert not only(configuration).resolved
+    assert any("result of name()" in one.reason for one in configuration.unresolved)
+
+
+def test_remappings_are_applied_and_those_that_match_nothing_are_known():
+    node = only(
+        configured(
+            talker(),
+            started(
+                remaps=(
+                    Remap(Text.of("chatter"), Text.of("/out"), START),
+                    Remap(Text.of("chater"), Text.of("/never"), START),
+                )
+            ),
+        )
+    )
+    assert names(node) == ["/out"]
+    assert explicit(node)[0].remapped is not None
+    assert [(one.source, one.used, one.uncertain) for one in node.remaps] == [
+        ("chatter", True, False),
+        ("chater", False, False),
+    ]
+
+
+def test_a_remapping_of_a_node_with_unresolved_parts_is_uncertain():
+    node = only(
+        configured(
+            talker(unresolved=((CODE, "a loop over an unknown list"),)),
+            started(remaps=(Remap(Text.of("other"), Text.of("/x"), START),)),
+        )
+    )
+    assert node.remaps[0].uncertain
+
+
+def test_a_parameter_that_is_set_decides_a_name():
+    facts = talker(
+        endpoints=(end(Role.SUBSCRIPTION, parameter_name("topic", "scan")),),
+        parameters=(ParameterFact(Text.of("topic"), CODE, "declared", "string", Text.of("scan")),),
+    )
+    node = only(
+        configured(facts, started(settings=(Setting(Text.of("topic"), Text.of("front/scan"), YAML, "string"),)))
+    )
+    (subscription,) = explicit(node)
+    assert subscription.endpoint.name == "/front/scan"
+    assert subscription.proof.sure == "certain"
+    assert "pkg/config/a.yaml:4" in subscription.proof.how
+    (parameter,) = node.parameters
+    assert (parameter.value, parameter.default, parameter.access) == ("front/scan", "scan", "declared")
+    assert parameter.set_by is not None
+    assert parameter.set_by.place == "pkg/config/a.yaml:4"
+
+
+def test_else_its_default_does_and_that_is_likely():
+    node = only(configured(talker(endpoints=(end(Role.SUBSCRIPTION, parameter_name("topic", "scan")),)), started()))
+    assert names(node) == ["/scan"]
+    assert explicit(node)[0].proof.sure == "likely"
+
+
+def test_without_a_default_the_name_is_a_pattern():
+    configuration = configured(
+        talker(endpoints=(end(Role.SUBSCRIPTION, Text.of("in/", Hole("parameter t", "t"))),)), started()
+    )
+    (subscription,) = explicit(only(configuration))
+    assert subscription.endpoint.name == "/in/*"
+    assert not subscription.resolved
+    assert subscription.proof.sure == "possible"
+    assert [one.node for one in configuration.unresolved] == ["/talker"]
+
+
+def test_files_of_parameters_hold_for_the_nodes_they_name_and_later_ones_win():
+    def setting(node, value):
+        return Setting(Text.of("rate"), Text.of(value), YAML, "int", node)
+
+    facts = talker(parameters=(ParameterFact(Text.of("rate"), CODE, "declared", "int", Text.of("1")),))
+    node = only(configured(facts, started(settings=(setting("/**", "2"), setting("/*", "3"), setting("/other", "4")))))
+    assert node.parameters[0].value == "3"
+
+
+def test_what_is_set_but_never_declared_is_there_without_access():
+    node = only(configured(talker(), started(settings=(Setting(Text.of("rte"), Text.of("5"), YAML, "int"),))))
+    assert [(one.name, one.value, one.access, one.proof) for one in node.parameters] == [("rte", "5", "", None)]
+
+
+def test_parameters_of_ros1_are_resolved_names():
+    facts = talker(
+        generation="ros1",
+        endpoints=(end(Role.SUBSCRIPTION, parameter_name("~/topic", "scan"), "std_msgs/String"),),
+        parameters=(
+            ParameterFact(Text.of("~/topic"), CODE, "read", "string", Text.of("scan")),
+            ParameterFact(Text.of("/robot_description"), CODE, "read"),
+        ),
+    )
+    node = only(
+        configured(
+            facts,
+            started(name=Text.of("t"), settings=(Setting(Text.of("~topic"), Text.of("/front"), START, "string"),)),
+            generation="ros1",
+            settings=(Setting(Text.of("/robot_description"), Text.of("<robot/>"), START, "string"),),
+        )
+    )
+    assert names(node) == ["/front"]
+    assert [(one.name, one.value) for one in node.parameters if one.access] == [
+        ("/robot_description", "<robot/>"),
+        ("/t/topic", "/front"),
+    ]
+
+
+def test_the_command_line_renames_remaps_and_sets():
+    words = ["--ros-args", "-r", "__node:=other", "-r", "chatter:=/said", "-p", "rate:=5"]
+    node = only(configured(talker(), started(arguments=tuple(Text.of(word) for word in words))))
+    assert (node.name, names(node)) == ("/other", ["/said"])
+    assert [(one.name, one.value) for one in node.parameters] == [("rate", "5")]
+
+
+def test_the_command_line_of_ros1():
+    words = ["chatter:=/said", "_rate:=5", "__name:=other"]
+    node = only(
+        configured(
+            talker(generation="ros1"),
+            started(name=Text.of("t"), arguments=tuple(Text.of(word) for word in words)),
+            generation="ros1",
+        )
+    )
+    assert (node.name, names(node)) == ("/other", ["/said"])
+    assert [(one.name, one.value) for one in node.parameters] == [("/other/rate", "5")]
+
+
+COMPONENT = Target(
+    TargetKind.COMPONENT,
+    "pkg",
+    "pkg::Talker",
+    ("pkg/src/talker.cpp",),
+    Evidence("pkg/CMakeLists.txt", 3),
+    "pkg::Talker",
+)
+
+
+def test_a_component_is_in_its_container():
+    facts = NodeFacts("pkg.Talker", "pkg/src/talker.cpp", 5, "ros2", endpoints=(end(Role.PUBLISHER, "chatter"),))
+    container = Launched(
+        Text.of("rclcpp_components"), Text.of("component_container"), START, Text.of("box"), kind="container"
+    )
+    loaded = Launched(
+        Text.of("pkg"), Text(), START, Text.of("talker"), plugin=Text.of("pkg::Talker"), container=Text.of("/box"),
+        kind="component",
+    )  # fmt: skip
+    configuration = configured(
+        facts, container, loaded, targets=(COMPONENT,),
+        known=lambda *_: Meant((NodeFacts("", "", 0, "ros2", "container"),), "", Origin.CATALOGUE),
+    )  # fmt: skip
+    box, inside = configuration.nodes
+    assert (box.name, inside.name, inside.container) == ("/box", "/talker", "/box")
+    assert "/box/_container/load_node" in [one.endpoint.name for one in box.endpoints]
+    assert not configuration.unresolved
+
+
+def test_a_nodelet_is_part_of_its_manager_in_the_graph():
+    facts = NodeFacts(
+        "pkg.Filter",
+        "pkg/src/f.cpp",
+        5,
+        "ros1",
+        "nodelet",
+        endpoints=(end(Role.PUBLISHER, "~/out", "std_msgs/String"),),
+    )
+    target = Target(TargetKind.NODELET, "pkg", "pkg/Filter", (), Evidence("pkg/nodelets.xml", 2), "pkg::Filter")
+    manager = Launched(Text.of("nodelet"), Text.of("nodelet"), START, Text.of("m"), Text.of("/ns"), kind="container")
+    loaded = Launched(
+        Text.of("nodelet"), Text.of("nodelet"), START, Text.of("f"), Text.of("/ns"), plugin=Text.of("pkg/Filter"),
+        container=Text.of("m"), kind="nodelet",
+    )  # fmt: skip
+    configuration = configured(facts, manager, loaded, targets=(target,), generation="ros1")
+    graph = configuration.graph(implicit=False)
+    assert [node.name for node in graph.nodes] == ["/ns/m"]
+    assert [(one.node, one.name) for one in graph.endpoints] == [("/ns/m", "/ns/f/out")]
+
+
+def test_a_python_entry_point_is_found_by_module_and_function():
+    target = Target(
+        TargetKind.SCRIPT, "pkg", "listen", ("pkg/pkg/listen.py",), Evidence("pkg/setup.py", 9), "pkg.listen:main"
+    )
+    facts = NodeFacts("main", "pkg/pkg/listen.py", 1, "ros2", name=Text.of("listener"))
+    launched = Launched(Text.of("pkg"), Text.of("listen"), START)
+    units = KnownUnits({"pkg": (target,)}, (facts,))
+    assert only(assemble(Launch("ros2", (launched,)), units, title="")).name == "/listener"
+
+
+def test_what_no_package_installs_is_still_a_node_and_unresolved():
+    configuration = configured(talker(), Launched(Text.of("pkg"), Text.of("talkr"), START, Text.of("t")))
+    assert only(configuration).name == "/t"
+    assert "makes talkr" in configuration.unresolved[0].reason
+
+
+def test_conditions_of_start_and_code_are_kept_apart():
+    facts = talker(endpoints=(end(Role.PUBLISHER, "chatter", conditions=("debug",)),))
+    node = only(configured(facts, started(conditions=("use_it",))))
+    assert node.conditions == ("use_it",)
+    assert explicit(node)[0].conditions == ("debug",)
+
+
+def test_every_node_has_what_its_generation_gives_it():
+    ros2 = only(configured(talker(kind="lifecycle"), started())).endpoints
+    implicit = {one.endpoint.name for one in ros2 if one.implicit}
+    assert {"/rosout", "/parameter_events", "/talker/get_parameters", "/talker/change_state"} <= implicit
+    ros1 = only(configured(talker(generation="ros1"), started(name=Text.of("t")), generation="ros1")).endpoints
+    assert {one.endpoint.name for one in ros1 if one.implicit} == {"/rosout", "/t/get_loggers", "/t/set_logger_level"}
+
+
+@pytest.mark.parametrize(("generation", "name"), [("ros2", "use_sim_time"), ("ros1", "/use_sim_time")])
+def test_simulated_time_comes_from_clock(generation, name):
+    setting = Setting(Text.of(name), Text.of("true"), START, "bool")
+    configuration = configured(
+        talker(generation=generation),
+        started(settings=(setting,) if generation == "ros2" else ()),
+        generation=generation,
+        settings=(setting,) if generation == "ros1" else (),
+    )
+    assert "/clock" in [one.endpoint.name for one in only(configuration).endpoints]
+
+
+def test_five_topics_of_actionlib_are_an_action():
+    def topic(role, last, part):
+        return end(role, f"move/{last}", f"pkg/Move{part}")
+
+    facts = talker(
+        generation="ros1",
+        endpoints=(
+            topic(Role.SUBSCRIPTION, "goal", "ActionGoal"),
+            end(Role.SUBSCRIPTION, "move/cancel", "actionlib_msgs/GoalID"),
+            end(Role.PUBLISHER, "move/status", "actionlib_msgs/GoalStatusArray"),
+            topic(Role.PUBLISHER, "feedback", "ActionFeedback"),
+            topic(Role.PUBLISHER, "result", "ActionResult"),
+            end(Role.PUBLISHER, "other", "std_msgs/String"),
+        ),
+    )
+    node = only(configured(facts, started(name=Text.of("t")), generation="ros1"))
+    assert [(one.endpoint.role, one.endpoint.name, one.endpoint.type) for one in explicit(node)] == [
+        (Role.ACTION_SERVER, "/move", "pkg/MoveAction"),
+        (Role.PUBLISHER, "/other", "std_msgs/String"),
+    ]
+
+
+def test_what_a_launch_file_leaves_open_is_listed_with_the_rest():
+    missing = Unresolved("$(env X)", START, "environment X")
+    configuration = configured(talker(), started(), unresolved=(missing,), arguments=(Argument("a", START),))
+    assert [one.text for one in configuration.unresolved] == ["$(env X)"]
+    assert [(one.name, one.default) for one in configuration.arguments] == [("a", None)]
+
+
+def test_a_package_by_itself_starts_all_that_it_makes():
+    units = KnownUnits({"pkg": (TARGET,)}, (talker(),))
+    configuration = assemble(targets_started("pkg", units, "ros2"), units, title="pkg", by_launch=False)
+    assert only(configuration).name == "/talker"
+    assert only(configuration).proof.origin is Origin.CODE
+
+
+def test_a_guess_about_which_node_stays_a_guess():
+    fact = end(Role.PUBLISHER, "chatter")
+    fact = msgspec.structs.replace(fact, evidence=msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY))
+    assert explicit(only(configured(talker(endpoints=(fact,)), started())))[0].proof.sure == "likely"

@@ -16,6 +16,7 @@ from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.snapshot import VERSION, Alert, Happening, Row, Snapshot
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.signals import BY_KEY
+from roslens.live.worth_a_row import worth_a_row
 from roslens.model.entity import EntityKind
 from roslens.model.verdict import Verdict
 
@@ -148,8 +149,7 @@ def _cut(text: str, longest: int) -> str:
 
 def _rows(parts: Iterable[SystemView], depth: int, above: str) -> Iterator[Row]:
     for part in parts:
-        if part.kind == "process" and not part.counts:
-            # What a process uses is told of its nodes.
+        if not worth_a_row(part):
             continue
         key = _key(above, part.id)
         values = {name: value for name, value in part.values.items() if math.isfinite(value)}

@@ -10,6 +10,7 @@ from roslens.live.publish.diagnostics import sentence
 from roslens.live.reported_levels import is_reported
 from roslens.live.signals import BY_KEY
 from roslens.live.tree import SystemView
+from roslens.live.worth_a_row import worth_a_row
 from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict
 from roslens.report.terminal import Terminal, columns, left, right
@@ -98,8 +99,7 @@ def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
 
 def _rows(parts: Iterable[SystemView], depth: int) -> Iterable[tuple[int, SystemView]]:
     for part in parts:
-        if part.kind == "process" and not part.counts:
-            # What a process uses is told of its nodes; alone it is worth a line where something is expected of it.
+        if not worth_a_row(part):
             continue
         yield depth, part
         # A topic with one connection is told by that connection.

@@ -1,0 +1,28 @@
+"""Which parts of a system are worth a row where a person looks: not what every node of ROS has, unless it is judged."""
+
+from __future__ import annotations
+
+from roslens.live.tree import SystemView
+
+_TOPICS = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
+_ENDS = frozenset(
+    {"get_parameters", "set_parameters", "set_parameters_atomically", "list_parameters", "describe_parameters",
+     "get_parameter_types", "get_type_description", "get_loggers", "set_logger_level", "get_logger_levels",
+     "set_logger_levels", "transition_event", "get_state", "change_state", "get_available_states",
+     "get_available_transitions", "get_transition_graph"}
+)  # fmt: skip
+
+
+def worth_a_row(part: SystemView) -> bool:
+    """Return whether to show a part: something is expected of it, or it is not like what all others have too.
+
+    What a process uses is told of its nodes; alone it is worth a row where a sentence is about it. Likewise with the
+    log, the parameters and the life cycle of nodes, which ROS itself serves.
+    """
+    if part.counts:
+        return True
+    if part.kind == "process":
+        return False
+    if part.kind == "topic" and part.name in _TOPICS:
+        return False
+    return part.kind not in ("topic", "service") or part.name.rpartition("/")[2] not in _ENDS

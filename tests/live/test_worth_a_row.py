@@ -1,0 +1,25 @@
+import pytest
+
+from roslens.live.tree import SystemView
+from roslens.live.worth_a_row import worth_a_row
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "worth"),
+    [
+        ("topic", "/scan", True),
+        ("topic", "/rosout", False),
+        ("topic", "/parameter_events", False),
+        ("topic", "/planner/transition_event", False),
+        ("service", "/planner/get_parameters", False),
+        ("service", "/planner/set_map", True),
+        ("service", "/get_map", True),
+        ("process", "base/7", False),
+        ("node", "/rosout", True),
+        ("host", "base", True),
+        ("connection", "/a > /rosout > /b", True),
+    ],
+)
+def test_what_all_nodes_have_is_left_out_unless_it_is_judged(kind, name, worth):
+    assert worth_a_row(SystemView(f"{kind}:{name}", name, kind)) is worth
+    assert worth_a_row(SystemView(f"{kind}:{name}", name, kind, counts={"ok": 1}))

@@ -1,0 +1,458 @@
+"""Commands of CMake that set variables, read files and look for things; those that make targets are elsewhere."""
+
+from __future__ import annotations
+
+import re
+from fnmatch import translate
+from functools import lru_cache
+from posixpath import basename, dirname, splitext
+
+from roslens.source.extract.cmake_evaluation import BUILD, SOURCE, Call, Evaluation, Handler, ReturnedError
+from roslens.source.extract.cmake_scope import Scope
+from roslens.source.extract.cmake_syntax import Argument, Body, Command, Script, parse_cmake
+from roslens.source.extract.cmake_texts import LIST_AND_STRING
+from roslens.source.extract.cmake_value import MADE, hole, is_unknown, items_of
+from roslens.source.extract.files import joined
+from roslens.source.extract.python_expression import UnknownError, evaluate
+
+
+def _set(run: Evaluation, call: Call) -> None:
+    if not call.arguments:
+        return
+    name, *values = call.arguments
+    if name.startswith("ENV{"):
+        run.environment[name[4:-1]] = ";".join(values)
+        return
+    if "CACHE" in values:
+        value = ";".join(values[: values.index("CACHE")])
+        run.cache.setdefault(name, value)
+        run.open.add(name)
+        return
+    parent = bool(values) and values[-1] == "PARENT_SCOPE"
+    if parent:
+        values = values[:-1]
+    _assign(run, name, ";".join(values) if values else None, parent=parent)
+
+
+def _assign(run: Evaluation, name: str, value: str | None, *, parent: bool) -> None:
+    run.spend(len(value or ""))
+    if not parent:
+        run.set(name, value)
+    elif run.scope.parent is not None:
+        if len(run.scope.layers) > 1:
+            # Whether this branch is taken is unknown, and the other scope does not know of branches.
+            value = run.either(run.conditions[-1:] or [""])(name, [value, run.scope.parent.get(name)[1]])
+        run.scope.parent.set(name, value)
+
+
+def _unset(run: Evaluation, call: Call) -> None:
+    if not call.arguments:
+        return
+    name = call.arguments[0]
+    if "CACHE" in call.arguments[1:]:
+        run.cache.pop(name, None)
+    else:
+        _assign(run, name, None, parent="PARENT_SCOPE" in call.arguments[1:])
+
+
+def _option(run: Evaluation, call: Call) -> None:
+    if call.arguments:
+        name = call.arguments[0]
+        if not run.scope.get(name)[0]:
+            run.cache.setdefault(name, call.arguments[2] if len(call.arguments) > 2 else "OFF")
+            run.open.add(name)
+
+
+def _project(run: Evaluation, call: Call) -> None:
+    if not call.arguments:
+        return
+    name = call.arguments[0]
+    for prefix in ("PROJECT", name):
+        run.set(f"{prefix}_SOURCE_DIR", run.absolute(run.where))
+        run.set(f"{prefix}_BINARY_DIR", f"{BUILD}/{run.where}")
+    run.set("PROJECT_NAME", name)
+    run.set("CMAKE_PROJECT_NAME", name)
+    if "VERSION" in call.arguments[:-1]:
+        version = call.arguments[call.arguments.index("VERSION") + 1]
+        run.set("PROJECT_VERSION", version)
+        run.set(f"{name}_VERSION", version)
+    for variable, value in destinations_of(name).items():
+        run.set(variable, value)
+
+
+def destinations_of(package: str) -> dict[str, str]:
+    """Return where catkin and GNUInstallDirs install things of a package."""
+    share = f"share/{package}"
+    return {
+        "CATKIN_PACKAGE_BIN_DESTINATION": f"lib/{package}",
+        "CATKIN_PACKAGE_LIB_DESTINATION": "lib",
+        "CATKIN_PACKAGE_INCLUDE_DESTINATION": f"include/{package}",
+        "CATKIN_PACKAGE_SHARE_DESTINATION": share,
+        "CATKIN_PACKAGE_ETC_DESTINATION": f"etc/{package}",
+        "CATKIN_GLOBAL_BIN_DESTINATION": "bin",
+        "CATKIN_GLOBAL_LIB_DESTINATION": "lib",
+        "CATKIN_GLOBAL_LIBEXEC_DESTINATION": "lib",
+        "CATKIN_GLOBAL_INCLUDE_DESTINATION": "include",
+        "CATKIN_GLOBAL_SHARE_DESTINATION": "share",
+        "CATKIN_GLOBAL_ETC_DESTINATION": "etc",
+        "CATKIN_DEVEL_PREFIX": f"{BUILD}/devel",
+        "CMAKE_INSTALL_BINDIR": "bin",
+        "CMAKE_INSTALL_LIBDIR": "lib",
+        "CMAKE_INSTALL_LIBEXECDIR": "libexec",
+        "CMAKE_INSTALL_INCLUDEDIR": "include",
+        "CMAKE_INSTALL_DATAROOTDIR": "share",
+        "CMAKE_INSTALL_DATADIR": "share",
+    }
+
+
+def _find_package(run: Evaluation, call: Call) -> None:
+    if not call.arguments:
+        return
+    name, *rest = call.arguments
+    names = [name]
+    for keyword in ("COMPONENTS", "OPTIONAL_COMPONENTS", "REQUIRED"):
+        if keyword in rest:
+            names.extend(value for value in rest[rest.index(keyword) + 1 :] if value not in _FIND_WORDS)
+    for one in dict.fromkeys(names):
+        if is_unknown(one):
+            continue
+        run.prefixes.update((one, one.upper()))
+        if one == name and "REQUIRED" in rest:
+            run.set(f"{one}_FOUND", "1")
+        load_extras(run, one)
+
+
+_FIND_WORDS = frozenset(
+    {"COMPONENTS", "OPTIONAL_COMPONENTS", "REQUIRED", "QUIET", "EXACT", "CONFIG", "MODULE", "NO_MODULE"}
+)
+
+
+def load_extras(run: Evaluation, package: str) -> None:
+    """Run the CMake files that a package of the workspace gives to those that find it."""
+    if package in run.loaded:
+        return
+    run.loaded.add(package)
+    folder = run.files.package(package)
+    if folder is None or joined("", folder) == run.folder:
+        return
+    folder = joined("", folder)
+    cmake = f"{folder}/cmake" if folder else "cmake"
+    content = run.files.content(joined(folder, "CMakeLists.txt"))
+    run.set(f"{package}_DIR", run.absolute(cmake))
+    if content is None or b"_EXTRAS" not in content:
+        return
+    for written in _extras(content):
+        path, script = _source_of(run, (folder, cmake), written)
+        if script is not None:
+            run.run_file(path, parse_cmake(script), shown_in=run.absolute(cmake))
+
+
+@lru_cache(maxsize=256)
+def _extras(content: bytes) -> tuple[str, ...]:
+    found: list[str] = []
+    for command in _commands(parse_cmake(content).body):
+        if command.name in ("ament_package", "catkin_package"):
+            found.extend(_after(command.arguments, ("CONFIG_EXTRAS", "CFG_EXTRAS", "CONFIG_EXTRAS_POST")))
+    return tuple(found)
+
+
+def _commands(body: Body) -> list[Command]:
+    found: list[Command] = []
+    waiting = list(body)
+    while waiting:
+        one = waiting.pop(0)
+        if isinstance(one, Command):
+            found.append(one)
+        else:
+            waiting[:0] = [inner for _, part in one.branches for inner in part]
+    return found
+
+
+def _after(arguments: tuple[Argument, ...], keywords: tuple[str, ...]) -> list[str]:
+    found: list[str] = []
+    taking = False
+    for argument in arguments:
+        value = argument.literal or ""
+        if value in keywords:
+            taking = True
+        elif value.isupper() and "." not in value:
+            taking = False
+        elif taking and value:
+            found.append(value)
+    return found
+
+
+def _source_of(run: Evaluation, folders: tuple[str, ...], name: str) -> tuple[str, bytes | None]:
+    """Return the file from which a CMake file is made that is installed, without what empy would replace."""
+    for folder in folders:
+        for end in ("", ".in", ".em", ".installspace.in"):
+            path = joined(folder, name + end)
+            content = run.files.content(path)
+            if content is not None:
+                return path, re.sub(rb"(?m)^@\[.*$", b"", content) if end or name.endswith(".em") else content
+    return "", None
+
+
+def _include(run: Evaluation, call: Call) -> None:
+    if not call.arguments:
+        return
+    name = call.arguments[0]
+    if is_unknown(name):
+        run.fail(name, call.evidence, f"it includes a file that is unknown: {name}")
+        return
+    if "/" not in name and not name.endswith(".cmake"):
+        for folder in items_of(run.get("CMAKE_MODULE_PATH") or ""):
+            found = run.relative(f"{folder}/{name}.cmake")
+            script = run.script(found) if found else None
+            if found and script:
+                run.run_file(found, script)
+                return
+        run.prefixes.add(name)
+        return
+    path = run.relative(name)
+    content = None if path is None else run.files.content(path)
+    if path is not None and content is None:
+        folder = dirname(path)
+        path, content = _source_of(run, (folder, dirname(folder)), basename(path))
+    if path and content is not None:
+        run.run_file(path, parse_cmake(content), shown_in=dirname(name) if name.startswith(SOURCE) else "")
+    elif "OPTIONAL" not in call.arguments:
+        run.fail(name.replace(f"{SOURCE}/", ""), call.evidence, "the file that it includes is not in the workspace")
+
+
+def _add_subdirectory(run: Evaluation, call: Call) -> None:
+    if not call.arguments:
+        return
+    folder = run.relative(call.arguments[0])
+    path = None if folder is None else joined(folder, "CMakeLists.txt")
+    script = run.script(path) if path in run.listing else None
+    if folder is None or path is None or script is None:
+        what = f'"{path}" is not among the files of the package' if path else "the folder is unknown"
+        run.fail(call.arguments[0].replace(f"{SOURCE}/", ""), call.evidence, what)
+        return
+    run_folder(run, folder, path, script)
+
+
+def run_folder(run: Evaluation, folder: str, path: str, script: Script) -> None:
+    """Run a CMakeLists.txt in a scope of its own."""
+    before = run.scope, run.where
+    run.scope, run.where = Scope(run.scope), folder
+    run.set("CMAKE_CURRENT_SOURCE_DIR", run.absolute(folder))
+    run.set("CMAKE_CURRENT_BINARY_DIR", f"{BUILD}/{folder}")
+    try:
+        run.run_file(path, script)
+    finally:
+        run.scope, run.where = before
+
+
+def _message(_run: Evaluation, call: Call) -> None:
+    if call.arguments and call.arguments[0] == "FATAL_ERROR" and _run.conditions:
+        raise ReturnedError("stop")
+
+
+def _parse_arguments(run: Evaluation, call: Call) -> None:
+    arguments = call.arguments
+    if arguments and arguments[0] == "PARSE_ARGV":
+        first = int(arguments[1]) if len(arguments) > 2 and arguments[1].isdecimal() else 0
+        given = items_of(run.get("ARGV") or "")[first:]
+        arguments = arguments[2:6] + given
+    if len(arguments) < 4:
+        return
+    prefix, options, single, several = arguments[0], *map(items_of, arguments[1:4])
+    for name in options:
+        run.set(f"{prefix}_{name}", "FALSE")
+    for name in (*single, *several):
+        run.set(f"{prefix}_{name}", None)
+    found: dict[str, list[str]] = {}
+    rest: list[str] = []
+    keyword = ""
+    for value in arguments[4:]:
+        if value in options:
+            run.set(f"{prefix}_{value}", "TRUE")
+            keyword = ""
+        elif value in single or value in several:
+            keyword = value
+            if value in several:
+                found.setdefault(value, [])
+        elif keyword:
+            found.setdefault(keyword, []).append(value)
+            if keyword in single:
+                found[keyword] = [value]
+                keyword = ""
+        else:
+            rest.append(value)
+    for name, values in found.items():
+        run.set(f"{prefix}_{name}", ";".join(values) if values else None)
+    run.set(f"{prefix}_UNPARSED_ARGUMENTS", ";".join(rest) if rest else None)
+
+
+def _filename_component(run: Evaluation, call: Call) -> None:
+    if len(call.arguments) < 3:
+        return
+    variable, path, mode = call.arguments[:3]
+    if is_unknown(path):
+        run.set(variable, path)
+        return
+    name = basename(path)
+    stem, dot, extension = name.partition(".")
+    simple = {
+        "NAME": name, "NAME_WE": stem, "EXT": dot + extension, "LAST_EXT": splitext(name)[1],
+        "NAME_WLE": splitext(name)[0], "DIRECTORY": dirname(path), "PATH": dirname(path),
+    }  # fmt: skip
+    if mode in simple:
+        run.set(variable, simple[mode])
+    elif mode in ("ABSOLUTE", "REALPATH"):
+        found = run.relative(path)
+        run.set(variable, path if found is None else run.absolute(found))
+    else:
+        run.set(variable, hole(f"{mode} of {path}"))
+
+
+def _math(run: Evaluation, call: Call) -> None:
+    if len(call.arguments) < 3:
+        return
+    variable, expression = call.arguments[1:3]
+    value = hole(f"the number {expression}")
+    if re.fullmatch(r"[0-9+\-*/%() ]{1,200}", expression) and "**" not in expression and "//" not in expression:
+        try:
+            found = evaluate(expression.replace("/", "//"))
+            value = str(found) if isinstance(found, int) else value
+        except UnknownError:
+            pass
+    run.set(variable, value)
+
+
+def _file(run: Evaluation, call: Call) -> None:
+    if len(call.arguments) < 2:
+        return
+    mode, variable, *rest = call.arguments
+    if mode in ("GLOB", "GLOB_RECURSE"):
+        run.set(variable, ";".join(_globbed(run, rest, deep=mode == "GLOB_RECURSE")))
+    elif mode in ("READ", "STRINGS", "RELATIVE_PATH", "SHA256", "MD5", "TIMESTAMP", "REAL_PATH", "TO_CMAKE_PATH"):
+        target = variable if mode == "RELATIVE_PATH" or not rest else rest[0]
+        run.set(target, hole(f"file({mode})"))
+
+
+def _globbed(run: Evaluation, arguments: list[str], *, deep: bool) -> list[str]:
+    relative_to: str | None = None
+    found: dict[str, None] = {}
+    taking = False
+    for value in arguments:
+        if taking:
+            relative_to, taking = run.relative(value), False
+        elif value == "RELATIVE":
+            taking = True
+        elif value in ("CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS") or value.startswith("LIST_DIRECTORIES"):
+            continue
+        elif value not in ("true", "false"):
+            pattern = run.relative(value)
+            if pattern is not None:
+                run.spend(len(run.listing) * 10)
+                found.update(dict.fromkeys(matching(pattern, run.listing, run.folders, deep=deep)))
+    if relative_to is None:
+        return [run.absolute(path) for path in sorted(found)]
+    prefix = f"{relative_to}/" if relative_to else ""
+    return [path[len(prefix) :] if path.startswith(prefix) else run.absolute(path) for path in sorted(found)]
+
+
+def matching(pattern: str, listing: frozenset[str], folders: frozenset[str], *, deep: bool) -> list[str]:
+    """Return the files, and of a pattern that is not deep the folders, that match a pattern of CMake."""
+    *above, last = pattern.split("/")
+    expressions = [_segment(piece) for piece in above]
+    name = _segment(last)
+    found = []
+    for path in listing if deep else listing | folders:
+        pieces = path.split("/")
+        if len(pieces) - 1 < len(above) or (len(pieces) - 1 > len(above) and not deep):
+            continue
+        if name.match(pieces[-1]) and all(
+            expression.match(piece) for expression, piece in zip(expressions, pieces, strict=False)
+        ):
+            found.append(path)
+    return found
+
+
+@lru_cache(maxsize=1024)
+def _segment(pattern: str) -> re.Pattern[str]:
+    try:
+        return re.compile(translate(re.sub(r"\*+", "*", pattern[:200]).replace("[^", "[!")))
+    except re.error:
+        return re.compile(r"(?!)")
+
+
+def _found(position: int) -> Handler:
+    """Return a handler of a command that sets a variable to what only the build knows."""
+
+    def handler(run: Evaluation, call: Call) -> None:
+        if len(call.arguments) > position and not run.scope.get(call.arguments[position])[0]:
+            run.foreign.add(call.arguments[position])
+
+    return handler
+
+
+def _asked(position: int) -> Handler:
+    """Return a handler of a command that asks for a property."""
+
+    def handler(run: Evaluation, call: Call) -> None:
+        if len(call.arguments) > position:
+            run.set(call.arguments[position], hole(f"what {call.command.name}() gives"))
+
+    return handler
+
+
+def _packages(run: Evaluation, call: Call) -> None:
+    if call.arguments:
+        run.prefixes.add(call.arguments[0])
+
+
+def _generated(run: Evaluation, call: Call) -> None:
+    """Commands whose first argument names the list of files that they make."""
+    if call.arguments:
+        run.set(call.arguments[0], hole(f"{MADE}{call.command.name}()"))
+
+
+COMMANDS: dict[str, Handler] = {
+    "set": _set, "unset": _unset, "option": _option, "project": _project, "find_package": _find_package,
+    "include": _include, "add_subdirectory": _add_subdirectory, "message": _message, "file": _file, "math": _math,
+    "cmake_parse_arguments": _parse_arguments, "get_filename_component": _filename_component,
+    "pkg_check_modules": _packages, "pkg_search_module": _packages,
+    **dict.fromkeys(("find_library", "find_path", "find_file", "find_program", "try_compile", "try_run"), _found(0)),
+    **dict.fromkeys(("check_include_file", "check_include_file_cxx", "check_include_files", "check_cxx_compiler_flag",
+                     "check_c_compiler_flag", "check_cxx_source_compiles", "check_c_source_compiles",
+                     "check_type_size"), _found(1)),
+    **dict.fromkeys(("check_symbol_exists", "check_cxx_symbol_exists", "check_library_exists"), _found(2)),
+    "check_function_exists": _found(1),
+    **dict.fromkeys(("get_directory_property", "get_property", "get_target_property", "get_source_file_property",
+                     "get_cmake_property", "get_test_property", "execute_process", "cmake_path"), _asked(0)),
+    **dict.fromkeys(("qt_wrap_cpp", "qt_wrap_ui", "qt5_wrap_cpp", "qt5_wrap_ui", "qt6_wrap_cpp", "qt6_wrap_ui",
+                     "qt4_wrap_cpp", "qt4_wrap_ui", "qt5_add_resources", "qt4_add_resources", "qt_add_resources"),
+                    _generated),
+    **LIST_AND_STRING,
+}  # fmt: skip
+
+IGNORED = frozenset({
+    "add_compile_definitions", "add_compile_options", "add_custom_command", "add_custom_target", "add_definitions",
+    "add_dependencies", "add_launch_test", "add_link_options", "add_ros_test", "add_rostest", "add_test",
+    "ament_add_nose_test", "ament_add_pytest_test", "ament_add_ros_isolated_pytest_test",
+    "ament_add_ros_isolated_test", "ament_add_test", "ament_auto_add_gtest", "ament_auto_find_build_dependencies",
+    "ament_auto_find_test_dependencies", "ament_clang_format", "ament_clang_tidy", "ament_copyright",
+    "ament_cppcheck", "ament_cpplint", "ament_environment_hooks", "ament_export_definitions",
+    "ament_export_dependencies", "ament_export_include_directories", "ament_export_interfaces",
+    "ament_export_libraries", "ament_export_link_flags", "ament_export_targets", "ament_find_gmock",
+    "ament_find_gtest", "ament_flake8", "ament_index_register_resource", "ament_lint_auto_find_test_dependencies",
+    "ament_lint_cmake", "ament_mypy", "ament_package", "ament_pep257", "ament_register_extension",
+    "ament_uncrustify", "ament_xmllint", "catkin_add_env_hooks", "catkin_add_nosetests", "catkin_download",
+    "catkin_download_test_data", "catkin_metapackage", "catkin_package_xml", "catkin_run_tests_target",
+    "cmake_minimum_required", "cmake_policy", "configure_file", "configure_package_config_file", "enable_language",
+    "enable_testing", "export", "find_package_handle_standard_args", "generate_dynamic_reconfigure_options",
+    "generate_messages", "generate_parameter_library", "generate_parameter_module", "include_directories",
+    "include_external_msproject", "include_guard", "link_directories", "link_libraries", "mark_as_advanced",
+    "remove_definitions", "rosidl_export_typesupport_targets", "rosidl_get_typesupport_target",
+    "rosidl_target_interfaces", "roslaunch_add_file_check", "roslint_add_test", "roslint_cpp", "roslint_custom",
+    "roslint_python", "separate_arguments", "set_directory_properties", "set_source_files_properties",
+    "set_tests_properties", "site_name", "source_group", "subdirs", "target_compile_definitions",
+    "target_compile_features", "target_compile_options", "target_include_directories", "target_link_directories",
+    "target_link_options", "target_precompile_headers", "use_c99", "variable_watch",
+    "write_basic_package_version_file", "write_file",
+})  # fmt: skip
+"""Commands that decide nothing about which source ends in which program."""

@@ -1,0 +1,419 @@
+"""CMake files evaluated without running them: variables, conditions, loops, functions and macros, all bounded.
+
+Where a condition is unknown, all its branches are evaluated, each with the condition kept, and what they set is merged.
+The commands themselves are given: see the tables of :mod:`cmake_commands` and :mod:`cmake_targets`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from posixpath import dirname
+
+import msgspec
+
+from roslens.source.extract.cmake_condition import Word
+from roslens.source.extract.cmake_scope import Scope
+from roslens.source.extract.cmake_syntax import Argument, Block, Body, Command, Reference, Script, Template, parse_cmake
+from roslens.source.extract.cmake_value import hole, is_unknown, items_of, reason_of, shown
+from roslens.source.extract.files import Files, joined
+from roslens.source.extract.launched import Unresolved
+from roslens.source.extract.node_facts import Evidence
+
+SOURCE, BUILD = "/=workspace", "/=build"
+"""Folders that stand for the root of the workspace and of its build."""
+
+MOST_STEPS = 30_000
+MOST_LENGTH = 100_000
+MOST_TEXT = 20_000_000
+MOST_ROUNDS = 1_000
+MOST_DEPTH = 60
+
+
+class Call(msgspec.Struct, frozen=True):
+    """A command that is run, with the values of its arguments."""
+
+    command: Command
+    arguments: list[str]
+    evidence: Evidence
+
+
+class Defined(msgspec.Struct, frozen=True):
+    """A function or macro."""
+
+    name: str
+    macro: bool
+    parameters: tuple[str, ...]
+    body: Body
+    path: str
+
+
+class ReturnedError(Exception):
+    """``return()``, ``break()`` or ``continue()``, told by ``what``; or ``stop``: configuration would fail here."""
+
+    def __init__(self, what: str) -> None:
+        super().__init__(what)
+        self.what = what
+
+
+class ExhaustedError(Exception):
+    """Evaluation has taken too much; the text says of what."""
+
+
+Handler = Callable[["Evaluation", Call], None]
+BlockHandler = Callable[["Evaluation", Block], None]
+
+
+class Evaluation:
+    """The state of an evaluation of one package's CMake files."""
+
+    def __init__(
+        self,
+        folder: str,
+        files: Files,
+        listing: Iterable[str],
+        commands: Mapping[str, Handler],
+        ignored: frozenset[str],
+        blocks: Mapping[str, BlockHandler],
+    ) -> None:
+        """Prepare an evaluation.
+
+        Args:
+            folder: of the package, relative to the root of the workspace.
+            files: that may be read.
+            listing: the files of the package.
+            commands: what commands do, by name in lower case.
+            ignored: names of commands that are known to matter to nothing here.
+            blocks: what blocks do, by the name of the command that opens them.
+        """
+        self.folder = joined("", folder)
+        self.files = files
+        self.listing = frozenset(listing)
+        self.folders = _folders(self.listing)
+        self.scope = Scope()
+        self.cache: dict[str, str] = {}
+        self.environment: dict[str, str] = {}
+        self.open: set[str] = set()
+        self.foreign: set[str] = set()
+        self.prefixes: set[str] = set()
+        self.functions: dict[str, Defined] = {}
+        self.conditions: list[str] = []
+        self.unresolved: dict[Unresolved, None] = {}
+        self.alternatives: dict[str, tuple[str, ...]] = {}
+        self.targets: set[str] = set()
+        self.where = self.folder
+        self.path = ""
+        self.loaded: set[str] = set()
+        self._commands = commands
+        self._ignored = ignored
+        self._blocks = blocks
+        self._calls: list[tuple[str, Command]] = []
+        self._bound: dict[str, str] | None = None
+        self._steps = self._text = self._depth = 0
+
+    # Paths
+
+    def relative(self, path: str, base: str | None = None) -> str | None:
+        """Return a path below the root of the workspace; None where it is elsewhere or unknown."""
+        if is_unknown(path):
+            return None
+        if path.startswith("/"):
+            return joined("", path[len(SOURCE) :]) if path == SOURCE or path.startswith(f"{SOURCE}/") else None
+        return joined(self.where if base is None else base, path)
+
+    def absolute(self, path: str) -> str:
+        """Return the absolute form of a path that is relative to the root of the workspace."""
+        return f"{SOURCE}/{path}" if path else SOURCE
+
+    # Telling
+
+    def evidence(self, command: Command) -> Evidence:
+        """Return where a command is, or the call that leads to it."""
+        if self._calls:
+            path, called = self._calls[0]
+            return Evidence(path, called.line, called.column, f"by {called.name}()")
+        return Evidence(self.path, command.line, command.column)
+
+    def fail(self, text: str, evidence: Evidence, reason: str) -> None:
+        """Note what could not be resolved."""
+        self.unresolved.setdefault(Unresolved(shown(text)[:300], evidence, shown(reason)))
+
+    # Variables
+
+    def get(self, name: str) -> str | None:
+        """Return the value of a variable; None where it is not set. What others may have set is a hole."""
+        known, value = self.scope.get(name)
+        if known:
+            return value
+        if name in self.cache:
+            return self.cache[name]
+        return hole(f"{name} of the build's surroundings") if self.is_foreign(name) else None
+
+    def is_foreign(self, name: str) -> bool:
+        """Return whether a variable may be set by what is not evaluated."""
+        if name in _PLATFORM:
+            return False
+        return (
+            name in self.foreign
+            or name.startswith("CMAKE_")
+            or name.endswith(_FOREIGN_ENDS)
+            or name.partition("_")[0] in self.prefixes
+            or any(name.startswith(f"{prefix}_") for prefix in self.prefixes if "_" in prefix)
+        )
+
+    def set(self, name: str, value: str | None) -> None:
+        """Set a variable of the current scope."""
+        if value is not None and len(value) > MOST_LENGTH:
+            value = hole(f"{name} is too long")
+        self.scope.set(name, value)
+
+    def spend(self, text: int) -> None:
+        """Count characters that are made.
+
+        Raises:
+            ExhaustedError: they are too many.
+        """
+        self._text += text
+        if self._text > MOST_TEXT:
+            raise ExhaustedError(f"it makes more than {MOST_TEXT:,} characters")
+
+    def value(self, template: Template) -> str:
+        """Return the value of a template."""
+        if len(template) == 1 and isinstance(template[0], Reference):
+            return self._referenced(template[0])
+        value = "".join(part if isinstance(part, str) else self._referenced(part) for part in template)
+        self.spend(len(value))
+        return value if len(value) <= MOST_LENGTH else hole("a text that is too long")
+
+    def _referenced(self, reference: Reference) -> str:
+        name = self.value(reference.name)
+        if is_unknown(name):
+            return hole(reason_of(name))
+        if reference.of == "ENV":
+            return self.environment.get(name, hole(f"environment {name}"))
+        if reference.of == "CACHE":
+            return self.cache.get(name, "")
+        if self._bound is not None and name in self._bound:
+            return self._bound[name]
+        return self.get(name) or ""
+
+    def expanded(self, arguments: Iterable[Argument]) -> list[str]:
+        """Return the values of arguments; lists that are not quoted become several."""
+        found: list[str] = []
+        for argument in arguments:
+            value = argument.literal if argument.literal is not None else self.value(argument.template)
+            if argument.kind == "bare":
+                found.extend(items_of(value))
+            else:
+                found.append(value)
+        if len(found) > MOST_LENGTH:
+            raise ExhaustedError("a command has too many arguments")
+        return found
+
+    # What conditions ask for
+
+    def words(self, arguments: tuple[Argument, ...]) -> list[Word]:
+        """Return the words of a condition."""
+        found: list[Word] = []
+        for argument in arguments:
+            if argument.kind == "paren":
+                found.append(Word(argument.written, paren=True))
+            elif argument.kind == "bare":
+                found.extend(Word(value) for value in self.expanded((argument,)))
+            else:
+                found.append(Word(self.expanded((argument,))[0], quoted=True))
+        return found
+
+    def variable(self, name: str) -> tuple[str | None, bool]:
+        """Return a variable's value, and whether the user may give it another."""
+        if name.startswith("ENV{"):
+            return self.environment.get(name[4:-1], hole(f"environment {name[4:-1]}")), False
+        known, value = self.scope.get(name)
+        if known:
+            return value, False
+        if name in self.cache:
+            return self.cache[name], name in self.open
+        if self.is_foreign(name):
+            return hole(name), False
+        return None, name.isidentifier() and name not in _PLATFORM
+
+    def exists(self, path: str, *, folder: bool) -> bool | None:
+        """Return whether there is a file or folder; None where that cannot be known."""
+        found = self.relative(path)
+        if found is None:
+            return None
+        if found in self.folders or (found in self.listing and not folder):
+            return True
+        inside = found == self.folder or found.startswith(f"{self.folder}/") or not self.folder
+        return False if inside else None
+
+    def target(self, name: str) -> bool | None:
+        """Return whether there is a target: None of those of others."""
+        return True if name in self.targets else None
+
+    def command(self, name: str) -> bool | None:
+        """Return whether there is a command: None of those that nobody here knows."""
+        return True if name.lower() in self._commands or name.lower() in self.functions else None
+
+    def matched(self, groups: list[str]) -> None:
+        """Set what a regular expression has matched."""
+        for number, group in enumerate(groups[:10]):
+            self.set(f"CMAKE_MATCH_{number}", group)
+        self.set("CMAKE_MATCH_COUNT", str(len(groups) - 1))
+
+    # Running
+
+    def run_file(self, path: str, script: Script, *, shown_in: str = "") -> None:
+        """Run a file in the current scope."""
+        for fault in script.faults:
+            self.fail(fault.what, Evidence(path, fault.line, fault.column), "not the language of CMake")
+        before = self.path, self._bound, self.get("CMAKE_CURRENT_LIST_DIR"), self.get("CMAKE_CURRENT_LIST_FILE")
+        self.path, self._bound = path, None
+        self.set("CMAKE_CURRENT_LIST_FILE", self.absolute(path))
+        self.set("CMAKE_CURRENT_LIST_DIR", shown_in or self.absolute(dirname(path)))
+        try:
+            with self.deeper():
+                self.run(script.body)
+        except ReturnedError as signal:
+            if signal.what == "stop":
+                raise
+        finally:
+            self.path, self._bound = before[:2]
+            self.set("CMAKE_CURRENT_LIST_DIR", before[2])
+            self.set("CMAKE_CURRENT_LIST_FILE", before[3])
+
+    def script(self, path: str) -> Script | None:
+        """Return a file; None where there is none."""
+        content = self.files.content(path)
+        return None if content is None else parse_cmake(content)
+
+    @contextmanager
+    def deeper(self) -> Iterator[None]:
+        """Count how deep blocks, calls and files are nested.
+
+        Raises:
+            ExhaustedError: they are nested too deep.
+        """
+        self._depth += 1
+        try:
+            if self._depth > MOST_DEPTH:
+                raise ExhaustedError(f"blocks, calls and files are nested more than {MOST_DEPTH} deep")
+            yield
+        finally:
+            self._depth -= 1
+
+    def run(self, body: Body) -> None:
+        """Run commands and blocks in order."""
+        for statement in body:
+            self._steps += 1
+            if self._steps > MOST_STEPS:
+                raise ExhaustedError(f"it takes more than {MOST_STEPS:,} commands")
+            if isinstance(statement, Command):
+                self._run_command(statement)
+            else:
+                self._run_block(statement)
+
+    def _run_block(self, block: Block) -> None:
+        opened = block.branches[0][0]
+        try:
+            with self.deeper():
+                self._blocks[opened.name](self, block)
+        except ExhaustedError as error:
+            # Depth is given back by going up; steps and text are not.
+            if self._depth > 0 and self._steps <= MOST_STEPS and self._text <= MOST_TEXT:
+                self.fail(f"{opened.name}()", self.evidence(opened), str(error))
+                return
+            raise
+
+    def _run_command(self, command: Command) -> None:
+        name = command.name
+        handler = self._commands.get(name)
+        if handler is not None:
+            handler(self, Call(command, self.expanded(command.arguments), self.evidence(command)))
+        elif name in self.functions:
+            self._run_function(command, self.functions[name])
+        elif name in ("return", "break", "continue"):
+            raise ReturnedError(name)
+        elif name not in self._ignored:
+            self._run_unknown(command)
+
+    def _run_unknown(self, command: Command) -> None:
+        arguments = self.expanded(command.arguments)
+        self.foreign.update(value for value in arguments if value.isidentifier() and not self.scope.get(value)[0])
+        self.fail(f"{command.name}()", self.evidence(command), "the command is not defined in the workspace")
+
+    def _run_function(self, command: Command, function: Defined) -> None:
+        values = self.expanded(command.arguments)
+        bound = {
+            "ARGC": str(len(values)),
+            "ARGV": ";".join(values),
+            "ARGN": ";".join(values[len(function.parameters) :]),
+        }
+        bound.update((f"ARGV{number}", value) for number, value in enumerate(values[:100]))
+        bound.update(zip(function.parameters, values, strict=False))
+        self.spend(sum(map(len, values)) * 2)
+        before = self.scope, self._bound, self.path
+        self._calls.append((self.path, command))
+        if function.macro:
+            self._bound = bound
+        else:
+            self._bound, self.scope = None, Scope(self.scope, dict(bound))
+        self.path = function.path
+        try:
+            with self.deeper():
+                self.run(function.body)
+        except ReturnedError as signal:
+            if function.macro or signal.what == "stop":
+                raise
+        finally:
+            self.scope, self._bound, self.path = before
+            self._calls.pop()
+
+    def perhaps(self, body: Body, conditions: list[str]) -> dict[str, str | None] | None:
+        """Run what may not be run; return what it sets, None where configuration would fail there."""
+        count = len(self.conditions)
+        self.conditions.extend(conditions)
+        scope = self.scope
+        scope.enter()
+        failed = False
+        try:
+            self.run(body)
+        except ReturnedError as signal:
+            failed = signal.what == "stop"
+        finally:
+            changes = scope.leave()
+            del self.conditions[count:]
+        return None if failed else changes
+
+    def either(self, denied: list[str]) -> Callable[[str, list[str | None]], str | None]:
+        """Return what makes one value of those of branches of which the first condition is ``denied[0]``."""
+
+        def made(name: str, values: list[str | None]) -> str | None:
+            lists = [items_of(value or "") for value in values]
+            every = dict.fromkeys(item for items in lists for item in items)
+            shared = [item for item in every if all(item in items for items in lists)]
+            rest = tuple(item for item in every if item not in shared)[:100]
+            unknown = hole(f"{name} depends on {denied[0]}".replace("NOT ", "", 1))
+            self.alternatives[unknown] = rest
+            return ";".join([*shared, unknown])
+
+        return made
+
+
+_FOREIGN_ENDS = ("_FOUND", "_LIBRARIES", "_LIBRARY", "_INCLUDE_DIRS", "_INCLUDE_DIR", "_VERSION", "_DIR", "_EXECUTABLE")
+
+_PLATFORM = frozenset(
+    {"WIN32", "APPLE", "MSVC", "ANDROID", "IOS", "MINGW", "CYGWIN", "BORLAND", "QNX", "QNXNTO", "MSYS", "XCODE", "BSD",
+     "MSVC_VERSION", "CMAKE_HOST_WIN32", "CMAKE_HOST_APPLE", "CMAKE_CROSSCOMPILING", "EMSCRIPTEN", "WATCOM"}
+)  # fmt: skip
+"""Variables that are not set on Linux."""
+
+
+def _folders(listing: frozenset[str]) -> frozenset[str]:
+    found: set[str] = set()
+    for path in listing:
+        folder = dirname(path)
+        while folder and folder not in found:
+            found.add(folder)
+            folder = dirname(folder)
+    return frozenset(found)

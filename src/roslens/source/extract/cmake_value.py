@@ -1,0 +1,153 @@
+"""Values of CMake: texts, of which a part may be unknown, and lists, which are texts with semicolons.
+
+An unknown part is a *hole*: its reason between two private characters, so that a value stays one text through all
+that is done with it.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+OPEN, CLOSE = "\ue000", "\ue001"
+MADE = "files that are made by "
+"""How the reason begins of a hole that stands for files that the build makes."""
+_HOLE = re.compile(f"{OPEN}([^{OPEN}{CLOSE}]*){CLOSE}")
+
+_TRUE = frozenset({"1", "ON", "YES", "TRUE", "Y"})
+_FALSE = frozenset({"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_MOST_WORK = 10_000_000
+_NESTED = re.compile(r"[*+?]\)[*+?]|\)[*+][*+]")
+
+
+def hole(reason: str) -> str:
+    """Return a text of which nothing is known but why."""
+    return OPEN + reason.replace(OPEN, "").replace(CLOSE, "").replace(";", ",") + CLOSE
+
+
+def is_unknown(value: str) -> bool:
+    """Return whether a part of a value is unknown."""
+    return OPEN in value
+
+
+def reason_of(value: str) -> str:
+    """Return why a value is unknown; empty where it is known."""
+    found = _HOLE.search(value)
+    return found[1] if found else ""
+
+
+def shown(value: str) -> str:
+    """Return a value for people: holes as ``{reason}``."""
+    return _HOLE.sub(r"{\1}", value) if OPEN in value else value
+
+
+def items_of(value: str, *, empty: bool = False) -> list[str]:
+    """Return the items of a list: parted at semicolons that are not escaped nor within brackets.
+
+    Args:
+        value: the list.
+        empty: whether empty items count, as they do in commands on lists but not in arguments.
+    """
+    if ";" not in value:
+        return [value] if value else []
+    if "[" not in value and "\\" not in value:
+        return [item for item in value.split(";") if item or empty]
+    found: list[str] = []
+    start = depth = 0
+    escaped = False
+    for at, sign in enumerate(value):
+        if escaped:
+            escaped = False
+        elif sign == "\\":
+            escaped = True
+        elif sign == "[":
+            depth += 1
+        elif sign == "]":
+            depth = max(0, depth - 1)
+        elif sign == ";" and depth == 0:
+            found.append(value[start:at])
+            start = at + 1
+    found.append(value[start:])
+    return [item.replace("\\;", ";") for item in found if item or empty]
+
+
+def truth_of(value: str) -> bool | None:
+    """Return what a constant is taken for; None of other texts."""
+    upper = value.upper()
+    if upper in _TRUE:
+        return True
+    if upper in _FALSE or upper.endswith("-NOTFOUND"):
+        return False
+    if _NUMBER.fullmatch(value):
+        return float(value) != 0
+    return None
+
+
+def number_of(value: str) -> float | None:
+    """Return a number; None where it is none."""
+    return float(value) if len(value) < 40 and _NUMBER.fullmatch(value.strip()) else None
+
+
+def version_of(value: str) -> tuple[int, ...]:
+    """Return the numbers of a version up to the first piece that is none, without zeros at the end."""
+    numbers: list[int] = []
+    for piece in value.split(".")[:10]:
+        match = re.match(r"\d{1,18}", piece, re.ASCII)
+        if match is None:
+            break
+        numbers.append(int(match[0]))
+        if match[0] != piece:
+            break
+    while numbers and numbers[-1] == 0:
+        numbers.pop()
+    return tuple(numbers)
+
+
+@lru_cache(maxsize=512)
+def expression_of(pattern: str) -> re.Pattern[str] | None:
+    """Return a regular expression of CMake; None where it is wrong or could take for ever."""
+    if len(pattern) > 500 or OPEN in pattern or _NESTED.search(pattern):
+        return None
+    translated: list[str] = []
+    within = False
+    at = 0
+    while at < len(pattern):
+        sign = pattern[at]
+        if within:
+            # A backslash is a character like any other within brackets.
+            translated.append(f"\\{sign}" if sign in "\\[&~|" else sign)
+            within = sign != "]"
+        elif sign == "[":
+            within = True
+            head = "[^" if pattern.startswith("[^", at) else "["
+            at += len(head) - 1
+            translated.append(head)
+            if pattern.startswith("]", at + 1):
+                translated.append("\\]")
+                at += 1
+        elif sign == "\\" and at + 1 < len(pattern):
+            at += 1
+            translated.append(re.escape(pattern[at]))
+        elif sign in "{}":
+            translated.append(f"\\{sign}")
+        elif sign == "$":
+            translated.append(r"\Z")
+        elif sign == "(":
+            if pattern.startswith("(?", at):
+                return None
+            translated.append(sign)
+        else:
+            translated.append(sign)
+        at += 1
+    try:
+        return re.compile("".join(translated), re.DOTALL)
+    except (re.error, RecursionError, OverflowError):
+        return None
+
+
+def searchable(pattern: re.Pattern[str], value: str) -> bool:
+    """Return whether a search ends soon: its steps grow with the length to the power of its repetitions."""
+    repeated = sum(pattern.pattern.count(sign) for sign in "*+?")
+    steps: int = (len(value) + 1) ** min(repeated + 1, 8)
+    return steps <= _MOST_WORK

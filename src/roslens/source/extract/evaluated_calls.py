@@ -43,7 +43,7 @@ class Calls(Expressions):
         """Return the result of a call."""
         engine = cast("Evaluation", self)
         function = expression.function
-        templates = tuple(self._template(one) for one in expression.templates)
+        templates = tuple(self.template(one) for one in expression.templates)
         if isinstance(function, Member):
             return self._method(expression, function, templates)
         name = function.name if isinstance(function, Name) else ""
@@ -227,7 +227,7 @@ class Calls(Expressions):
         place = Evidence(engine.frame.path, expression.line, expression.column)
         return Called(name, arguments, keywords, templates, expression.arguments, place)
 
-    def _template(self, written: str) -> str:
+    def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""
         engine = cast("Evaluation", self)
         bound = engine.frame.templates

@@ -140,6 +140,8 @@ class Expressions:
             return of.get(key, Unknown(f"an item of {expression_text(expression.of)}"))
         if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
             return of[key]
+        if isinstance(of, Text) and key == 0 and of.parts and isinstance(first := of.parts[0], str):
+            return Text.of(first[:1])
         return of if isinstance(of, Unknown) else Unknown(expression_text(expression))
 
     def operation(self, expression: Operation) -> Any:
@@ -179,13 +181,13 @@ class Expressions:
     def _boolean(self, operator: str, operands: tuple[Expression, ...]) -> Any:
         engine = cast("Evaluation", self)
         stops = operator == "or"
+        known = True
         for one in operands:
             holds = engine.truth(self.value(one))
-            if holds is None:
-                return Unknown(expression_text(Operation(operator, operands)))
             if holds is stops:
                 return stops
-        return not stops
+            known = known and holds is not None
+        return not stops if known else Unknown(expression_text(Operation(operator, operands)))
 
     def _computed(self, operator: str, values: list[Any], expression: Operation) -> Any:
         if len(values) == 2 and operator in ("==", "!="):

@@ -21,7 +21,7 @@ from roslens.source.extract.program import (
     Statement,
 )
 from roslens.source.extract.program_text import expression_text
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.workspace_index import type_arguments, type_name
 
 if TYPE_CHECKING:
@@ -66,6 +66,9 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
     if not isinstance(call.function, Name) or not isinstance(thing, Obj):
         return
     base = engine.index.class_of(call.function.name, engine.frame.path, engine.frame.scope)
+    if base is not None:
+        names = getattr(base.what, "templates", ())
+        thing.templates.update(zip(names, (engine.template(one) for one in call.templates), strict=False))
     if base is None:
         name = engine.index.meaning(call.function.name, engine.frame.path, engine.frame.scope)
         engine.construct_outer(thing, name, arguments, keywords)
@@ -132,7 +135,7 @@ def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
 
 def _returned(engine: Evaluation, statement: Return) -> None:
     value = None if statement.value is None else engine.value(statement.value)
-    engine.frame.give(value, open_condition=len(engine.conditions) > engine.frame.depth)
+    engine.frame.give(value, " and ".join(engine.conditions[engine.frame.depth :]))
 
 
 def _branched(engine: Evaluation, statement: Branch) -> None:
@@ -163,7 +166,8 @@ def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
 
 
 def _looped(engine: Evaluation, statement: Loop) -> None:
-    items = engine.items(engine.value(statement.over)) if statement.over is not None else None
+    over = engine.value(statement.over) if statement.over is not None else None
+    items = engine.items(over)
     if statement.target is not None and items is not None:
         for item in items[:MOST_TURNS]:
             assign(engine, statement.target, item)
@@ -176,12 +180,20 @@ def _looped(engine: Evaluation, statement: Loop) -> None:
         assign(
             engine, statement.target, Unknown(f"each of {expression_text(statement.over)}" if statement.over else "x")
         )
-    if statement.over is not None and statement.target is None and engine.truth(engine.value(statement.over)) is False:
+    if statement.over is not None and statement.target is None and engine.truth(over) is False:
         return
     block(engine, statement.body)
     engine.frame.stopped = False
     if statement.target is not None:
         engine.frame.returned = False
+
+
+def _each(over: Any, statement: Loop) -> Any:
+    """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
+    if isinstance(over, Text) and over.holes:
+        hole = over.holes[0]
+        return unknown(f"each of {hole.reason}", parameter=hole.parameter)
+    return Unknown(f"each of {expression_text(statement.over)}" if statement.over is not None else "an item")
 
 
 _STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {

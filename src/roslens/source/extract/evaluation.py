@@ -23,11 +23,13 @@ from roslens.source.extract.abstract_value import (
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluated_statements import assign, block, initialise
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import (
     Call,
     Expression,
     Function,
+    Parameter,
 )
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.workspace_index import Defined, Index, type_arguments, type_name
@@ -121,6 +123,8 @@ class Evaluation(Calls):
         if key in self._stack or len(self._stack) >= MOST_DEPTH:
             return Unknown(f"result of {what.name}()")
         self.reached.add(key)
+        if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
+            return self._computed_by(what, [*function.arguments, *arguments])
         site = self.site
         arguments = [*function.arguments, *arguments]
         outer = self.frame
@@ -128,6 +132,7 @@ class Evaluation(Calls):
         if isinstance(function.self, Obj):
             frame.templates.update(function.self.templates)
         frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
+        frame.depth = len(self.conditions)
         self._bind(what, arguments, keywords, frame)
         self._stack.append(key)
         self.calls.append((site, what, written))
@@ -144,6 +149,14 @@ class Evaluation(Calls):
             if parameter.type.endswith("&") and "const" not in parameter.type.split() and parameter.name:
                 self.assign(expression, frame.names.get(parameter.name))
         return frame.result if frame.returned else None
+
+    def _computed_by(self, what: Function, arguments: list[Any]) -> Any:
+        """Return the result of a function that only computes; what decides its arguments decides it."""
+        texts = [one for one in arguments if isinstance(one, Text)]
+        if not texts:
+            return Unknown(f"result of {what.name}()")
+        parameter = next((hole.parameter for one in texts for hole in one.holes if hole.parameter), "")
+        return unknown(f"result of {what.name}() of {', '.join(map(str, texts))}", parameter=parameter)
 
     def _of_class_templates(self, function: Callable) -> int:
         """Return how many of a function's template parameters are those of its class."""
@@ -224,8 +237,7 @@ class Evaluation(Calls):
     def declared(self, declared: str) -> Any:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
         name, inside = type_name(declared)
-        pointer = "ptr" in declared or "*" in declared or name.endswith(("Ptr", "SharedPtr"))
-        if pointer:
+        if "*" in declared or "ptr" in declared.lower():
             return None
         return self.of_type(name, [], {}, tuple(type_arguments(inside)))
 
@@ -258,11 +270,25 @@ class Evaluation(Calls):
                 if default is None and declared is not None and place < len(declared.parameters):
                     default = declared.parameters[place].default
                 outer, self.frame = self.frame, frame
-                value = (
-                    Unknown(f"parameter {parameter.name} of {what.name}()") if default is None else self.value(default)
-                )
+                value = self.not_given(what, parameter) if default is None else self.value(default)
                 self.frame = outer
                 frame.names[parameter.name] = value
+
+    def not_given(self, what: Function, parameter: Parameter) -> Any:
+        """Return what stands for an argument that nobody gives; what must be a node is the one that is built."""
+        reason = f"parameter {parameter.name} of {what.name}()"
+        name = type_name(parameter.type)[0]
+        if name in _TEXTS:
+            return unknown(reason)
+        return Handle(self.node) if name and self.is_node(name) else Unknown(reason)
+
+    def is_node(self, name: str) -> bool:
+        """Whether a class by its name as written is a node."""
+        name = self.frame.templates.get(name, name)
+        defined = self.index.class_of(name, self.frame.path, self.frame.scope)
+        if defined is None:
+            return self.index.meaning(name, self.frame.path, self.frame.scope) in NODE_BASES
+        return any(base in NODE_BASES for base in self.index.outer_bases(defined))
 
     def converted(self, declared: str, value: Any) -> Any:
         """Return a value as a declaration makes it."""
@@ -303,6 +329,7 @@ class Evaluation(Calls):
         return str(callback) if isinstance(callback, Text) else ""
 
 
+_TEXTS = ("std.string", "string", "std.string_view", "char")
 _PLAIN = frozenset(
     {"std.string", "string", "QString", "std.string_view", "int", "double", "float", "bool", "size_t", "uint8_t",
      "uint16_t", "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t", "unsigned int", "unsigned", "long",

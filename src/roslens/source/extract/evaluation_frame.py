@@ -33,15 +33,24 @@ class Frame:
         self.stopped = False
         self.result: Any = None
         self.depth = 0
-        self._given = False
+        self._given = ""
 
-    def give(self, value: Any, *, open_condition: bool) -> None:
-        """Return a value; the first one counts where it depends on a condition that is open."""
-        del open_condition
-        if not self._given or _less(self.result, value):
-            self.result = value
-            self._given = True
+    def give(self, value: Any, condition: str) -> None:
+        """Return a value, under a condition that is open or for sure where that is empty."""
+        self.result = self._or_else(value) if self._given else value
+        self._given = condition or self._given or "always"
         self.returned = True
+
+    def _or_else(self, value: Any) -> Any:
+        """Return what is known where a function returns one value or another one."""
+        before = self.result
+        if _less(before, value):
+            return value
+        if isinstance(before, Text) and isinstance(value, Text) and value != before and value.parts:
+            return _either(before, value, self._given)
+        if isinstance(before, bool | int | float) and isinstance(value, bool | int | float) and value != before:
+            return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {self._given}")
+        return before
 
     def snapshot(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return what names and members of the object hold."""
@@ -70,12 +79,15 @@ def _less(one: Any, other: Any) -> bool:
 
 def _join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
     for name, value in other.items():
-        if name not in names or names[name] is None or isinstance(names[name], Unknown):
+        before = names.get(name)
+        if before is None or isinstance(before, Unknown):
             names[name] = value
-        elif isinstance(value, Text) and isinstance(names[name], Text) and value != names[name]:
-            names[name] = _either(value, names[name], condition)
-        elif isinstance(value, bool | int | float) and value != names[name]:
-            names[name] = Unknown(f"one of {value} and {as_text(names[name])}, by {condition}")
+        elif value == before:
+            continue
+        elif isinstance(value, Text) and isinstance(before, Text):
+            names[name] = _either(value, before, condition)
+        elif isinstance(value, Text | bool | int | float) and isinstance(before, Text | bool | int | float):
+            names[name] = Unknown(f"one of {as_text(value)} and {as_text(before)}, by {condition}")
 
 
 def _either(one: Text, other: Text, condition: str) -> Text:

@@ -54,6 +54,7 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
         group: callback group, as a name in the source; empty of the default one.
         conditions: what must hold for it to be made, as written, outermost first.
         sites: where it publishes or calls.
+        through: calls in helper functions and classes that pass the name on, the one that makes it last.
     """
 
     role: Role
@@ -68,6 +69,7 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
     group: str = ""
     conditions: tuple[str, ...] = ()
     sites: tuple[Evidence, ...] = ()
+    through: tuple[Evidence, ...] = ()
 
 
 class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -9,21 +9,26 @@ from roslens.source.extract.abstract_value import Building, Callable, Named, Obj
 from roslens.source.extract.evaluated_statements import block
 from roslens.source.extract.evaluation import Evaluation, SpentError
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.node_facts import Evidence, NodeFacts
-from roslens.source.extract.program import Branch, Call, Evaluate, Function, Literal, Name, Operation, Program
+from roslens.source.extract.program import (
+    Assign,
+    Branch,
+    Call,
+    Evaluate,
+    Function,
+    Literal,
+    Member,
+    Name,
+    Operation,
+)
 from roslens.source.extract.text import Text
-from roslens.source.extract.workspace_index import Defined, Index
+from roslens.source.extract.workspace_index import Defined, Index, type_name
 
-_BASES = {
-    "rclcpp.Node": ("ros2", "node"),
-    "rclcpp_lifecycle.LifecycleNode": ("ros2", "lifecycle"),
-    "rclpy.node.Node": ("ros2", "node"),
-    "rclpy.Node": ("ros2", "node"),
-    "rclpy.lifecycle.Node": ("ros2", "lifecycle"),
-    "rclpy.lifecycle.LifecycleNode": ("ros2", "lifecycle"),
-    "nodelet.Nodelet": ("ros1", "nodelet"),
-}
+Reached = set[tuple[str, int]]
+"""Functions that were evaluated, by file and line."""
 _FIRST = ("on_configure", "on_activate", "onInit", "onInitialize", "configure", "initialize", "init", "activate")
+_TREE_REGISTRATIONS = frozenset({"registerNodeType", "registerBuilder"})
 _REGISTRATIONS = {
     "RCLCPP_COMPONENTS_REGISTER_NODE": 0,
     "PLUGINLIB_EXPORT_CLASS": 0,
@@ -38,8 +43,8 @@ def node_classes(index: Index) -> Iterator[tuple[Defined, str, str]]:
         for one in index.programs[path].classes:
             found = Defined(path, one)
             for base in index.outer_bases(found):
-                if base in _BASES:
-                    yield (found, *_BASES[base])
+                if base in NODE_BASES:
+                    yield (found, *NODE_BASES[base])
                     break
 
 
@@ -58,7 +63,9 @@ def registered(index: Index) -> dict[str, Evidence]:
     return found
 
 
-def facts_of_class(index: Index, defined: Defined, generation: str, kind: str) -> list[NodeFacts]:
+def facts_of_class(
+    index: Index, defined: Defined, generation: str, kind: str, reached: Reached | None = None
+) -> list[NodeFacts]:
     """Return the facts of a class that is a node, and of further nodes that it makes."""
     building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
     engine = Evaluation(index, building)
@@ -72,10 +79,10 @@ def facts_of_class(index: Index, defined: Defined, generation: str, kind: str) -
         engine.construct_as(thing, defined, [], {})
         _run_methods(engine, thing)
 
-    return _finished(engine, run)
+    return _finished(engine, run, reached)
 
 
-def facts_of_plugin(index: Index, defined: Defined, generation: str) -> list[NodeFacts]:
+def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Reached | None = None) -> list[NodeFacts]:
     """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
     building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
     building.named = True
@@ -88,16 +95,16 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str) -> list[Nod
         engine.construct_as(thing, defined, [], {})
         _run_methods(engine, thing)
 
-    return _finished(engine, run)
+    return _finished(engine, run, reached)
 
 
-def facts_of_main(index: Index, path: str) -> list[NodeFacts]:
+def facts_of_main(index: Index, path: str, reached: Reached | None = None) -> list[NodeFacts]:
     """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes."""
     program = index.programs[path]
     main = next((one for one in program.functions if one.qualified_name == "main"), None)
     if main is None:
         return []
-    building = _building("main", path, main.line, _generation(program), "node")
+    building = _building("main", path, main.line, generation_of(index, path), "node")
     engine = Evaluation(index, building)
 
     def run() -> None:
@@ -105,13 +112,13 @@ def facts_of_main(index: Index, path: str) -> list[NodeFacts]:
         engine.call(Callable(main, path), [Unknown("argc"), Unknown("argv")], {})
         engine.run_later()
 
-    return [one for one in _finished(engine, run) if one.endpoints or one.parameters or one.name.parts]
+    return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
 
 
-def facts_of_module(index: Index, path: str, function: str = "") -> list[NodeFacts]:
+def facts_of_module(index: Index, path: str, function: str = "", reached: Reached | None = None) -> list[NodeFacts]:
     """Return the facts of a Python module: of a function of it, else of what it does when it is started."""
     program = index.programs[path]
-    building = _building(function or "<module>", path, 1, _generation(program), "node")
+    building = _building(function or "<module>", path, 1, generation_of(index, path), "node")
     engine = Evaluation(index, building)
 
     def run() -> None:
@@ -128,7 +135,7 @@ def facts_of_module(index: Index, path: str, function: str = "") -> list[NodeFac
                     engine.value(statement.expression)
         engine.run_later()
 
-    return [one for one in _finished(engine, run) if one.endpoints or one.parameters or one.name.parts]
+    return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
 
 
 def _is_main(branch: Branch) -> bool:
@@ -160,12 +167,14 @@ def _made_by(function: Function, class_name: str) -> bool:
     return function.name in (class_name, f"~{class_name}", "__init__", "lambda") or bool(function.templates)
 
 
-def _finished(engine: Evaluation, run: Callable1[[], None]) -> list[NodeFacts]:
+def _finished(engine: Evaluation, run: Callable1[[], None], reached: Reached | None) -> list[NodeFacts]:
     try:
         run()
     except (SpentError, RecursionError):
         place = Evidence(engine.node.path, engine.node.line)
         engine.node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
+    if reached is not None:
+        reached |= engine.reached
     return [one.facts() for one in (engine.node, *engine.others)]
 
 
@@ -176,10 +185,53 @@ def _building(unit: str, path: str, line: int, generation: str, kind: str) -> Bu
     return building
 
 
-def _generation(program: Program) -> str:
-    included = {name for name, _ in program.includes}
-    ros2 = any(name.startswith(("rclcpp", "rclpy")) for name in included)
-    return "ros2" if ros2 or any("/msg/" in name and name.endswith(".hpp") for name in included) else "ros1"
+def facts_of_registration(
+    index: Index, path: str, function: Function, reached: Reached | None = None
+) -> list[NodeFacts]:
+    """Return the facts of the classes that a function registers as nodes of behaviour trees."""
+    found: list[NodeFacts] = []
+    for statement in function.body:
+        call = statement.expression if isinstance(statement, Evaluate) else None
+        if not isinstance(call, Call) or not isinstance(call.function, Member) or not call.templates:
+            continue
+        if call.function.name in _TREE_REGISTRATIONS:
+            defined = index.class_of(type_name(call.templates[0])[0], path, function.qualified_name)
+            if defined is not None:
+                found += _facts_of_tree_node(index, defined, (path, function, call), reached)
+    return found
 
 
-__all__ = ["Named", "facts_of_class", "facts_of_main", "facts_of_module", "node_classes", "registered"]
+def _facts_of_tree_node(
+    index: Index, defined: Defined, registered_by: tuple[str, Function, Call], reached: Reached | None
+) -> list[NodeFacts]:
+    path, function, call = registered_by
+    building = _building(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
+    building.named = True
+    engine = Evaluation(index, building)
+    unknown = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
+
+    def run() -> None:
+        engine.frame = Frame(path, function.qualified_name)
+        block(engine, tuple(one for one in function.body if isinstance(one, Assign)))
+        builder = engine.value(call.arguments[1]) if len(call.arguments) > 1 else None
+        if isinstance(builder, Callable):
+            thing = engine.call(builder, unknown, {})
+        else:
+            thing = engine.construct(defined, unknown, {})
+        if isinstance(thing, Obj):
+            _run_methods(engine, thing)
+
+    return _finished(engine, run, reached)
+
+
+__all__ = [
+    "Named",
+    "Reached",
+    "facts_of_class",
+    "facts_of_main",
+    "facts_of_module",
+    "facts_of_plugin",
+    "facts_of_registration",
+    "node_classes",
+    "registered",
+]

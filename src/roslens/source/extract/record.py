@@ -55,7 +55,7 @@ def endpoint(
     """Record an endpoint of the node that the receiver is."""
     node = node_of(engine, receiver)
     written = below(receiver, as_text(name))
-    evidence = origin(engine, called, name)
+    evidence, through = origin(engine, called, name)
     sure = sure_of(written, receiver)
     if sure is not Sure.CERTAIN or written.holes:
         evidence = msgspec.structs.replace(evidence, how=how(written), sure=sure)
@@ -72,6 +72,7 @@ def endpoint(
         callback=engine.called_outer(callback),
         group=group.name if isinstance(group, Group) else "",
         conditions=tuple(dict.fromkeys(engine.conditions)),
+        through=through,
     )
     for place, known in enumerate(node.endpoints):
         if known.evidence == fact.evidence and known.role is role and known.name == fact.name:
@@ -80,9 +81,10 @@ def endpoint(
     return Made(node, len(node.endpoints) - 1)
 
 
-def origin(engine: Evaluation, called: Called, name: Any) -> Evidence:
-    """Return where an endpoint comes from: the call that says its name, not the helper that only passes it on."""
+def origin(engine: Evaluation, called: Called, name: Any) -> tuple[Evidence, tuple[Evidence, ...]]:
+    """Return where an endpoint comes from: the call that says its name, and the helpers that only pass it on."""
     evidence = called.evidence
+    through: list[Evidence] = []
     expression = next(
         (one for one, value in zip(called.written, called.arguments, strict=False) if value is name), None
     )
@@ -95,8 +97,9 @@ def origin(engine: Evaluation, called: Called, name: Any) -> Evidence:
         place = names.index(expression.name) if expression.name in names else -1
         if not 0 <= place < len(written):
             break
+        through.insert(0, evidence)
         expression, evidence = written[place], site
-    return evidence
+    return evidence, tuple(through)
 
 
 def sure_of(name: Text, receiver: Any) -> Sure:

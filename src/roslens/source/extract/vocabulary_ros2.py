@@ -197,8 +197,10 @@ def free_function(engine: Evaluation, _thing: Any, called: Called) -> Any:
     name = called.name.rpartition(".")[2]
     templates = called.templates or ("sensor_msgs::msg::Image",) * called.name.startswith("image_transport")
     first = 1
-    # Some take the interfaces of a node one by one.
-    while first < len(called.arguments) and isinstance(called.arguments[first], Obj | Handle):
+    # Some take the interfaces of a node one by one; what is a text is the name then.
+    texts = any(isinstance(one, Text) for one in called.arguments)
+    skipped = (Obj, Handle, Unknown) if texts else (Obj, Handle)
+    while first < len(called.arguments) and isinstance(called.arguments[first], skipped):
         first += 1
     inner = msgspec.structs.replace(
         called, name=name, arguments=called.arguments[first:], templates=templates, written=called.written[first:]
@@ -275,6 +277,12 @@ def declare(engine: Evaluation, thing: Any, called: Called) -> Any:
         engine, thing, called, "declared", called.argument(0, "name"), default=default, given=default is not None,
         kind=_kind(called),
     )  # fmt: skip
+
+
+@method("node", "declare_or_get_parameter", anywhere=True)
+def declare_or_read(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A parameter is declared, or read where it is declared already, as nodes of Nav2 do."""
+    return declare(engine, thing, called)
 
 
 @outer("rclcpp.ParameterValue", "rclpy.parameter.Parameter", "rclcpp.Parameter", "rclpy.Parameter")

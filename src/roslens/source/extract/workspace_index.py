@@ -12,6 +12,7 @@ _SMART = frozenset(
     {"std.shared_ptr", "std.unique_ptr", "std.weak_ptr", "boost.shared_ptr", "boost.scoped_ptr", "boost.weak_ptr",
      "std.optional", "boost.optional", "std.reference_wrapper", "std.atomic", "shared_ptr", "unique_ptr", "weak_ptr"}
 )  # fmt: skip
+_POINTER_NAMES = frozenset({"SharedPtr", "WeakPtr", "UniquePtr", "ConstSharedPtr", "ConstWeakPtr", "ConstUniquePtr"})
 _QUALIFIERS = frozenset(
     {"const", "constexpr", "static", "inline", "mutable", "typename", "struct", "class", "volatile"}
 )
@@ -270,9 +271,15 @@ def type_name(written: str) -> tuple[str, str]:
             continue
         tail = rest.rpartition(">")[2]
         if tail.startswith("::"):
-            return f"{name}{tail.replace('::', '.')}".strip(" ."), inside
-        return name.strip(), inside
+            return _pointed(f"{name}{tail.replace('::', '.')}".strip(" .")), inside
+        return _pointed(name.strip()), inside
     return dotted(text), ""
+
+
+def _pointed(name: str) -> str:
+    """Return the class that a smart pointer declared in it points to: ``rclcpp.Node.SharedPtr``."""
+    head, _, last = name.rpartition(".")
+    return head if head and last in _POINTER_NAMES else name
 
 
 def _first(arguments: str) -> str:

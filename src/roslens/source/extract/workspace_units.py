@@ -1,0 +1,105 @@
+"""All units of a workspace: what is started, what is loaded by name, and classes that make endpoints in neither."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import msgspec
+
+from roslens.source.extract.node_bases import generation_of
+from roslens.source.extract.node_facts import NodeFacts
+from roslens.source.extract.node_units import (
+    Reached,
+    facts_of_class,
+    facts_of_main,
+    facts_of_module,
+    facts_of_plugin,
+    facts_of_registration,
+    node_classes,
+    registered,
+)
+from roslens.source.extract.program import Call, Function, Member, Name
+from roslens.source.extract.workspace_index import Defined, Index
+
+_MAKE = frozenset(
+    {"create_publisher", "create_subscription", "create_service", "create_client", "create_wall_timer", "advertise",
+     "subscribe", "advertiseService", "serviceClient", "create_action_server", "create_action_client", "Publisher",
+     "Subscriber", "ServiceProxy", "create_server", "ActionClient", "ActionServer", "advertiseCamera",
+     "subscribeCamera"}
+)  # fmt: skip
+_REGISTRY = "BT_REGISTER_NODES"
+
+
+def facts_of_workspace(index: Index) -> list[NodeFacts]:
+    """Return the facts of all units of a workspace, in order of their files.
+
+    Classes that are nodes, plug-ins that are registered, nodes of behaviour trees, programs and scripts come first.
+    Then classes that make endpoints and are reached by none of these: somebody outside makes or loads them.
+    """
+    reached: Reached = set()
+    found: list[NodeFacts] = []
+    known: set[str] = set()
+    for defined, generation, kind in node_classes(index):
+        known.add(defined.what.qualified_name)
+        found += facts_of_class(index, defined, generation, kind, reached)
+    for name, evidence in registered(index).items():
+        plugin = index.class_of(name, evidence.path, "")
+        if plugin is not None and plugin.what.qualified_name not in known:
+            known.add(plugin.what.qualified_name)
+            found += facts_of_plugin(index, plugin, generation_of(index, plugin.path), reached)
+    for path in sorted(index.programs):
+        found += _facts_of_file(index, path, reached)
+    for defined in unreached(index, reached):
+        found += facts_of_plugin(index, defined, generation_of(index, defined.path), reached)
+    return sorted(found, key=lambda one: (one.path, one.line, one.unit))
+
+
+def _facts_of_file(index: Index, path: str, reached: Reached) -> Iterator[NodeFacts]:
+    program = index.programs[path]
+    if program.language == "python":
+        yield from facts_of_module(index, path, reached=reached)
+        return
+    for function in program.functions:
+        if function.qualified_name == "main":
+            yield from facts_of_main(index, path, reached)
+        elif function.name.startswith(_REGISTRY):
+            yield from facts_of_registration(index, path, function, reached)
+
+
+def unreached(index: Index, reached: Reached) -> Iterator[Defined]:
+    """Yield the classes with a method that makes endpoints and was not evaluated: those that are no base first.
+
+    ``reached`` may grow meanwhile; a class whose methods were evaluated as a base of another one is left out then.
+    """
+    classes = [Defined(path, one) for path in sorted(index.programs) for one in index.programs[path].classes]
+    bases = {index.key(base) for one in classes for base in index.chain(one)[1:]}
+    for base in (False, True):
+        for one in classes:
+            if (index.key(one) in bases) is base and _makes(index, one, reached):
+                yield one
+
+
+def _makes(index: Index, defined: Defined, reached: Reached) -> bool:
+    for one in index.chain(defined):
+        for method in index.methods_of(one):
+            what = method.what
+            if not isinstance(what, Function) or (method.path, what.line) in reached:
+                continue
+            if makes_endpoints(what):
+                return True
+    return False
+
+
+def makes_endpoints(function: Function) -> bool:
+    """Whether a function calls something that makes an endpoint, by its name."""
+    waiting: list[object] = [function.initialisers, function.body]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, tuple):
+            waiting += one
+        elif isinstance(one, msgspec.Struct):
+            called = one.function if isinstance(one, Call) else None
+            if isinstance(called, Name | Member) and called.name.rpartition(".")[2] in _MAKE:
+                return True
+            waiting += [getattr(one, name) for name in one.__struct_fields__]
+    return False

@@ -76,9 +76,12 @@ def _trunks(place: Sequence[int], edges: Sequence[tuple[int, int]]) -> dict[tupl
     }
 
 
-def untangle(columns: Columns, sweeps: int = SWEEPS) -> list[list[int]]:
-    """Return the columns reordered so that few edges cross."""
-    order = [list(column) for column in columns.columns]
+def untangle(columns: Columns, sweeps: int = SWEEPS, lanes: Sequence[int] = ()) -> list[list[int]]:
+    """Return the columns reordered so that few edges cross.
+
+    Where ``lanes`` gives each item a number, those of a lower number stay above those of a higher one.
+    """
+    order = [sorted(column, key=lanes.__getitem__) if lanes else list(column) for column in columns.columns]
     best, fewest = [list(column) for column in order], _crossings(order, columns)
     for sweep in range(sweeps):
         if fewest == 0:
@@ -88,22 +91,24 @@ def untangle(columns: Columns, sweeps: int = SWEEPS) -> list[list[int]]:
         neighbours = columns.left if forward else columns.right
         for number in numbers:
             beside = order[number - 1 if forward else number + 1]
-            order[number] = _by_barycentre(order[number], beside, neighbours)
+            order[number] = _by_barycentre(order[number], beside, neighbours, lanes)
         crossings = _crossings(order, columns)
         if crossings < fewest:
             best, fewest = [list(column) for column in order], crossings
     return best
 
 
-def _by_barycentre(column: Sequence[int], beside: Sequence[int], neighbours: Sequence[Sequence[int]]) -> list[int]:
+def _by_barycentre(
+    column: Sequence[int], beside: Sequence[int], neighbours: Sequence[Sequence[int]], lanes: Sequence[int]
+) -> list[int]:
     position = {item: place for place, item in enumerate(beside)}
     scale = len(beside) / max(1, len(column))
 
-    def centre(entry: tuple[int, int]) -> tuple[float, int]:
+    def centre(entry: tuple[int, int]) -> tuple[int, float, int]:
         place, item = entry
         places = [position[other] for other in neighbours[item]]
         # An item without neighbours keeps its relative height.
-        return (sum(places) / len(places) if places else place * scale, place)
+        return (lanes[item] if lanes else 0, sum(places) / len(places) if places else place * scale, place)
 
     return [item for _, item in sorted(enumerate(column), key=centre)]
 

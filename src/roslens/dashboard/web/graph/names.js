@@ -7,16 +7,17 @@ const HEIGHT = 15;
 
 /**
  * Show names for a zoom. `order` is who comes first; `places` are where they stand. While only some have a name, because
- * a selection dims the rest, a name may lie on a dimmed disc.
+ * a selection dims the rest, a name may lie on a dimmed disc. `shape` says how discs are drawn that are none: their half
+ * height and width and where the name goes.
  */
-export function showNames(svg, elements, nodes, order, places, camera) {
+export function showNames(svg, elements, nodes, order, places, camera, shape = DISC) {
   const all = camera.k >= READABLE;
   svg.classList.toggle("no-names", !all);
   svg.style.setProperty("--zoom", String(Math.min(camera.k, 1)));
   if (all) {
     elements.forEach((element, number) => {
       element.classList.remove("named");
-      putName(element, nodes[number].r, false);
+      shape.put(element, nodes[number], "home");
     });
     return;
   }
@@ -25,8 +26,9 @@ export function showNames(svg, elements, nodes, order, places, camera) {
   const bright = order.length < places.size ? new Set(order) : places;
   for (const [number, place] of places) {
     if (!bright.has(number)) continue;
-    const [x, y, r] = [camera.k * place.x + camera.x, camera.k * place.y + camera.y, camera.k * nodes[number].r];
-    taken.add({ owner: number, left: x - r, right: x + r, top: y - r, bottom: y + r });
+    const [x, y] = [camera.k * place.x + camera.x, camera.k * place.y + camera.y];
+    const [across, down] = [camera.k * shape.across(nodes[number]), camera.k * shape.down(nodes[number])];
+    taken.add({ owner: number, left: x - across, right: x + across, top: y - down, bottom: y + down });
   }
   const named = new Set();
   for (const number of order) {
@@ -34,25 +36,30 @@ export function showNames(svg, elements, nodes, order, places, camera) {
     if (!place) continue;
     const x = camera.k * place.x + camera.x;
     const y = camera.k * place.y + camera.y;
-    const away = camera.k * (nodes[number].r + 2);
+    const away = camera.k * (shape.down(nodes[number]) + 2);
     const half = (nodes[number].label.length * WIDTH) / 2;
     const from = (top) => ({ owner: number, left: x - half, right: x + half, top, bottom: top + HEIGHT });
     const box = [from(y + away), from(y - away - HEIGHT)].find(
       (one) => one.right > 0 && one.left < width && one.bottom > 0 && one.top < height && taken.free(one),
     );
     if (!box) continue;
-    putName(elements[number], nodes[number].r, box.top < y);
+    shape.put(elements[number], nodes[number], box.top < y ? "above" : "below");
     taken.add(box);
     named.add(number);
   }
   elements.forEach((element, number) => element.classList.toggle("named", named.has(number)));
 }
 
-/** Below its disc, or above it where there is no room below. */
-function putName(element, radius, above) {
-  element.classList.toggle("above", above);
-  element.lastElementChild.setAttribute("y", (above ? -radius - 2 : radius + 2).toFixed(1));
-}
+/** A disc has its name below, or above where there is no room below. */
+const DISC = {
+  across: (node) => node.r,
+  down: (node) => node.r,
+  put(element, node, where) {
+    const above = where === "above";
+    element.classList.toggle("above", above);
+    element.lastElementChild.setAttribute("y", (above ? -node.r - 2 : node.r + 2).toFixed(1));
+  },
+};
 
 /** Boxes by the rows of the picture that they cross, so that only near ones are compared. */
 class Rows {

@@ -5,7 +5,7 @@ import { figure, glyph, make } from "../dom.js";
 
 const MOST = 12;
 
-function list(title, entries, empty) {
+export function list(title, entries, empty) {
   const shown = entries.slice(0, MOST);
   return [
     make("h3", { text: entries.length ? `${title} (${entries.length})` : title }),
@@ -14,12 +14,8 @@ function list(title, entries, empty) {
   ];
 }
 
-/** Fill the panel with a node. */
-export function showSelected(target, view, number) {
-  target.replaceChildren(...content(view, number).filter((part) => part !== null));
-}
-
-function content(view, number) {
+/** What the panel says of a package, or of all where none is selected. */
+export function contentOf(view, number) {
   if (number < 0) {
     const sums = view.visible.size === view.graph.nodes.length ? "all" : "shown";
     return [

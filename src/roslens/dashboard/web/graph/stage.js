@@ -1,0 +1,240 @@
+// What every graph of the pages can do: zoom, pan, select, focus on what is near, go by arrows, show its table and panel.
+// Everything that the reader chooses is in the address. A graph says by its own methods what it draws:
+// `recolour`, `placeNodes`, `linksOf`, `box`, `nameNodes`, `describe`.
+
+import { parameters, setParameters } from "../address.js";
+import { figure, make } from "../dom.js";
+import { onKey } from "../keys.js";
+import { Camera } from "./camera.js";
+
+export class Stage {
+  /** `what` are the words for one and many; `nodes` have an `id` and what they `needs`. */
+  constructor(root, graph, what) {
+    this.root = root;
+    this.graph = graph;
+    this.what = what;
+    this.canvas = this.part("canvas");
+    this.svg = this.part("svg");
+    this.form = this.part("form");
+    this.elements = [...this.svg.querySelectorAll(".nodes > .node")];
+    this.places = new Map();
+    this.selected = -1;
+    this.focus = -1;
+    this.hops = 1;
+    this.active = -1;
+  }
+
+  /** A part of the page by its name; a single file puts the section before it. */
+  part(name) {
+    return this.root.querySelector(`[id="graph-${name}"], [id$=":graph-${name}"]`);
+  }
+
+  get nodes() {
+    return this.graph.nodes;
+  }
+
+  start() {
+    this.readAddress(parameters());
+    this.camera = new Camera(this.canvas, this.svg, this.svg.querySelector(".scene"), () => this.cameraChanged());
+    this.listen();
+    this.placeNodes();
+    this.recolour();
+    this.select(this.selected, false);
+    this.showStart();
+    this.ready = true;
+  }
+
+  readAddress(now) {
+    const number = (id) => this.nodes.findIndex((node) => node.id === id);
+    if (now.get("focus")) this.focus = number(now.get("focus"));
+    this.hops = Math.max(1, Math.min(9, Number.parseInt(now.get("hops") || "1", 10) || 1));
+    if (now.get("select")) this.selected = number(now.get("select"));
+    this.showTable(Boolean(now.get("table")), false);
+    this.showPanel(now.get("panel") !== "0", false);
+  }
+
+  showStart() {
+    const [k, x, y] = (parameters().get("view") || "").split(",").map(Number);
+    if (k > 0 && Number.isFinite(x) && Number.isFinite(y)) {
+      const { width, height } = this.camera.size();
+      Object.assign(this.camera, { k, x: width / 2 - k * x, y: height / 2 - k * y });
+      this.camera.redraw();
+    } else this.fit();
+  }
+
+  listen() {
+    const actions = {
+      "zoom-in": () => this.camera.zoom(1.4),
+      "zoom-out": () => this.camera.zoom(1 / 1.4),
+      "zoom-all": () => this.fit(),
+      table: () => this.showTable(!this.root.classList.contains("as-table")),
+      panel: () => this.showPanel(this.part("view").classList.contains("panel-closed")),
+    };
+    for (const [name, action] of Object.entries(actions)) this.form.querySelector(`[data-do="${name}"]`).addEventListener("click", action);
+    this.form.addEventListener("change", () => this.readForm());
+    this.form.addEventListener("submit", (event) => event.preventDefault());
+    this.canvas.tabIndex = 0;
+    for (const element of this.elements) element.tabIndex = -1;
+    this.canvas.addEventListener("click", (event) => this.clicked(event));
+    this.canvas.addEventListener("dblclick", (event) => this.doubleClicked(event));
+    this.canvas.addEventListener("dragstart", (event) => event.preventDefault());
+    this.canvas.addEventListener("keydown", (event) => this.pressed(event));
+    let width = this.canvas.clientWidth;
+    new ResizeObserver(() => {
+      if (!width && this.canvas.clientWidth) this.showStart();
+      width = this.canvas.clientWidth;
+    }).observe(this.canvas);
+    const here = (action) => (event) => (this.root.checkVisibility() ? action(event) : false);
+    onKey("t", here(actions.table));
+    onKey("s", here(actions.panel));
+    onKey("+", here(actions["zoom-in"]));
+    onKey("=", here(actions["zoom-in"]));
+    onKey("-", here(actions["zoom-out"]));
+    onKey("0", here(actions["zoom-all"]));
+    onKey("f", here(() => this.focusKey()));
+    onKey("Escape", here(() => this.escape()));
+    onKey("o", here(() => this.openSelected()));
+  }
+
+  openSelected() {
+    const href = this.selected < 0 ? null : this.elements[this.selected].getAttribute("href");
+    if (!href) return false;
+    location.href = href;
+    return true;
+  }
+
+  fit() {
+    this.camera.fit(this.box());
+    setParameters({ view: "" });
+  }
+
+  cameraChanged() {
+    this.nameNodes();
+    if (!this.ready) return;
+    const { width, height } = this.camera.size();
+    const { k, x, y } = this.camera;
+    setParameters({ view: [k.toFixed(3), ((width / 2 - x) / k).toFixed(0), ((height / 2 - y) / k).toFixed(0)].join(",") });
+  }
+
+  /** Numbers of the nodes joined to one. */
+  neighbours(number) {
+    return [...this.nodes[number].needs, ...this.dependents[number]];
+  }
+
+  select(number, remember = true) {
+    this.selected = number >= 0 && this.visible.has(number) ? number : -1;
+    const node = this.nodes[this.selected];
+    const near = new Set(node ? this.neighbours(this.selected) : []);
+    this.canvas.classList.toggle("graph-dim", Boolean(node));
+    this.elements.forEach((element, place) => {
+      element.classList.toggle("selected", place === this.selected);
+      element.classList.toggle("near", near.has(place));
+      if (place === this.selected) element.setAttribute("aria-current", "true");
+      else element.removeAttribute("aria-current");
+    });
+    this.svg.querySelector(".links").replaceChildren(...(node ? this.linksOf(this.selected) : []));
+    this.part("selected").replaceChildren(...this.describe(this.selected).filter((part) => part !== null));
+    this.nameNodes();
+    if (!remember) return;
+    this.active = this.selected >= 0 ? this.selected : this.active;
+    setParameters({ select: node ? node.id : "" });
+    if (node) this.camera.reveal(this.places.get(this.selected).x, this.places.get(this.selected).y);
+  }
+
+  focusOn(number, hops = 1) {
+    this.focus = number;
+    this.hops = hops;
+    setParameters({ focus: number < 0 ? "" : this.nodes[number].id, hops: number < 0 || hops === 1 ? "" : String(hops) });
+    this.placeNodes();
+    this.recolour();
+    this.select(number < 0 ? this.selected : number);
+    this.fit();
+  }
+
+  focusKey() {
+    const target = this.selected >= 0 ? this.selected : this.active;
+    if (this.focus >= 0 && (target === this.focus || target < 0)) this.focusOn(this.focus, Math.min(9, this.hops + 1));
+    else if (target >= 0) this.focusOn(target);
+    else return false;
+    return true;
+  }
+
+  escape() {
+    if (this.selected >= 0) this.select(-1);
+    else if (this.focus >= 0) this.focusOn(-1);
+    else return false;
+    return true;
+  }
+
+  showCrumbs() {
+    const crumbs = this.part("crumbs");
+    crumbs.hidden = this.focus < 0;
+    if (this.focus < 0) return;
+    const button = (text, label, action, off) => make("button", { type: "button", class: "plain", "aria-label": label, text, onclick: action, disabled: off });
+    crumbs.replaceChildren(
+      button(`All ${this.what}`, "Clear the focus", () => this.focusOn(-1)),
+      "/",
+      make("strong", { text: this.nodes[this.focus].name || this.nodes[this.focus].id }),
+      make("span", { class: "quiet", text: `and what is at most ${this.hops} step${this.hops === 1 ? "" : "s"} away: ${figure(this.visible.size)} of ${figure(this.nodes.length)} ${this.what}` }),
+      button("Fewer", "One step fewer", () => this.focusOn(this.focus, this.hops - 1), this.hops === 1),
+      button("More", "One step more", () => this.focusOn(this.focus, this.hops + 1), this.hops === 9),
+      button("Clear", "Clear the focus", () => this.focusOn(-1)),
+    );
+  }
+
+  clicked(event) {
+    const element = event.target.closest?.(".node");
+    if (element) {
+      if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+      event.preventDefault();
+      this.select(Number(element.dataset.n));
+      this.canvas.focus({ preventScroll: true });
+    } else if (this.selected >= 0) this.select(-1);
+  }
+
+  doubleClicked(event) {
+    const element = event.target.closest?.(".node");
+    if (element) this.focusOn(Number(element.dataset.n));
+    else this.camera.zoom(1.6);
+  }
+
+  pressed(event) {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (step && event.shiftKey) this.camera.pan(-80 * step[0], -80 * step[1]);
+    else if (step) this.move(step);
+    else if (event.key === "Enter" && this.active >= 0) this.select(this.active);
+    else return;
+    event.preventDefault();
+  }
+
+  /** Go to the nearest visible node in a direction; what lies aside counts double. */
+  move([dx, dy]) {
+    const here = this.places.get(this.active);
+    let [best, least] = [-1, Infinity];
+    for (const [number, place] of this.places) {
+      if (number === this.active) continue;
+      const [x, y] = here ? [place.x - here.x, place.y - here.y] : [place.x, place.y];
+      const along = x * dx + y * dy;
+      const aside = Math.abs(x * dy) + Math.abs(y * dx);
+      const score = here ? along + 2 * aside : x + y;
+      if ((!here || along > 1) && score < least) [best, least] = [number, score];
+    }
+    if (best < 0) return;
+    this.active = best;
+    this.elements.forEach((element, number) => (element.tabIndex = number === best ? 0 : -1));
+    this.elements[best].focus({ preventScroll: true });
+    this.camera.reveal(this.places.get(best).x, this.places.get(best).y);
+  }
+
+  showTable(shown, remember = true) {
+    this.root.classList.toggle("as-table", shown);
+    this.form.querySelector('[data-do="table"]').setAttribute("aria-pressed", String(shown));
+    if (remember) setParameters({ table: shown ? "1" : "" });
+  }
+
+  showPanel(shown, remember = true) {
+    this.part("view").classList.toggle("panel-closed", !shown);
+    this.form.querySelector('[data-do="panel"]').setAttribute("aria-expanded", String(shown));
+    if (remember) setParameters({ panel: shown ? "" : "0" });
+  }
+}

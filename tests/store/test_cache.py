@@ -40,6 +40,16 @@ def test_many_keys_at_once(path):
         assert cache.get(iter(items)) == items
 
 
+def test_what_is_known_is_told_without_reading_it(path):
+    items = {f"key-{number}": b"" for number in range(1_234)}
+    with Cache.open(path) as cache:
+        cache.put(items)
+        assert cache.known([*items, "other"]) == frozenset(items)
+        assert cache.known([]) == frozenset()
+    with Cache.open(None) as nothing:
+        assert nothing.known(items) == frozenset()
+
+
 def test_a_stat_is_replaced_and_forgotten(path):
     newer = FileStat(11, OLD.mtime_ns + 1, 7, "cd", "cpp", "own")
     with Cache.open(path) as cache:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.source import Language
+from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.facts import FileFacts
-from roslens.source.syntax.macros import MacroPreset, load_macros
 from roslens.source.workspace.encoding import encoding_failure
 from roslens.source.workspace.suppress import Suppression, suppressions
 
@@ -26,29 +24,15 @@ class FileAnalysis(msgspec.Struct, frozen=True, array_like=True):
     encoding: Failure | None = None
 
 
-_preset = cache(load_macros)
-
-
-def macro_preset(settings: MacroSettings) -> MacroPreset:
-    """Return the macros to blank, compiled once per process and settings."""
-    return _preset(settings)
-
-
 def analyse_file(content: bytes, language: Language, macros: MacroSettings) -> FileAnalysis:
     """Parse ``content`` once and take its facts.
 
     Raises:
         ValueError: the language has no syntax.
     """
-    syntax = language.parsed_as
-    if syntax == "cpp":
-        from roslens.source.syntax.cpp import parse_cpp
+    return analyse_parsed(content, parse_file(content, language, macros))
 
-        facts = parse_cpp(content, macro_preset(macros))
-    elif syntax == "python":
-        from roslens.source.syntax.python import parse_python
 
-        facts = parse_python(content)
-    else:
-        raise ValueError(f"{language.value!r} has no syntax; expected C, C++ or Python")
-    return FileAnalysis(facts, suppressions(content), encoding_failure("", content))
+def analyse_parsed(content: bytes, parsed: ParsedFile) -> FileAnalysis:
+    """Take the facts of what was parsed already."""
+    return FileAnalysis(parsed.facts(), suppressions(content), encoding_failure("", content))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 
 import msgspec
@@ -11,7 +12,8 @@ import msgspec
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location, Package, SourceFile
-from roslens.source.analyse_file import FileAnalysis, analyse_file
+from roslens.source.analyse_file import FileAnalysis, analyse_parsed
+from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.settings import CountingSettings, MacroSettings
 from roslens.source.workspace.suppress import Suppression
 from roslens.store.cache import Cache
@@ -30,7 +32,8 @@ class PackageTask(msgspec.Struct, frozen=True):
     """What a worker needs: the package, its files, where they are, and what is already known.
 
     ``facts_keys`` names the cached analysis of each file that has a syntax; ``cache`` is the path
-    of the cache, empty for none.
+    of the cache, empty for none. ``program_keys`` names the cached programs likewise, where they are wanted:
+    those that are missing are taken from the same parse.
     """
 
     package: Package
@@ -40,10 +43,11 @@ class PackageTask(msgspec.Struct, frozen=True):
     counting: CountingSettings
     macros: MacroSettings
     cache: str = ""
+    program_keys: dict[str, str] = {}
 
 
 class MeasuredPackage(msgspec.Struct, frozen=True):
-    """What a worker gives back; ``analyses`` are those that were not in the cache, encoded."""
+    """What a worker gives back; ``analyses`` and programs are those that were not in the cache, encoded."""
 
     package: str
     entities: tuple[Entity, ...]
@@ -89,12 +93,12 @@ def _measure(task: PackageTask) -> MeasuredPackage:
     from roslens.source.metrics.measure_package import measure_package
     from roslens.source.syntax.facts import FileFacts
 
-    known = _known(task)
+    known, lowered = _known(task)
     new: dict[str, bytes] = {}
     failures: list[Failure] = []
     suppressions: dict[str, tuple[Suppression, ...]] = {}
     measured: list[tuple[SourceFile, FileFacts, tuple[Entity, ...]]] = []
-    for file, analysis in _analyses(task, known, new, failures):
+    for file, analysis in _analyses(task, known, lowered, new, failures):
         if analysis.suppressions:
             suppressions[file.path] = analysis.suppressions
         failures.extend(_faults(file, task.package, analysis))
@@ -105,15 +109,19 @@ def _measure(task: PackageTask) -> MeasuredPackage:
     return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new)
 
 
-def _known(task: PackageTask) -> Mapping[str, bytes]:
+def _known(task: PackageTask) -> tuple[Mapping[str, bytes], frozenset[str]]:
     if not task.cache:
-        return {}
+        return {}, frozenset()
     with Cache.open(Path(task.cache), writable=False) as cache:
-        return cache.get(task.facts_keys.values())
+        return cache.get(task.facts_keys.values()), cache.known(task.program_keys.values())
 
 
 def _analyses(
-    task: PackageTask, known: Mapping[str, bytes], new: dict[str, bytes], failures: list[Failure]
+    task: PackageTask,
+    known: Mapping[str, bytes],
+    lowered: frozenset[str],
+    new: dict[str, bytes],
+    failures: list[Failure],
 ) -> Iterator[tuple[SourceFile, FileAnalysis]]:
     decoder = msgspec.msgpack.Decoder(FileAnalysis)
     encoder = msgspec.msgpack.Encoder()
@@ -121,16 +129,33 @@ def _analyses(
         key = task.facts_keys.get(file.path)
         if key is None:
             continue
-        if blob := known.get(key):
+        blob = known.get(key)
+        wanted = task.program_keys.get(file.path)
+        if wanted in lowered:
+            wanted = None
+        if blob is not None and wanted is None:
             yield file, decoder.decode(blob)
             continue
         try:
-            analysis = analyse_file(_read(task.root, file.path), file.language, task.macros)
+            content = _read(task.root, file.path)
+            parsed = parse_file(content, file.language, task.macros)
+            analysis = analyse_parsed(content, parsed) if blob is None else decoder.decode(blob)
         except Exception as error:  # noqa: BLE001 - a file that breaks the parser must not lose its package
             failures.append(_broken(file, task.package, error))
             continue
-        new[key] = encoder.encode(analysis)
+        if blob is None:
+            new[key] = encoder.encode(analysis)
+        if wanted is not None:
+            _lower(parsed, wanted, new)
         yield file, analysis
+
+
+def _lower(parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:
+    from roslens.source.extract.kept_program import pack
+
+    # What cannot be lowered is tried again, and told, by who asks for the graph.
+    with suppress(Exception):
+        new[key] = pack(parsed.program())
 
 
 def _read(root: str, path: str) -> bytes:

@@ -29,6 +29,7 @@ from roslens.source.workspace.find import FoundPackage, Workspace, find_workspac
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
     from roslens.model.quantity import Quantity
+    from roslens.model.source import SourceFile
     from roslens.plugins.discovery import Discovered
     from roslens.plugins.member import Member
     from roslens.plugins.outcome import Outcome
@@ -72,6 +73,7 @@ def analyse(
     jobs: int = 0,
     progress: Progress | None = None,
     log: Path | None = None,
+    programs: bool = False,
 ) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 
@@ -85,6 +87,7 @@ def analyse(
         jobs: worker processes; 0 means one per processor, 1 none.
         progress: who watches.
         log: where output of plug-ins and tracebacks go.
+        programs: whether files are also kept as the programs from which a graph is extracted, from the same parse.
 
     Raises:
         UsageError: a path does not exist, or an option of a plug-in is wrong.
@@ -116,7 +119,9 @@ def analyse(
         cache.forget(gone)
     if (before := store.run_with(key)) is not None:
         return Answer(before, fresh=False, measured=0, packages=len(units))
-    return _run(_Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log), store, cache, watch)
+    return _run(
+        _Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log, programs), store, cache, watch
+    )
 
 
 class _Run(msgspec.Struct, frozen=True):
@@ -130,6 +135,7 @@ class _Run(msgspec.Struct, frozen=True):
     clock: Clock
     jobs: int
     log: Path | None
+    programs: bool
 
 
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
@@ -202,7 +208,7 @@ def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: P
         else:
             measured = result
             cache.put(measured.analyses)
-            cache.touch(task.facts_keys.values() - measured.analyses.keys())
+            cache.touch({*task.facts_keys.values(), *task.program_keys.values()} - measured.analyses.keys())
         watch.advance(item=measured.package)
         yield measured
 
@@ -224,7 +230,14 @@ def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
         counting=run.settings.counting,
         macros=run.settings.macros,
         cache=str(cache.path) if cache.path else "",
+        program_keys=_program_keys(run, files) if run.programs else {},
     )
+
+
+def _program_keys(run: _Run, files: tuple[SourceFile, ...]) -> dict[str, str]:
+    from roslens.source.extract.kept_program import program_keys
+
+    return program_keys(files, run.settings.macros)
 
 
 def _bytes(task: PackageTask) -> int:

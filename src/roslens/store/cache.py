@@ -157,6 +157,19 @@ class Cache:
 
         return self._attempt(read, {})
 
+    def known(self, keys: Iterable[str]) -> frozenset[str]:
+        """Return those of the keys under which something is kept, without reading it."""
+
+        def read(connection: sqlite3.Connection) -> frozenset[str]:
+            found: set[str] = set()
+            for batch in _batches(keys):
+                marks = ", ".join("?" * len(batch))
+                rows = connection.execute(f"SELECT key FROM facts WHERE key IN ({marks})", batch)  # noqa: S608 - marks only
+                found.update(key for (key,) in rows)
+            return frozenset(found)
+
+        return self._attempt(read, frozenset())
+
     def put(self, items: Mapping[str, bytes]) -> None:
         """Keep content under keys; a key always means the same content."""
         if not items:

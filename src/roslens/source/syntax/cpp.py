@@ -6,6 +6,8 @@ Decisions are counted as written: macros are not expanded, lambdas count for the
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from tree_sitter import Tree
 
 from roslens.source.syntax.comments import blank_cpp
@@ -23,27 +25,52 @@ from roslens.source.syntax.tokens import hashes_of, squeezed_lines, token_text
 _LONGEST_QUOTE = 60
 
 
-def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
-    """Return the facts of a C or C++ file; the grammar of C++ reads both.
+@dataclass(frozen=True, slots=True)
+class CppTree:
+    """A parsed file: its ``content``, the ``source`` that was parsed, of the same length, and its ``tree``.
 
-    Never fails: what cannot be parsed becomes a :class:`~roslens.source.syntax.facts.SyntaxFault`, and the
-    functions it stands in are marked approximate.
+    In ``source`` macros are blanked; ``repaired`` tells whether more was, to make something of what did not parse.
+    """
+
+    content: bytes
+    source: bytes
+    tree: Tree
+    repaired: bool
+
+
+def tree_of_cpp(content: bytes, macros: MacroPreset) -> CppTree:
+    """Parse a C or C++ file; the grammar of C++ reads both.
 
     Args:
         content: the bytes of the file.
         macros: what to blank before the parse; positions stay those of ``content``.
     """
-    source = macros.blank(content)
-    tree = parse_tree(source)
-    blanked = source
-    if tree.root_node.has_error:
-        source, tree = repaired(source, tree, macros)
+    blanked = macros.blank(content)
+    tree = parse_tree(blanked)
+    if not tree.root_node.has_error:
+        return CppTree(content, blanked, tree, repaired=False)
+    source, tree = repaired(blanked, tree, macros)
+    return CppTree(content, source, tree, repaired=source is not blanked)
+
+
+def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
+    """Parse a C or C++ file and return its facts, as :func:`tree_of_cpp` and :func:`facts_of_cpp` do."""
+    return facts_of_cpp(tree_of_cpp(content, macros))
+
+
+def facts_of_cpp(parsed: CppTree) -> FileFacts:
+    """Return the facts of a C or C++ file.
+
+    Never fails: what cannot be parsed becomes a :class:`~roslens.source.syntax.facts.SyntaxFault`, and the
+    functions it stands in are marked approximate.
+    """
+    content, source, tree = parsed.content, parsed.source, parsed.tree
     captures = Captures(tree)
     code, plain = blank_cpp(content)
     walk = Walk(source, code, captures)
     lines = LineMap(content, squeezed_lines(code))
     lines.leave_out(captures.not_executed, captures.statements)
-    if source is not blanked:
+    if parsed.repaired:
         lines.leave_only(hashes_of(blank_cpp(source)[0])[1])
     faults = _faults(source, tree, lines)
     assembly = Assembly(source, token_text(code, "cpp"), lines, captures, walk, faults)

@@ -17,19 +17,27 @@ from roslens.source.syntax.python_assembly import Assembly
 from roslens.source.syntax.python_lines import LineMap
 from roslens.source.syntax.python_names import text_of
 from roslens.source.syntax.python_query import Captures
-from roslens.source.syntax.python_tree import faults_of, parse_tree, with_line_feeds
+from roslens.source.syntax.python_tree import PythonTree, faults_of, parse_tree, with_line_feeds
 from roslens.source.syntax.python_walk import Walk
 from roslens.source.syntax.tokens import hashes_of, token_text
 
 
 def parse_python(content: bytes) -> FileFacts:
+    """Parse a Python file and return its facts, as :func:`facts_of_python` does."""
+    return facts_of_python(content, parse_tree(with_line_feeds(content)))
+
+
+def facts_of_python(content: bytes, parsed: PythonTree) -> FileFacts:
     """Return the facts of a Python file.
 
     Never fails: what cannot be parsed becomes a :class:`~roslens.source.syntax.facts.SyntaxFault`, and the
     functions it stands in are marked approximate.
+
+    Args:
+        content: the bytes of the file.
+        parsed: the tree of ``content`` with line feeds.
     """
     text = with_line_feeds(content)
-    parsed = parse_tree(text)
     captures = Captures(parsed.tree)
     walk = Walk(parsed.source, captures)
     code = blank_comments(text, "python")

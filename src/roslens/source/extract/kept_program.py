@@ -1,0 +1,48 @@
+"""Programs as the cache keeps them: by content, packed.
+
+A program is about as large as its source; packed it takes a quarter of that.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterable
+
+import msgspec
+
+from roslens.model.source import SourceFile
+from roslens.source.extract.program import Program
+from roslens.source.keys import analyser_version, key_of
+from roslens.source.settings import MacroSettings
+
+_FASTEST = 1
+_encode = msgspec.msgpack.Encoder().encode
+_decode = msgspec.msgpack.Decoder(Program).decode
+
+
+def program_keys(files: Iterable[SourceFile], macros: MacroSettings) -> dict[str, str]:
+    """Return the keys of the programs of those files that have a syntax, by path.
+
+    Equal keys mean equal programs, whatever the path.
+    """
+    ending = f"program:{key_of(analyser_version(), macros)}"
+    return {
+        file.path: f"{file.content_hash}:{file.language.value}:{ending}" for file in files if file.language.parsed_as
+    }
+
+
+def pack(program: Program) -> bytes:
+    """Return the bytes to keep."""
+    return zlib.compress(_encode(program), _FASTEST)
+
+
+def unpack(kept: bytes) -> Program:
+    """Return the program again.
+
+    Raises:
+        msgspec.DecodeError: these are no bytes of :func:`pack`.
+    """
+    try:
+        return _decode(zlib.decompress(kept))
+    except zlib.error as error:
+        raise msgspec.DecodeError(str(error)) from error

@@ -1,0 +1,80 @@
+"""One parse of a file, for all that read it: facts for metrics, and the program from which a graph is extracted."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Protocol
+
+from roslens.model.source import Language
+from roslens.source.settings import MacroSettings
+from roslens.source.syntax.facts import FileFacts
+from roslens.source.syntax.macros import MacroPreset, load_macros
+
+if TYPE_CHECKING:
+    from roslens.source.extract.program import Program
+
+_preset = cache(load_macros)
+
+
+def macro_preset(settings: MacroSettings) -> MacroPreset:
+    """Return the macros to blank, compiled once per process and settings."""
+    return _preset(settings)
+
+
+class ParsedFile(Protocol):
+    """A file that was parsed once; each answer is made of the same tree."""
+
+    def facts(self) -> FileFacts:
+        """Return what metrics are made of."""
+
+    def program(self) -> Program:
+        """Return what tells of nodes, topics and parameters."""
+
+
+class _ParsedCpp:
+    def __init__(self, content: bytes, macros: MacroPreset) -> None:
+        from roslens.source.syntax.cpp import tree_of_cpp
+
+        self._parsed = tree_of_cpp(content, macros)
+
+    def facts(self) -> FileFacts:
+        from roslens.source.syntax.cpp import facts_of_cpp
+
+        return facts_of_cpp(self._parsed)
+
+    def program(self) -> Program:
+        from roslens.source.extract.cpp_program import lower_cpp
+
+        return lower_cpp(self._parsed.source, self._parsed.tree, self._parsed.content)
+
+
+class _ParsedPython:
+    def __init__(self, content: bytes) -> None:
+        from roslens.source.syntax.python_tree import parse_tree, with_line_feeds
+
+        self._content = content
+        self._parsed = parse_tree(with_line_feeds(content))
+
+    def facts(self) -> FileFacts:
+        from roslens.source.syntax.python import facts_of_python
+
+        return facts_of_python(self._content, self._parsed)
+
+    def program(self) -> Program:
+        from roslens.source.extract.python_program import lower_python
+
+        return lower_python(self._parsed)
+
+
+def parse_file(content: bytes, language: Language, macros: MacroSettings) -> ParsedFile:
+    """Parse ``content`` once.
+
+    Raises:
+        ValueError: the language has no syntax.
+    """
+    syntax = language.parsed_as
+    if syntax == "cpp":
+        return _ParsedCpp(content, macro_preset(macros))
+    if syntax == "python":
+        return _ParsedPython(content)
+    raise ValueError(f"{language.value!r} has no syntax; expected C, C++ or Python")

@@ -11,6 +11,7 @@ from roslens.source.extract.cmake_value import items_of, reason_of
 def _if(run: Evaluation, block: Block) -> None:
     branches: list[dict[str, str | None]] = []
     denied: list[str] = []
+    first = ""
     usual: int | None = None
     undecided = False
     complete = False
@@ -33,6 +34,7 @@ def _if(run: Evaluation, block: Block) -> None:
         if found.value:
             complete = True
             break
+        first = first or written
         denied.append(f"NOT ({written})")
     if not denied:
         return
@@ -40,7 +42,7 @@ def _if(run: Evaluation, block: Block) -> None:
         if usual is None and not undecided:
             usual = len(branches)
         branches.append({})
-    run.scope.merge(branches, usual if len(branches) > 1 else 0, run.either(denied))
+    run.scope.merge(branches, usual if len(branches) > 1 else 0, run.either(first))
 
 
 def _foreach(run: Evaluation, block: Block) -> None:
@@ -105,7 +107,7 @@ def _while(run: Evaluation, block: Block) -> None:
         found = answer(opened.arguments, run)
         if found.value is None:
             changes = run.perhaps(body, [" ".join(argument.written for argument in opened.arguments)])
-            run.scope.merge([changes or {}, {}], None, run.either(["the rounds of a loop"]))
+            run.scope.merge([changes or {}, {}], None, run.either("the rounds of a loop"))
             return
         if not found.value:
             return

@@ -41,7 +41,7 @@ def _assign(run: Evaluation, name: str, value: str | None, *, parent: bool) -> N
     elif run.scope.parent is not None:
         if len(run.scope.layers) > 1:
             # Whether this branch is taken is unknown, and the other scope does not know of branches.
-            value = run.either(run.conditions[-1:] or [""])(name, [value, run.scope.parent.get(name)[1]])
+            value = run.either("".join(run.conditions[-1:]))(name, [value, run.scope.parent.get(name)[1]])
         run.scope.parent.set(name, value)
 
 

@@ -105,17 +105,13 @@ class _Reading:
         return not word.quoted and not word.paren and word.text in names
 
     def alternatives(self, depth: int) -> Answer:
-        found = self.conjunction(depth)
-        while self._is("OR"):
-            self.at += 1
-            found = opposite(_both(opposite(found), opposite(self.conjunction(depth))))
-        return found
-
-    def conjunction(self, depth: int) -> Answer:
+        # AND does not bind tighter than OR.
         found = self.negation(depth)
-        while self._is("AND"):
+        while self._is("AND", "OR"):
+            both = self._is("AND")
             self.at += 1
-            found = _both(found, self.negation(depth))
+            other = self.negation(depth)
+            found = _both(found, other) if both else opposite(_both(opposite(found), opposite(other)))
         return found
 
     def negation(self, depth: int) -> Answer:
@@ -167,6 +163,8 @@ class _Reading:
             return UNKNOWN
         if test == "DEFINED":
             value, open_ = self._around.variable(of)
+            if open_ and value is not None and is_unknown(value):
+                return UNKNOWN
             return Answer(None, value is not None) if open_ else Answer(value is not None)
         if test in ("EXISTS", "IS_DIRECTORY"):
             return Answer(self._around.exists(of, folder=test == "IS_DIRECTORY"))

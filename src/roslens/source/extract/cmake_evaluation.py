@@ -219,13 +219,13 @@ class Evaluation:
             if argument.kind == "paren":
                 found.append(Word(argument.written, paren=True))
             elif argument.kind == "bare":
-                found.extend(Word(value) for value in self.expanded((argument,)))
+                found.extend(Word(value, paren=value in ("(", ")")) for value in self.expanded((argument,)))
             else:
                 found.append(Word(self.expanded((argument,))[0], quoted=True))
         return found
 
     def variable(self, name: str) -> tuple[str | None, bool]:
-        """Return a variable's value, and whether the user may give it another."""
+        """Return a variable's value, and whether the user may give it another: those are in capitals."""
         if name.startswith("ENV{"):
             return self.environment.get(name[4:-1], hole(f"environment {name[4:-1]}")), False
         known, value = self.scope.get(name)
@@ -234,8 +234,8 @@ class Evaluation:
         if name in self.cache:
             return self.cache[name], name in self.open
         if self.is_foreign(name):
-            return hole(name), False
-        return None, name.isidentifier() and name not in _PLATFORM
+            return hole(name), True
+        return None, name.isidentifier() and name.isupper() and name not in _PLATFORM
 
     def exists(self, path: str, *, folder: bool) -> bool | None:
         """Return whether there is a file or folder; None where that cannot be known."""
@@ -385,15 +385,15 @@ class Evaluation:
             del self.conditions[count:]
         return None if failed else changes
 
-    def either(self, denied: list[str]) -> Callable[[str, list[str | None]], str | None]:
-        """Return what makes one value of those of branches of which the first condition is ``denied[0]``."""
+    def either(self, condition: str) -> Callable[[str, list[str | None]], str | None]:
+        """Return what makes one value of those of branches of which the first has a condition."""
 
         def made(name: str, values: list[str | None]) -> str | None:
             lists = [items_of(value or "") for value in values]
             every = dict.fromkeys(item for items in lists for item in items)
             shared = [item for item in every if all(item in items for items in lists)]
             rest = tuple(item for item in every if item not in shared)[:100]
-            unknown = hole(f"{name} depends on {denied[0]}".replace("NOT ", "", 1))
+            unknown = hole(f"{name} depends on {condition}")
             self.alternatives[unknown] = rest
             return ";".join([*shared, unknown])
 

@@ -1,0 +1,89 @@
+"""Variables, paths, functions and limits of an evaluation."""
+
+from roslens.source.extract.cmake_blocks import BLOCKS
+from roslens.source.extract.cmake_commands import COMMANDS, IGNORED
+from roslens.source.extract.cmake_evaluation import SOURCE, Evaluation
+from roslens.source.extract.cmake_syntax import parse_cmake
+from roslens.source.extract.cmake_value import hole, is_unknown, shown
+
+
+class Written:
+    def __init__(self, files):
+        self.files = files
+
+    def package(self, name):
+        return name if f"{name}/package.xml" in self.files else None
+
+    def content(self, path):
+        return self.files.get(path)
+
+
+def evaluation(files=None, **commands):
+    files = files or {}
+    listing = [path for path in files if path.startswith("pkg/")]
+    return Evaluation("pkg", Written(files), listing, {**COMMANDS, **commands}, IGNORED, BLOCKS)
+
+
+def run(text, evaluated=None):
+    evaluated = evaluated or evaluation()
+    evaluated.run_file("pkg/CMakeLists.txt", parse_cmake(text.encode()))
+    return evaluated
+
+
+def test_what_others_may_have_set_is_unknown():
+    found = run('find_package(Foo)\nset(A "${Foo_LIBS} ${FOO_X} ${CMAKE_BUILD_TYPE} ${bar_FOUND}")\nset(B "${plain}")')
+    assert shown(found.get("A")).count("surroundings") == 4
+    assert found.get("B") == ""
+
+
+def test_what_a_package_sets_itself_is_known():
+    assert run("set(Foo_LIBS x)\nfind_package(Foo)\nset(A ${Foo_LIBS})").get("A") == "x"
+
+
+def test_unknown_commands_may_set_what_they_name():
+    found = run('wrap(OUT in.ui)\nset(A "${OUT}")')
+    assert is_unknown(found.get("A"))
+    assert [one.reason for one in found.unresolved] == ["the command is not defined in the workspace"]
+
+
+def test_paths():
+    found = evaluation({"pkg/src/a.cpp": b""})
+    assert found.relative("src/a.cpp") == "pkg/src/a.cpp"
+    assert found.relative("../other/b.cpp") == "other/b.cpp"
+    assert found.relative(f"{SOURCE}/pkg/./src/../c") == "pkg/c"
+    assert found.relative("/usr/include") is None
+    assert found.relative(hole("x")) is None
+    assert found.exists("src", folder=True) is True
+    assert found.exists("src/a.cpp", folder=True) is False
+    assert found.exists("src/b.cpp", folder=False) is False
+    assert found.exists("/usr", folder=True) is None
+
+
+def test_the_place_of_what_a_function_does_is_the_call():
+    seen = []
+    found = evaluation(mark=lambda _, call: seen.append((call.evidence.line, call.evidence.how)))
+    run("function(f)\nmark()\nendfunction()\nfunction(g)\nf()\nendfunction()\nmark()\ng()\n", found)
+    assert seen == [(7, "written"), (8, "by g()")]
+
+
+def test_a_loop_over_what_is_unknown_goes_over_what_it_may_be():
+    seen = []
+    found = evaluation(mark=lambda one, call: seen.append((call.arguments, [*one.conditions])))
+    run("set(L a)\nif(X_FOUND)\nlist(APPEND L b c)\nendif()\nforeach(i ${L})\nmark(${i})\nendforeach()", found)
+    assert seen == [(["a"], []), (["b"], ["L depends on X_FOUND"]), (["c"], ["L depends on X_FOUND"])]
+
+
+def test_conditions_are_kept_while_a_branch_is_run():
+    seen = []
+    found = evaluation(mark=lambda one, call: seen.append([*one.conditions]))
+    run(
+        "if(A_FOUND AND NOT B)\nmark()\nelseif(WIN32)\nmark()\nelse()\nif(NOT DEFINED SOME_VERSION)\nmark()\nendif()\nmark()\nendif()\nmark()",
+        found,
+    )
+    denied = "NOT (A_FOUND AND NOT B)"
+    assert seen == [["A_FOUND AND NOT B"], [denied, "NOT DEFINED SOME_VERSION"], [denied], []]
+
+
+def test_what_a_function_sets_outside_in_a_branch_is_either():
+    found = run("function(f)\nif(X_FOUND)\nset(R 1 PARENT_SCOPE)\nendif()\nendfunction()\nset(R 0)\nf()")
+    assert shown(found.get("R")) == "{R depends on X_FOUND}"

@@ -99,6 +99,29 @@ def test_rates_from_the_second_sample_on(sampler, tmp_path):
     assert (values["network_in"], values["network_out"], values["network_drops"]) == (1000.0, 250.0, 2.0)
 
 
+def snmp(sent, again):
+    return {"proc/net/snmp": f"Ip: A\nIp: 1\nTcp: RtoAlgorithm OutSegs RetransSegs InErrs\nTcp: 1 {sent} {again} 0\n"}
+
+
+def test_segments_that_were_sent_again_are_counted_over_five_seconds(sampler, tmp_path):
+    told = []
+    for second, counts in enumerate(
+        [(1000, 10), (1100, 10), (1200, 16), (1300, 16), (1400, 16), (1500, 16), (1600, 16)]
+    ):
+        write(tmp_path, snmp(*counts))
+        told.append(sampler.sample(10.0 + second).values.get("resent"))
+    assert told == [None, 0.0, 3.0, 2.0, 1.5, 1.2, 1.2]
+    write(tmp_path, snmp(5, 0))
+    assert "resent" not in sampler.sample(20.0).values
+
+
+def test_of_few_segments_nothing_is_told(sampler, tmp_path):
+    write(tmp_path, snmp(0, 0))
+    sampler.sample(10.0)
+    write(tmp_path, snmp(19, 2))
+    assert "resent" not in sampler.sample(11.0).values
+
+
 def test_a_counter_that_went_back_has_no_rate(sampler, tmp_path):
     sampler.sample(10.0)
     write(tmp_path, {"proc/net/dev": "a\nb\n  eth0: 5 9 0 1 0 0 0 0 2500 9 0 2 0 0 0 0\n"})

@@ -7,6 +7,7 @@ need two readings, so the first sample has none of them.
 from __future__ import annotations
 
 import os
+from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TypeVar
@@ -23,6 +24,8 @@ _SECTOR_BYTES = 512
 _REAL_FILE_SYSTEMS = frozenset(
     b"ext2 ext3 ext4 xfs btrfs f2fs vfat exfat ntfs ntfs3 fuseblk jfs reiserfs zfs overlay bcachefs".split()
 )
+_RESENT_S = 5.0
+_LEAST_SEGMENTS = 20
 _COLDEST, _HOTTEST = -60.0, 150.0
 """Sensors that are not connected report values beyond these, in degrees Celsius."""
 
@@ -51,6 +54,7 @@ class HostSampler:
                 "memory": "meminfo",
                 "disks": "diskstats",
                 "network": "net/dev",
+                "tcp": "net/snmp",
                 "mounts": "mounts",
                 "load": "loadavg",
                 "pressure_cpu": "pressure/cpu",
@@ -61,6 +65,7 @@ class HostSampler:
         self._sensors = [KeptOpen(path) for path in _sensor_files(sys)]
         self._cpu: dict[bytes, tuple[int, int]] = {}
         self._counters: dict[str, int] = {}
+        self._segments: deque[tuple[float, int, int]] = deque()
         self._time = 0.0
 
     def sample(self, now: float) -> Sample:
@@ -69,6 +74,7 @@ class HostSampler:
         for part in (self._processors, self._memory, self._space_left, self._pressure, self._load, self._heat):
             values.update(_survived(part))
         values.update(self._rates(now))
+        values.update(_survived(lambda: self._resent(now)))
         if self._gpu is not None:
             values.update(_survived(self._gpu))
         return Sample(self._entity, now, {key: value for key, value in values.items() if value == value})
@@ -177,6 +183,22 @@ class HostSampler:
                 totals["network_drops"] += int(fields[3]) + int(fields[11])
         return totals
 
+    def _resent(self, now: float) -> dict[str, float]:
+        """Return the share of TCP segments that were sent again over the last seconds; nothing of few segments."""
+        lines = [line.split() for line in self._text("tcp").splitlines() if line.startswith(b"Tcp:")]
+        if len(lines) < 2:
+            return {}
+        counts = dict(zip(lines[0], lines[1], strict=False))
+        sent, again = int(counts[b"OutSegs"]), int(counts[b"RetransSegs"])
+        kept = self._segments
+        if kept and (sent < kept[-1][1] or again < kept[-1][2] or now <= kept[-1][0]):
+            kept.clear()
+        kept.append((now, sent, again))
+        while len(kept) > 2 and kept[1][0] <= now - _RESENT_S:
+            kept.popleft()
+        sent, again = sent - kept[0][1], again - kept[0][2]
+        return {"resent": min(100 * again / sent, 100.0)} if sent >= _LEAST_SEGMENTS else {}
+
     def _disks(self) -> dict[str, int]:
         totals = {"disk_read": 0, "disk_write": 0}
         whole = 0
@@ -199,7 +221,7 @@ def _survived(part: Callable[[], Mapping[str, Number]]) -> Mapping[str, Number]:
     """Return what ``part`` reads; nothing where the system writes it in a way that is not known."""
     try:
         return part()
-    except (ValueError, IndexError, OSError, UnicodeError):
+    except (ValueError, LookupError, OSError, UnicodeError):
         return {}
 
 

@@ -81,10 +81,11 @@ class Handle(msgspec.Struct, frozen=True, eq=False):
 
 
 class Made(msgspec.Struct, frozen=True, eq=False):
-    """An endpoint that was made: its node and its place in the node's list."""
+    """An endpoint that was made: its node and its place in the node's list, and whether it was made for sure."""
 
     node: Building
     place: int
+    certain: bool = True
 
 
 class QosValue(msgspec.Struct, frozen=True):

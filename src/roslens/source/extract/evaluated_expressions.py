@@ -246,7 +246,9 @@ class Expressions:
             return None if value.known is None else bool(value.known)
         if value is None or isinstance(value, bool | int | float | list | dict):
             return bool(value)
-        return True if isinstance(value, Callable | Class | Made) else None
+        if isinstance(value, Made):
+            return True if value.certain else None
+        return True if isinstance(value, Callable | Class) else None
 
     def items(self, value: Any) -> list[Any] | None:
         """Return what a loop goes through; None where it is unknown."""

@@ -65,12 +65,16 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
     thing = engine.frame.self
     if not isinstance(call.function, Name) or not isinstance(thing, Obj):
         return
-    base = engine.index.class_of(call.function.name, engine.frame.path, engine.frame.scope)
+    written = call.function.name
+    scope, _, last = written.rpartition(".")
+    # ``Base::Base(…)`` names the constructor.
+    written = scope if scope.rpartition(".")[2] == last else written
+    base = engine.index.class_of(written, engine.frame.path, engine.frame.scope)
     if base is not None:
         names = getattr(base.what, "templates", ())
         thing.templates.update(zip(names, (engine.template(one) for one in call.templates), strict=False))
     if base is None:
-        name = engine.index.meaning(call.function.name, engine.frame.path, engine.frame.scope)
+        name = engine.index.meaning(written, engine.frame.path, engine.frame.scope)
         engine.construct_outer(thing, name, arguments, keywords)
     else:
         engine.construct_as(thing, base, arguments, keywords)
@@ -144,25 +148,32 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
         block(engine, statement.then if holds else statement.otherwise)
         return
     written = expression_text(statement.condition).strip("`()")
+    before = engine.frame.snapshot()
     if written == "no exception":
         block(engine, statement.then)
-        engine.frame.stopped = False
-        return
-    before = engine.frame.snapshot()
-    _noted(engine, written, statement.then)
+        returned = engine.frame.returned
+        otherwise = "an exception"
+    else:
+        returned = _noted(engine, written, statement.then)
+        otherwise = f"not {written}"
     after = engine.frame.snapshot()
     engine.frame.restore(before)
-    _noted(engine, f"not {written}", statement.otherwise)
+    engine.frame.returned = engine.frame.stopped = False
+    returned = _noted(engine, otherwise, statement.otherwise) and returned
     engine.frame.join(after, written)
+    engine.frame.returned = returned
 
 
-def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
+def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> bool:
+    """Follow statements under a condition; return whether they return for sure."""
     engine.conditions.append(note)
     try:
         block(engine, body)
     finally:
         engine.conditions.pop()
+    returned = engine.frame.returned
     engine.frame.returned = engine.frame.stopped = False
+    return returned
 
 
 def _looped(engine: Evaluation, statement: Loop) -> None:

@@ -188,7 +188,10 @@ class Evaluation(Calls):
                     if field.value is not None:
                         thing.fields[field.name] = self.typed(field.type, self.value(field.value))
                     elif field.type and "*" not in field.type:
-                        thing.fields[field.name] = self.declared(field.type)
+                        value = self.declared(field.type)
+                        # Who sets it may not be followed: it is not sure to be empty.
+                        not_set = unknown(f"{field.name}, which is not set")
+                        thing.fields[field.name] = not_set if isinstance(value, Text) else value
                 finally:
                     self.frame = outer
 

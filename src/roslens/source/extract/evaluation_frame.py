@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from roslens.source.extract.abstract_value import Obj, Unknown, as_text
-from roslens.source.extract.text import Hole, Text
+import msgspec
+
+from roslens.source.extract.abstract_value import Made, Obj, Unknown, as_text
+from roslens.source.extract.text import Hole, Text, unknown
 
 
 class Frame:
@@ -80,14 +82,32 @@ def _less(one: Any, other: Any) -> bool:
 def _join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
     for name, value in other.items():
         before = names.get(name)
-        if before is None or isinstance(before, Unknown):
-            names[name] = value
-        elif value == before:
+        if value == before:
             continue
-        elif isinstance(value, Text) and isinstance(before, Text):
-            names[name] = _either(value, before, condition)
-        elif isinstance(value, Text | bool | int | float) and isinstance(before, Text | bool | int | float):
-            names[name] = Unknown(f"one of {as_text(value)} and {as_text(before)}, by {condition}")
+        if before is None:
+            names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value
+        elif isinstance(value, Unknown | Text | bool | int | float) and isinstance(
+            before, Unknown | Text | bool | int | float
+        ):
+            names[name] = _one_of(value, before, condition)
+        elif isinstance(before, Unknown):
+            names[name] = value
+
+
+def _one_of(value: Any, before: Any, condition: str) -> Any:
+    """Return what is known of a value that is one thing where a condition holds, and another one else."""
+    if isinstance(value, Text) and isinstance(before, Text):
+        return _either(value, before, condition)
+    if isinstance(value, Text) and isinstance(before, Unknown):
+        return _either(value, unknown(before.reason), condition)
+    if isinstance(before, Text) and isinstance(value, Unknown):
+        return _either(unknown(value.reason), before, condition)
+    reasons = [one.reason if isinstance(one, Unknown) else str(as_text(one)) for one in (value, before)]
+    return Unknown(f"one of {reasons[0]} and {reasons[1]}, by {condition}"[:200])
+
+
+def _deciding(text: Text) -> list[str]:
+    return [hole.parameter or hole.reason for hole in text.holes]
 
 
 def _either(one: Text, other: Text, condition: str) -> Text:
@@ -96,6 +116,9 @@ def _either(one: Text, other: Text, condition: str) -> Text:
         return other
     if not other.parts:
         return one
+    if one.pattern == other.pattern and _deciding(one) == _deciding(other):
+        return min(one, other, key=lambda text: len(str(text)))
     reason = f"{one} if {condition[:60]}, else {other}"
     parameter = next((hole.parameter for hole in (*one.holes, *other.holes) if hole.parameter), "")
-    return Text((Hole(reason, parameter, other.usual),))
+    usual = other.usual if other.usual is not None else one.usual
+    return Text((Hole(reason[:400], parameter, usual),))

@@ -26,11 +26,7 @@ def generation_of(index: Index, path: str) -> str:
     own = _included(index.programs[path])
     if own:
         return "ros2" if own > 0 else "ros1"
-    package = index.package(path)
-    votes = sum(_included(program) for other, program in index.programs.items() if index.package(other) == package)
-    if not votes:
-        votes = sum(_included(program) for program in index.programs.values())
-    return "ros2" if votes > 0 else "ros1"
+    return "ros2" if index.votes(path, _included) > 0 else "ros1"
 
 
 def _included(program: Program) -> int:

@@ -94,6 +94,13 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
         engine.prepare(thing)
         engine.construct_as(thing, defined, [], {})
         _run_methods(engine, thing)
+        for found in index.methods(defined, defined.what.name):
+            # Constructors that nobody calls are an offer too.
+            if isinstance(found.what, Function) and (found.path, found.what.line) not in engine.reached:
+                other = Obj(defined.what.qualified_name, defined, {})
+                engine.prepare(other)
+                engine.call(Callable(found.what, found.path, other), [], {})
+        engine.run_later()
 
     return _finished(engine, run, reached)
 
@@ -149,6 +156,7 @@ def _run_methods(engine: Evaluation, thing: Obj) -> None:
         method = engine.method(thing, name)
         if method is not None and (method.path, method.function.line) not in engine.reached:
             engine.call(method, [], {})
+    _forget(engine, thing)
     engine.run_later()
     if thing.defined is None:
         return
@@ -157,14 +165,31 @@ def _run_methods(engine: Evaluation, thing: Obj) -> None:
         # What a base in another package could do is not what this node does.
         if engine.index.package(one.path) == home:
             for found in engine.index.methods_of(one):
-                if isinstance(found.what, Function) and not _made_by(found.what, one.what.name):
+                if isinstance(found.what, Function) and not _made_by(found.what, one):
                     engine.later.append((Callable(found.what, found.path, thing), f"{found.what.name}() is called"))
     engine.run_later()
 
 
-def _made_by(function: Function, class_name: str) -> bool:
+def _forget(engine: Evaluation, thing: Obj) -> None:
+    """Forget truth values that may have changed when a callback runs: those of members that methods set."""
+    waiting, seen = [thing], set[int]()
+    while waiting and len(seen) < 200:
+        one = waiting.pop()
+        if id(one) in seen or one.defined is None:
+            continue
+        seen.add(id(one))
+        changed = engine.index.changed(one.defined)
+        for name, value in one.fields.items():
+            if isinstance(value, bool) and name in changed:
+                one.fields[name] = Unknown(name)
+            elif isinstance(value, Obj):
+                waiting.append(value)
+
+
+def _made_by(function: Function, defined: Defined) -> bool:
     """Whether a function is a constructor or destructor, or makes no sense without its template arguments."""
-    return function.name in (class_name, f"~{class_name}", "__init__", "lambda") or bool(function.templates)
+    name, of_class = defined.what.name, len(defined.what.templates)
+    return function.name in (name, f"~{name}", "__init__", "lambda") or len(function.templates) > of_class
 
 
 def _finished(engine: Evaluation, run: Callable1[[], None], reached: Reached | None) -> list[NodeFacts]:

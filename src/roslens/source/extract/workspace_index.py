@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 
 import msgspec
 
-from roslens.source.extract.program import Assign, Class, Expression, Function, Name, Program
+from roslens.source.extract.program import (
+    Assign,
+    Branch,
+    Class,
+    Expression,
+    Function,
+    Loop,
+    Member,
+    Name,
+    Program,
+    Statement,
+)
 
 _SMART = frozenset(
     {"std.shared_ptr", "std.unique_ptr", "std.weak_ptr", "boost.shared_ptr", "boost.scoped_ptr", "boost.weak_ptr",
@@ -41,6 +53,12 @@ class Index:
         self._methods: dict[str, list[Defined]] = {}
         self._modules: dict[str, list[str]] = {}
         self._aliases: dict[str, str] = {}
+        self._changed: dict[str, frozenset[str]] = {}
+        self._chains: dict[str, list[Defined]] = {}
+        self._outer_bases: dict[str, list[str]] = {}
+        self._found_classes: dict[tuple[str, str, str], Defined | None] = {}
+        self._found_functions: dict[tuple[str, str, str], list[Defined]] = {}
+        self._generations: dict[str, int] = {}
         for path in sorted(self.programs):
             self._add(path, self.programs[path])
 
@@ -120,6 +138,15 @@ class Index:
         """Return the package that a file belongs to."""
         return self._packages.get(path) or path.partition("/")[0]
 
+    def votes(self, path: str, vote: Callable[[Program], int]) -> int:
+        """Return what the files of a package vote for together, those of the workspace where they are undecided."""
+        if not self._generations:
+            for other, program in self.programs.items():
+                vote_ = vote(program)
+                for name in (self.package(other), ""):
+                    self._generations[name] = self._generations.get(name, 0) + vote_
+        return self._generations.get(self.package(path), 0) or self._generations.get("", 0)
+
     def key(self, defined: Defined) -> str:
         """Return the name by which what a class defines is kept."""
         return _before(defined.path, self.programs[defined.path]) + defined.what.qualified_name
@@ -137,6 +164,12 @@ class Index:
 
     def class_of(self, name: str, path: str, scope: str) -> Defined | None:
         """Return the class that a name means; by its last part alone where that is the only one of its kind."""
+        key = (name, path, scope)
+        if key not in self._found_classes:
+            self._found_classes[key] = self._class_of(name, path, scope)
+        return self._found_classes[key]
+
+    def _class_of(self, name: str, path: str, scope: str) -> Defined | None:
         for one in self.named(name, path, scope):
             if one in self._classes:
                 return self._classes[one][0]
@@ -149,6 +182,12 @@ class Index:
 
     def functions_of(self, name: str, path: str, scope: str) -> list[Defined]:
         """Return the functions that a name means, those of the same file first."""
+        key = (name, path, scope)
+        if key not in self._found_functions:
+            self._found_functions[key] = self._functions_of(name, path, scope)
+        return self._found_functions[key]
+
+    def _functions_of(self, name: str, path: str, scope: str) -> list[Defined]:
         for one in self.named(name, path, scope):
             if one in self._functions:
                 return sorted(self._functions[one], key=lambda found: found.path != path)
@@ -169,6 +208,18 @@ class Index:
     def methods_of(self, defined: Defined) -> list[Defined]:
         """Return all methods of a class, in whatever file."""
         return self._methods.get(self.key(defined), [])
+
+    def changed(self, defined: Defined) -> frozenset[str]:
+        """Return the members that methods of a class other than its constructors assign."""
+        key = self.key(defined)
+        if key not in self._changed:
+            found: set[str] = set()
+            for one in self.chain(defined):
+                for method in self.methods_of(one):
+                    if isinstance(method.what, Function) and method.what.name not in (one.what.name, "__init__"):
+                        found |= assigned_names(method.what.body)
+            self._changed[key] = frozenset(found)
+        return self._changed[key]
 
     def member(self, defined: Defined, name: str) -> tuple[str, Expression] | None:
         """Return the file and value of a constant of a class."""
@@ -193,28 +244,52 @@ class Index:
 
     def chain(self, defined: Defined) -> list[Defined]:
         """Return a class and its bases in the workspace, nearest first, each once."""
+        first = self.key(defined)
+        if first in self._chains:
+            return self._chains[first]
         found: list[Defined] = []
+        keys: set[str] = set()
         waiting = [defined]
         while waiting and len(found) < 50:
             one = waiting.pop(0)
-            if any(self.key(one) == self.key(known) for known in found):
+            if self.key(one) in keys:
                 continue
             found.append(one)
+            keys.add(self.key(one))
             waiting += [base for name in self._bases(one) if (base := self.class_of(name, one.path, _around(one)))]
+        self._chains[first] = found
         return found
 
     def outer_bases(self, defined: Defined) -> list[str]:
         """Return the bases of a class and of its bases that are not in the workspace, aliases resolved."""
-        return [
-            self.meaning(name, one.path, _around(one))
-            for one in self.chain(defined)
-            for name in self._bases(one)
-            if self.class_of(name, one.path, _around(one)) is None
-        ]
+        key = self.key(defined)
+        if key not in self._outer_bases:
+            self._outer_bases[key] = [
+                self.meaning(name, one.path, _around(one))
+                for one in self.chain(defined)
+                for name in self._bases(one)
+                if self.class_of(name, one.path, _around(one)) is None
+            ]
+        return self._outer_bases[key]
 
     @staticmethod
     def _bases(defined: Defined) -> tuple[str, ...]:
         return defined.what.bases if isinstance(defined.what, Class) else ()
+
+
+def assigned_names(body: tuple[Statement, ...]) -> set[str]:
+    """Return the last names of what statements assign."""
+    found: set[str] = set()
+    waiting: list[Statement] = list(body)
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, Assign) and isinstance(one.target, Name | Member):
+            found.add(one.target.name)
+        elif isinstance(one, Branch):
+            waiting += [*one.then, *one.otherwise]
+        elif isinstance(one, Loop):
+            waiting += one.body
+    return found
 
 
 def _before(path: str, program: Program) -> str:
@@ -249,6 +324,7 @@ def _prefixes(scope: str) -> Iterator[str]:
     yield ""
 
 
+@lru_cache(maxsize=50_000)
 def dotted(written: str) -> str:
     """Return a C++ type or name with ``.`` between scopes and without template arguments."""
     depth, kept = 0, []
@@ -259,6 +335,7 @@ def dotted(written: str) -> str:
     return "".join(kept).replace("::", ".").strip(" .&*")
 
 
+@lru_cache(maxsize=50_000)
 def type_name(written: str) -> tuple[str, str]:
     """Return the class that a declared type means, without smart pointers, and its template arguments."""
     text = " ".join(word for word in written.replace("&", " ").replace("*", " ").split() if word not in _QUALIFIERS)

@@ -17,12 +17,16 @@ from roslens.live.diagnostic_array import ArrayError, read_array
 from roslens.live.reported_levels import TOPIC as DIAGNOSTICS
 from roslens.live.reported_levels import ReportedLevels
 from roslens.model.failure import Failure
-from roslens.model.graph import Event
+from roslens.model.graph import Change, Event
 from roslens.model.tally import Observer, Tally
 from roslens.model.wire import Frame
 
 SILENT_ROUNDS = 10
 """Rounds after which it is worth saying that nobody publishes statistics."""
+_UNTOLD = (
+    f"nobody publishes {TOPIC}, so periods and ages are unknown but where a tap reads: set the parameter "
+    "/enable_statistics to true before nodes start, or start them through roslens"
+)
 
 
 class Ear:
@@ -58,11 +62,11 @@ class Ear:
         sources = list(self._sources())
         self._listening.want(sources)
         taken = self._listening.take()
+        events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
         told = any(source.use is Use.STATISTICS for source in sources)
         if self._statistics and not told and self._rounds == SILENT_ROUNDS:
-            advice = "Set the parameter /enable_statistics to true before nodes start, or start them through roslens"
-            taken.failures.append(Failure(TOOL, f"nobody publishes {TOPIC}", "subscribers that do", advice))
-        events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
+            # No failure: ROS 1 as it comes publishes none, and a watch of it is not incomplete for that.
+            events.append(Event(frame.time, Change.CHANGED, f"host:{frame.sender.partition('/')[0]}", _UNTOLD))
         return msgspec.structs.replace(
             frame,
             events=[*frame.events, *events],

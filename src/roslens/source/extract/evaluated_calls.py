@@ -81,7 +81,7 @@ class Calls(Expressions):
             known = find_method(engine, thing, called)
             if known is not None:
                 return known(engine, thing, called)
-        found = self.defined(name)
+        found = engine.function(name, len(arguments) + len(keywords)) or self.defined(name)
         if isinstance(found, Callable | Class):
             return self._apply(found, expression, arguments, keywords, templates)
         meaning = engine.index.meaning(name, engine.frame.path, engine.frame.scope)

@@ -137,7 +137,7 @@ class Expressions:
         """Return an item."""
         of, key = self.value(expression.of), self.value(expression.key)
         if isinstance(of, dict):
-            return of.get(key, Unknown(f"an item of {expression_text(expression.of)}"))
+            return of.get(hashable(key), Unknown(f"an item of {expression_text(expression.of)}"))
         if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
             return of[key]
         if isinstance(of, Text) and key == 0 and of.parts and isinstance(first := of.parts[0], str):

@@ -6,6 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -120,7 +121,7 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
     elif isinstance(target, Item):
         of, key = engine.value(target.of), engine.value(target.key)
         if isinstance(of, dict):
-            of[_key(key)] = value
+            of[hashable(key)] = value
     elif isinstance(target, Sequence):
         items = value if isinstance(value, list) and len(value) == len(target.items) else None
         for place, one in enumerate(target.items):
@@ -214,7 +215,3 @@ _STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
     Branch: _branched,
     Loop: _looped,
 }
-
-
-def _key(value: Any) -> Any:
-    return value if isinstance(value, int | str | Text) else str(value)

@@ -40,6 +40,10 @@ MOST_TURNS = 64
 _STOPPED = object()
 
 
+KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
+"""Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
+
+
 class SpentError(Exception):
     """The bounds of evaluation are spent."""
 
@@ -228,7 +232,7 @@ class Evaluation(Calls):
 
     def methods(self, thing: Obj, name: str, count: int) -> Callable | None:
         """Return the method of an object that takes so many arguments."""
-        if thing.defined is None:
+        if thing.defined is None or (thing.node is not None and name in KNOWN_BETTER):
             return None
         for one in self.index.chain(thing.defined):
             found = self.index.methods(one, name)
@@ -236,6 +240,14 @@ class Evaluation(Calls):
             if chosen is not None and isinstance(chosen.what, Function):
                 return Callable(chosen.what, chosen.path, thing)
         return None
+
+    def function(self, name: str, count: int) -> Callable | None:
+        """Return the function outside of classes that a name means and that takes so many arguments."""
+        found = self.index.functions_of(name, self.frame.path, self.frame.scope)
+        chosen = _overload(found, count)
+        if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
+            return None
+        return Callable(chosen.what, chosen.path)
 
     def declared(self, declared: str) -> Any:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from roslens.source.extract.program import Program
 from roslens.source.extract.workspace_index import type_name
 
 _ENDS = re.compile(
@@ -23,6 +24,16 @@ def interface_name(written: str) -> str:
         pieces = [*pieces[:-2], pieces[-1]]
     if len(pieces) >= 2 and all(_NAME.fullmatch(piece) for piece in pieces) and pieces[-1][:1].isupper():
         return "/".join(pieces[-3:] if len(pieces) >= 3 and pieces[-2] in _MIDDLE else pieces[-2:])
+    return ""
+
+
+def included_interface(written: str, program: Program) -> str:
+    """Return the type that a name without package means by what a file includes: ``navfn/MakeNavPlan.h``."""
+    name, _ = type_name(written.replace(" const", " ").replace("const ", " ").strip())
+    last = _without_end(f"x.{name}").removeprefix("x.").rpartition(".")[2]
+    for header, _line in program.includes:
+        if header.endswith(f"/{last}.h") and header.count("/") == 1:
+            return f"{header.partition('/')[0]}/{last}"
     return ""
 
 

@@ -27,7 +27,9 @@ from roslens.source.extract.workspace_index import Defined, Index, type_name
 
 Reached = set[tuple[str, int]]
 """Functions that were evaluated, by file and line."""
-_FIRST = ("on_configure", "on_activate", "onInit", "onInitialize", "configure", "initialize", "init", "activate")
+_FIRST = ("on_configure", "on_activate", "onInit", "configure", "initialize", "onInitialize", "init", "activate")
+_ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+"""What values that fit nowhere may raise: source that does not compile must not hide what is found elsewhere."""
 _TREE_REGISTRATIONS = frozenset({"registerNodeType", "registerBuilder"})
 _REGISTRATIONS = {
     "RCLCPP_COMPONENTS_REGISTER_NODE": 0,
@@ -178,9 +180,11 @@ def _forget(engine: Evaluation, thing: Obj) -> None:
         if id(one) in seen or one.defined is None:
             continue
         seen.add(id(one))
+        # Small programs of C++ leave out functions that only compute: they may set any member.
+        any_member = engine.index.programs[one.defined.path].language == "cpp"
         changed = engine.index.changed(one.defined)
         for name, value in one.fields.items():
-            if isinstance(value, bool) and name in changed:
+            if isinstance(value, bool) and (any_member or name in changed):
                 one.fields[name] = Unknown(name)
             elif isinstance(value, Obj):
                 waiting.append(value)
@@ -198,6 +202,9 @@ def _finished(engine: Evaluation, run: Callable1[[], None], reached: Reached | N
     except (SpentError, RecursionError):
         place = Evidence(engine.node.path, engine.node.line)
         engine.node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
+    except _ODD as error:
+        reason = f"what is written at {engine.site.path}:{engine.site.line} is evaluated to nonsense ({error})"
+        engine.node.unresolved.append((engine.site, f"{reason}; what was found until then is here"))
     if reached is not None:
         reached |= engine.reached
     return [one.facts() for one in (engine.node, *engine.others)]

@@ -19,7 +19,7 @@ from roslens.source.extract.abstract_value import (
     Unknown,
     as_text,
 )
-from roslens.source.extract.interface_name import interface_name, of_generation
+from roslens.source.extract.interface_name import included_interface, interface_name, of_generation
 from roslens.source.extract.node_facts import EndpointFact, Evidence, ParameterFact, Sure, TimerFact
 from roslens.source.extract.program import Call, Name
 from roslens.source.extract.text import Hole, Text, unknown
@@ -133,6 +133,8 @@ def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Tex
     if not name:
         meaning = engine.index.meaning(written.replace("::", "."), engine.frame.path, engine.frame.scope)
         name = interface_name(meaning)
+    if not name:
+        name = included_interface(written, engine.index.programs[engine.frame.path])
     return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
 
 

@@ -89,6 +89,12 @@ def _load() -> None:
             import_module(f"roslens.source.extract.{name}")
 
 
+def known_names() -> frozenset[str]:
+    """Return the whole names of the classes and functions that are known."""
+    _load()
+    return frozenset(_OUTER)
+
+
 def find_outer(_engine: Evaluation, name: str) -> Word | None:
     """Return what calling a function or class by its whole name does."""
     _load()

@@ -42,6 +42,10 @@ class Index:
 
     def __init__(self, programs: Mapping[str, Program], packages: Mapping[str, str] | None = None) -> None:
         """Index programs by path; ``packages`` names the package of each, by default its first folder."""
+        # What the vocabulary knows is meant by it too where its source is in the workspace.
+        from roslens.source.extract.vocabulary import known_names
+
+        self._outer = known_names()
         self.programs = dict(programs)
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}
@@ -84,6 +88,8 @@ class Index:
     def _add_classes(self, path: str, program: Program, before: str) -> None:
         for one in program.classes:
             defined = Defined(path, one)
+            if one.qualified_name in self._outer:
+                continue
             self._classes.setdefault(before + one.qualified_name, []).append(defined)
             if not before:
                 self._classes_by_last.setdefault(one.name, []).append(defined)
@@ -93,7 +99,7 @@ class Index:
 
     def _add_functions(self, path: str, program: Program, before: str) -> None:
         for function in program.functions:
-            if function.name == "lambda":
+            if function.name == "lambda" or not self._outer.isdisjoint((function.qualified_name, function.class_name)):
                 continue
             defined = Defined(path, function)
             self._functions.setdefault(before + function.qualified_name, []).append(defined)
@@ -127,6 +133,8 @@ class Index:
         head, dot, rest = name.partition(".")
         meanings = [program.imports[head] + dot + rest] if head in program.imports else []
         for meaning in [*meanings, *(f"{using}.{name}" for using in program.using)]:
+            if meaning in self._outer:
+                return
             pieces = meaning.strip(".").split(".")
             for place in range(len(pieces) - 1, 0, -1):
                 found = self._modules.get(".".join(pieces[:place]))

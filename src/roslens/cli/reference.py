@@ -14,8 +14,11 @@ def pages() -> Mapping[str, str]:
     from roslens.judge.quality_model import builtin_models, load_model
     from roslens.judge.references_page import reference_schema, references_page
     from roslens.live.signals import BY_KEY
+    from roslens.report.graph_document import graph_schema
     from roslens.source.metrics.describe import metrics_page
     from roslens.source.metrics.table import QUANTITIES
+    from roslens.source.rules.graph import plugin as graph
+    from roslens.source.rules.graph.page import graph_rules_page
     from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
 
     known = {**QUANTITIES, **{quantity.key: quantity for quantity in CCCC_QUANTITIES}}
@@ -26,6 +29,8 @@ def pages() -> Mapping[str, str]:
         "model.schema.json": _json(model_schema()),
         "references.md": references_page(BY_KEY),
         "reference.schema.json": _json(reference_schema(BY_KEY)),
+        "graph.schema.json": _json(graph_schema()),
+        "graph_rules.md": graph_rules_page(graph.manifest.rules, graph.manifest.options),
     }
 
 

@@ -34,6 +34,7 @@ from roslens.plugins.sample import ENDINGS, SUFFIXES, sample_workspace
 TRIGGERS = "triggers"
 CLEAN = "clean"
 VALUES = "values"
+CONFIGURATION = "configuration"
 STRANGE = {
     "empty": b"",
     "binary": bytes(range(256)) * 8,
@@ -84,6 +85,9 @@ def check_plugin(
     lacking = tuple(lacking_text(member.manifest))
     if unable := order([member], _foreign_needs(member)).failures:
         return (*lacking, *(str(failure) for failure in unable))
+    if member.manifest.scopes == (CONFIGURATION,):
+        # Its hook sees no files: nothing calls it with a sample of any.
+        return lacking
     with _Bench(member, options or {}, time_limit_s) as bench:
         return (*lacking, *_falls_over(bench), *_misses(bench, fixtures))
 

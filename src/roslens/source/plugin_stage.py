@@ -24,16 +24,25 @@ if TYPE_CHECKING:
     from roslens.plugins.pool import ProcessWorkers
     from roslens.source.analyse_package import MeasuredPackage
 
-BUILTIN = ("roslens.source.tools.cccc:plugin",)
+GRAPH = "roslens.source.rules.graph:plugin"
+BUILTIN = ("roslens.source.tools.cccc:plugin", GRAPH)
 """Plug-ins that come with roslens, as ``module:attribute``."""
 
 ARTIFACTS = "artifacts"
 """Folder for files that plug-ins export, one folder a plug-in."""
 
 
-def discover_plugins(settings: SourceSettings, base: Path, log: Path | None = None) -> Discovered:
-    """Return the plug-ins that are there for ``settings``; relative paths start from ``base``."""
-    found = discover(settings.plugins, disable=settings.disable, base=base, builtin=BUILTIN, log=log)
+def discover_plugins(
+    settings: SourceSettings, base: Path, log: Path | None = None, *, configurations: bool = False
+) -> Discovered:
+    """Return the plug-ins that are there for ``settings``; relative paths start from ``base``.
+
+    Those of ours that only look at configurations are imported where ``configurations`` are looked at, or the settings
+    name them: a check of source has no use for them.
+    """
+    named = configurations or "graph" in {*settings.options, *settings.disable}
+    builtin = BUILTIN if named else tuple(one for one in BUILTIN if one != GRAPH)
+    found = discover(settings.plugins, disable=settings.disable, base=base, builtin=builtin, log=log)
     if all(member.builtin for member in found.members):
         return found
     # What roslens measures itself is only worth importing where a plug-in of somebody else may need it.

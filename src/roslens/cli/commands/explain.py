@@ -40,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.source.plugin_stage import discover_plugins
 
     configuration = find_configuration(Path(options.path).resolve(), options.config)
-    found = discover_plugins(configuration.source, Path(configuration.base or "."))
+    found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     quantities = dict(QUANTITIES)
     rules: dict[str, RuleInfo] = {}
     for member in found.members:

@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.source.plugin_stage import discover_plugins
 
     configuration = find_configuration(Path(options.path).resolve(), options.config)
-    found = discover_plugins(configuration.source, Path(configuration.base or "."))
+    found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     if options.format == "json":
         document = {
             "plugins": [{"origin": member.origin, **msgspec.to_builtins(member.manifest)} for member in found.members],

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import islice, product
 
+from roslens.judge.qos_match import mismatches
 from roslens.live.adapters.ros2 import TOOL
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Role
@@ -67,20 +68,6 @@ def _misfit(topic: str, publisher: Endpoint, subscription: Endpoint) -> Failure 
 
 
 def incompatible(offered: Qos, requested: Qos) -> Iterator[tuple[str, str]]:
-    """Yield, in words, each policy that is requested and the one offered that does not meet it.
-
-    After the rules of DDS, 2.2.3: what is offered must be at least as strict as what is requested.
-    """
-    for wanted, given, strict, lax in (
-        (requested.reliability, offered.reliability, "reliable", "best_effort"),
-        (requested.durability, offered.durability, "transient_local", "volatile"),
-        (requested.liveliness, offered.liveliness, "manual_by_topic", "automatic"),
-    ):
-        if wanted == strict and given == lax:
-            yield strict, lax
-    for name, want, give in (
-        ("deadline", requested.deadline_s, offered.deadline_s),
-        ("lease", requested.lease_s, offered.lease_s),
-    ):
-        if want and (not give or give > want):
-            yield f"a {name} of {want:g} s", f"one of {give:g} s" if give else f"no {name}"
+    """Yield, in words, each policy that is requested and the one offered that does not meet it."""
+    for one in mismatches(offered, requested):
+        yield one.requested, one.offered

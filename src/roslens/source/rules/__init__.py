@@ -1,0 +1,1 @@
+"""Rules that come with roslens: a folder for each family, one rule a file."""

@@ -1,0 +1,58 @@
+"""Rule ``graph.argument``: an argument of a launch file that must be given and is not, or has no valid value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, ConfiguredArgument
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.ends import is_launched
+from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.argument",
+    "Launch argument that is missing or wrong",
+    "A launch file declares an argument without a default that is not given, is given one that it does not declare, or "
+    "one whose value is none of its choices.",
+    Severity.ERROR,
+    ("ros", "graph", "launch"),
+    "Launching ends at once where an argument is missing; one that is not declared is ignored without a word.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each argument that is missing, of no use, or of no valid value."""
+    given = surroundings.given
+    declared = {one.name: one for one in configuration.arguments}
+    for name, one in sorted(declared.items()):
+        near = nearest_name(name, [other for other in given if other not in declared])
+        if one.default is None and name not in given:
+            yield _missing(one, near)
+        elif one.choices and name in given and given[name] not in one.choices:
+            message = (
+                f"argument `{name}` is given as `{given[name]}`; {one.proof.place} allows {', '.join(one.choices)}."
+            )
+            yield told(RULE, message, one.proof, entity=_entity(one), context=name)
+    if not is_launched(configuration) or not declared:
+        return
+    first = min(configuration.arguments, key=lambda one: one.proof)
+    for name in sorted(set(given) - set(declared)):
+        near = nearest_name(name, list(declared))
+        advice = f"Did you mean `{near}`?" if near else f"It declares {', '.join(sorted(declared))}."
+        message = f"argument `{name}` is given, but {first.proof.path} declares none of that name. {advice}"
+        yield told(RULE, message, first.proof, entity=_entity(first), severity=Severity.WARNING, context=name)
+
+
+def _missing(one: ConfiguredArgument, near: str) -> Finding:
+    advice = f"`{near}` is given instead." if near else f"Give `{one.name}:=…` or declare a default."
+    means = f" ({one.description})" if one.description else ""
+    message = f"argument `{one.name}`{means} must be given: {one.proof.place} declares it without a default. {advice}"
+    return told(RULE, message, one.proof, entity=_entity(one), context=one.name)
+
+
+def _entity(one: ConfiguredArgument) -> str:
+    return f"launch_file:{one.proof.path}"

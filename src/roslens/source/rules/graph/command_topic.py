@@ -1,0 +1,61 @@
+"""Rule ``graph.command_topic``: several nodes that command one thing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.graph import Role
+from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.ends import End, by_name, ends, listed
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.command_topic",
+    "Several publishers of a command",
+    "More than one node publishes on a topic whose messages move something, as cmd_vel or the commands of joints. "
+    "`command_topics` in `[options.graph]` says which topics these are. Let a multiplexer choose the source.",
+    Severity.WARNING,
+    ("ros", "graph", "safety"),
+    "The receiver obeys whoever spoke last: commands alternate, and a stop is overruled by the next message.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each topic of commands with publishers in several nodes."""
+    for (kind, name), all_ends in by_name(ends(configuration)).items():
+        if kind != "topic" or not surroundings.is_command(name):
+            continue
+        by_node: dict[str, End] = {}
+        for end in all_ends:
+            if end.role is Role.PUBLISHER:
+                by_node.setdefault(end.node.name, end)
+        publishers = _together(list(by_node.values()))
+        if len(publishers) > 1:
+            yield _told(name, publishers)
+
+
+def _together(publishers: list[End]) -> list[End]:
+    """Return those that run together with at least one other."""
+    return [
+        one
+        for one in publishers
+        if any(one is not other and not exclude_each_other(one.conditions, other.conditions) for other in publishers)
+    ]
+
+
+def _told(name: str, publishers: list[End]) -> Finding:
+    first, second = publishers[:2]
+    severity, doubt = weighed(
+        RULE.severity, (first.one.proof, second.one.proof), (*first.conditions, *second.conditions)
+    )
+    message = (
+        f"{len(publishers)} nodes publish commands on {name}: {listed([end.told for end in publishers])}. "
+        f"The last one to speak is obeyed; let a multiplexer choose between them.{doubt}"
+    )
+    names = " ".join(sorted(end.node.name for end in publishers))
+    return told(RULE, message, second.one.proof, entity=second.entity, severity=severity, context=names)

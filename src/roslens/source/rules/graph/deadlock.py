@@ -1,0 +1,75 @@
+"""Rule ``graph.deadlock``: a callback waits for an answer that only its own callback group could take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, ConfiguredNode
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.graph import Role
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import End
+from roslens.source.rules.graph.surroundings import Surroundings, Wait
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.deadlock",
+    "Service call that waits for itself",
+    "A callback of a node of ROS 2 calls a service and waits for the answer, while the client is in the same mutually "
+    "exclusive callback group as the callback (all that is given no group is in one). Give the client a group of its "
+    "own and use an executor with several threads, or take the answer in a callback.",
+    Severity.ERROR,
+    ("ros", "graph", "services", "deadlock"),
+    "The answer arrives and is never taken, for its group is busy with the callback that waits: the node hangs.",
+    tool=TOOL,
+    scope="configuration",
+    url="https://docs.ros.org/en/rolling/How-To-Guides/Using-callback-groups.html",
+)
+_RECEIVING = frozenset({Role.SUBSCRIPTION, Role.SERVICE_SERVER, Role.ACTION_SERVER})
+_REENTRANT = "Reentrant"
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each place of the code at which a callback waits for its own group."""
+    if configuration.generation != "ros2":
+        return
+    waits = {(one.proof.path, one.proof.line): one for one in surroundings.waits}
+    seen: set[tuple[str, int, str]] = set()
+    for node in configuration.nodes:
+        groups = _groups(node)
+        for one in node.endpoints:
+            if one.endpoint.role is not Role.SERVICE_CLIENT or one.group.startswith(_REENTRANT):
+                continue
+            for site in one.sites:
+                wait = waits.get((site.path, site.line))
+                place = (site.path, site.line, one.endpoint.name)
+                if wait is not None and place not in seen and one.group in groups.get(_plain(wait.function), ()):
+                    seen.add(place)
+                    yield _told(node, End(node, one), wait)
+
+
+def _plain(function: str) -> str:
+    return function.replace("::", ".")
+
+
+def _groups(node: ConfiguredNode) -> dict[str, set[str]]:
+    """Return the callback groups in which each function is called."""
+    found_groups: dict[str, set[str]] = {}
+    for one in node.endpoints:
+        if one.endpoint.role in _RECEIVING and one.callback:
+            found_groups.setdefault(_plain(one.callback), set()).add(one.group)
+    for timer in node.timers:
+        if timer.callback:
+            found_groups.setdefault(_plain(timer.callback), set()).add(timer.group)
+    return found_groups
+
+
+def _told(node: ConfiguredNode, end: End, wait: Wait) -> Finding:
+    severity, doubt = weighed(RULE.severity, (end.one.proof, wait.proof), end.conditions)
+    group = f"group {end.one.group}" if end.one.group else "the default group"
+    message = (
+        f"{wait.function} of {node.name} waits ({wait.how}, {wait.proof.place}) for service {end.name}, whose client "
+        f"({end.one.proof.place}) is in {group} as the callback itself: the answer is never taken. "
+        f"Give the client a callback group of its own.{doubt}"
+    )
+    return told(RULE, message, wait.proof, entity=end.entity, severity=severity, context=wait.function)

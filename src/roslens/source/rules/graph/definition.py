@@ -1,0 +1,50 @@
+"""Rule ``graph.definition``: ends of one name whose types have the same name and another definition."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import End, by_name, ends
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.definition",
+    "Two definitions of one type",
+    "Ends of one topic, service or action have types of the same name with different fields: their MD5 sums (ROS 1) or "
+    "type hashes (ROS 2) differ. Build all nodes against the same version of the interface package.",
+    Severity.ERROR,
+    ("ros", "graph", "type", "connectivity"),
+    "ROS 1 refuses the connection; ROS 2 may join the ends and read one definition with the other.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each name with two definitions of one type."""
+    for (kind, name), all_ends in by_name(ends(configuration)).items():
+        firsts: dict[str, dict[str, End]] = {}
+        for end in all_ends:
+            if end.type and end.one.endpoint.hash:
+                firsts.setdefault(end.type, {}).setdefault(end.one.endpoint.hash, end)
+        for type_, by_hash in sorted(firsts.items()):
+            if len(by_hash) > 1:
+                yield _told(kind, name, type_, list(by_hash.values()))
+
+
+def _told(kind: str, name: str, type_: str, differing: list[End]) -> Finding:
+    good, bad = differing[:2]
+    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), (*good.conditions, *bad.conditions))
+    message = (
+        f"{bad.told} and {good.told} use {kind} {name} with different definitions of {type_}: "
+        f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}.{doubt}"
+    )
+    return told(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=type_)
+
+
+def _short(end: End) -> str:
+    return end.one.endpoint.hash[:14]

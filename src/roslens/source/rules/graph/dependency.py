@@ -1,0 +1,62 @@
+"""Rule ``graph.dependency``: an interface that is used and not declared as a dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, Origin
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.source import Package
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import WORDS, End
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.dependency",
+    "Interface package that is not declared",
+    "Code of a package uses a message, service or action of another package that its package.xml does not depend on. "
+    "Dependencies of dependencies do not count. Add `<depend>`.",
+    Severity.WARNING,
+    ("ros", "graph", "dependencies", "package"),
+    "It builds where the package happens to be installed and fails on a clean machine or the build farm.",
+    tool=TOOL,
+    scope="configuration",
+)
+_COUNT = frozenset({"depend", "build", "build_export", "exec", "run"})
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each package and each interface package that it lacks."""
+    lacking: dict[tuple[str, str], list[End]] = {}
+    packages = {}
+    for node in configuration.nodes:
+        for one in node.endpoints:
+            owner = one.endpoint.type.partition("/")[0]
+            if one.implicit or one.proof.origin is not Origin.CODE or "/" not in one.endpoint.type:
+                continue
+            package = _package_of(one.proof.path, surroundings.packages)
+            if package is not None and not _depends(package, owner):
+                packages[package.id] = package
+                lacking.setdefault((package.id, owner), []).append(End(node, one))
+    for (package_id, owner), used in sorted(lacking.items()):
+        yield _told(packages[package_id], owner, min(used, key=lambda end: end.order))
+
+
+def _package_of(path: str, packages: tuple[Package, ...]) -> Package | None:
+    """Return the innermost package that a file is in."""
+    around = [one for one in packages if one.path in ("", ".") or path.startswith(f"{one.path}/")]
+    return max(around, key=lambda one: len(one.path), default=None)
+
+
+def _depends(package: Package, owner: str) -> bool:
+    return owner == package.name or any(one.name == owner and one.kind in _COUNT for one in package.dependencies)
+
+
+def _told(package: Package, owner: str, end: End) -> Finding:
+    severity, doubt = weighed(RULE.severity, (end.one.proof,))
+    message = (
+        f"{end.told} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
+        f"`{owner}`. Add `<depend>{owner}</depend>`.{doubt}"
+    )
+    return told(RULE, message, end.one.proof, entity=f"package:{package.id}", severity=severity, context=owner)

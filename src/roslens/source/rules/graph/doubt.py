@@ -1,0 +1,63 @@
+"""How much a finding weighs where what it rests on is not certain, and in words why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import product
+
+from roslens.model.configuration import Proof
+from roslens.model.finding import Severity
+
+_STEPS = {"certain": 0, "likely": 1, "possible": 2}
+_BY_RANK = (Severity.NOTE, Severity.WARNING, Severity.ERROR)
+_NEGATIONS = ("not ", "unless ")
+
+
+def weighed(
+    severity: Severity, proofs: Iterable[Proof | None], conditions: Iterable[str] = (), *, more: str = ""
+) -> tuple[Severity, str]:
+    """Return a severity lowered by doubt, and the words that say why; empty where nothing is in doubt.
+
+    What is likely, and what only holds under conditions, is one step less; what is possible is a note.
+
+    Args:
+        severity: where all is certain.
+        proofs: of what the finding rests on.
+        conditions: that must hold.
+        more: a further doubt, one step.
+    """
+    steps, words = 0, []
+    for proof in proofs:
+        if proof is not None and (step := _STEPS.get(proof.sure, 2)):
+            steps = max(steps, step)
+            how = f": {proof.how}" if proof.how else ""
+            words.append(f"{proof.sure} only{how} ({proof.place})")
+    held = list(dict.fromkeys(conditions))
+    if held:
+        steps = max(steps, 1)
+        words.append("only if " + " and ".join(f"`{one}`" for one in held))
+    if more:
+        steps += 1
+        words.append(more)
+    lowered = _BY_RANK[max(0, severity.rank - steps)]
+    return lowered, f" In doubt: {'; '.join(dict.fromkeys(words))}." if words else ""
+
+
+def doubt_of(proofs: Iterable[Proof | None], conditions: Iterable[str] = ()) -> int:
+    """Return how far from certain something is, to choose the clearest of several: 0 is certain."""
+    steps = [_STEPS.get(proof.sure, 2) for proof in proofs if proof is not None]
+    return max(steps, default=0) * 2 + bool(list(conditions))
+
+
+def exclude_each_other(first: Sequence[str], second: Sequence[str]) -> bool:
+    """Return whether a condition of one is the opposite of one of the other, as far as it is written so."""
+    return any(_opposite(one, other) or _opposite(other, one) for one, other in product(first, second))
+
+
+def _opposite(one: str, other: str) -> bool:
+    plain = one.removeprefix("if ").strip()
+    for negation in _NEGATIONS:
+        if other.startswith(negation):
+            rest = other.removeprefix(negation).strip()
+            return rest in (plain, f"({plain})") or f"({rest})" == plain
+    return False

@@ -1,0 +1,133 @@
+"""The ends of topics, services and actions that a configuration has, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import msgspec
+
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Origin
+from roslens.model.graph import Role
+from roslens.source.rules.graph.doubt import doubt_of
+
+KIND = {
+    Role.PUBLISHER: "topic",
+    Role.SUBSCRIPTION: "topic",
+    Role.SERVICE_SERVER: "service",
+    Role.SERVICE_CLIENT: "service",
+    Role.ACTION_SERVER: "action",
+    Role.ACTION_CLIENT: "action",
+}
+WORDS = {
+    Role.PUBLISHER: "publishes",
+    Role.SUBSCRIPTION: "subscribes",
+    Role.SERVICE_SERVER: "serves",
+    Role.SERVICE_CLIENT: "calls",
+    Role.ACTION_SERVER: "serves",
+    Role.ACTION_CLIENT: "calls",
+}
+OTHER = {
+    Role.PUBLISHER: Role.SUBSCRIPTION,
+    Role.SUBSCRIPTION: Role.PUBLISHER,
+    Role.SERVICE_SERVER: Role.SERVICE_CLIENT,
+    Role.SERVICE_CLIENT: Role.SERVICE_SERVER,
+    Role.ACTION_SERVER: Role.ACTION_CLIENT,
+    Role.ACTION_CLIENT: Role.ACTION_SERVER,
+}
+
+
+Key = tuple[str, str, str, str, str]
+
+
+class End(msgspec.Struct, frozen=True):
+    """An endpoint and its node."""
+
+    node: ConfiguredNode
+    one: ConfiguredEndpoint
+
+    @property
+    def name(self) -> str:
+        """Name of the topic, service or action."""
+        return self.one.endpoint.name
+
+    @property
+    def role(self) -> Role:
+        """What it does."""
+        return self.one.endpoint.role
+
+    @property
+    def type(self) -> str:
+        """Of the interface; empty where unknown."""
+        return self.one.endpoint.type
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """What must hold for it to be there."""
+        return (*self.node.conditions, *self.one.conditions)
+
+    @property
+    def entity(self) -> str:
+        """Id of the topic, service or action."""
+        return f"{KIND[self.role]}:{self.name}"
+
+    @property
+    def key(self) -> Key:
+        """What tells it from other ends."""
+        return self.node.name, self.node.proof.place, self.role.value, self.name, self.one.proof.place
+
+    @property
+    def told(self) -> str:
+        """The node and the place, as messages tell it."""
+        place = self.one.proof.place
+        return f"{self.node.name} ({place})" if place else self.node.name
+
+    @property
+    def order(self) -> tuple[int, str, str, str]:
+        """The clearest first, then by node and place."""
+        return doubt_of([self.one.proof], self.conditions), self.node.name, self.one.proof.place, self.name
+
+
+def ends(configuration: Configuration) -> list[End]:
+    """Return all ends of which the whole name is known, without those that every node has."""
+    return [
+        End(node, one)
+        for node in configuration.nodes
+        if node.resolved
+        for one in node.endpoints
+        if one.resolved and not one.implicit
+    ]
+
+
+def unresolved_ends(configuration: Configuration) -> list[End]:
+    """Return the ends of which a part of the name is unknown."""
+    return [
+        End(node, one)
+        for node in configuration.nodes
+        for one in node.endpoints
+        if not (one.resolved and node.resolved) and not one.implicit
+    ]
+
+
+def by_name(all_ends: Sequence[End]) -> dict[tuple[str, str], list[End]]:
+    """Return ends by kind and name, both sorted; the clearest end of each first."""
+    found: dict[tuple[str, str], list[End]] = {}
+    for end in sorted(all_ends, key=lambda one: one.order):
+        found.setdefault((KIND[end.role], end.name), []).append(end)
+    return dict(sorted(found.items()))
+
+
+def unknown_nodes(configuration: Configuration) -> list[ConfiguredNode]:
+    """Return the nodes of which nobody knows what they make."""
+    return [node for node in configuration.nodes if node.defined is None]
+
+
+def is_launched(configuration: Configuration) -> bool:
+    """Return whether launch files say what runs together; else nodes stand alone."""
+    return any(node.proof.origin is Origin.LAUNCH for node in configuration.nodes)
+
+
+def listed(words: Sequence[str], most: int = 3) -> str:
+    """Return a list in words, cut after ``most``."""
+    shown = list(dict.fromkeys(words))
+    rest = len(shown) - most
+    return ", ".join(shown[:most]) + (f" and {rest} more" if rest > 0 else "")

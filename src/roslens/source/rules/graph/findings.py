@@ -1,0 +1,51 @@
+"""All rules of the computation graph, and what they find in a configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo
+from roslens.source.rules.graph import (
+    argument,
+    command_topic,
+    deadlock,
+    definition,
+    dependency,
+    executable,
+    global_name,
+    node_name,
+    one_end,
+    parameter_file,
+    parameter_type,
+    parameter_undeclared,
+    private_data,
+    qos,
+    queue,
+    remap,
+    sim_time,
+    transform,
+    type,  # noqa: A004 - the rule is called so
+)
+from roslens.source.rules.graph.surroundings import Surroundings
+
+Found = Callable[[Configuration, Surroundings], Iterator[Finding]]
+
+_MODULES = (
+    qos, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_file, node_name,
+    command_topic, transform, dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
+)  # fmt: skip
+RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
+"""Each rule and the function that finds its occurrences, in the order in which they are documented."""
+
+
+def graph_findings(configuration: Configuration, surroundings: Surroundings | None = None) -> list[Finding]:
+    """Return what is wrong with a configuration, sorted by place; the same input gives the same findings.
+
+    Args:
+        configuration: what would run together.
+        surroundings: the workspace around it; without it rules that need it find nothing.
+    """
+    known = surroundings or Surroundings()
+    all_found = {finding for _rule, found in RULES for finding in found(configuration, known)}
+    return sorted(all_found, key=lambda one: (one.path, one.line, one.column, one.rule, one.entity, one.message))

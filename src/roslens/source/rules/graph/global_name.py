@@ -1,0 +1,48 @@
+"""Rule ``graph.global_name``: a name in the code that no namespace moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, Origin
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import KIND, WORDS, End
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.global_name",
+    "Global name in code",
+    "Code names a topic, service or action with a leading `/`. Names that all nodes share by convention, as /tf and "
+    "/clock, are left out. Use a relative name, or `~/` for what belongs to the node, and let launch files place it.",
+    Severity.NOTE,
+    ("ros", "graph", "names", "reuse"),
+    "A namespace does not move a global name: a second robot, or the node twice, talks on the topics of the first.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each place of the code that gives a global name."""
+    seen: set[tuple[str, str]] = set()
+    for node in configuration.nodes:
+        for one in node.endpoints:
+            place = (one.proof.place, one.given)
+            if one.implicit or one.proof.origin is not Origin.CODE or not one.given.startswith("/") or place in seen:
+                continue
+            if not surroundings.is_external(one.given):
+                seen.add(place)
+                yield _told(End(node, one))
+
+
+def _told(end: End) -> Finding:
+    given = end.one.given
+    severity, doubt = weighed(RULE.severity, (), ())
+    moved = " A remapping changes it here." if end.one.remapped is not None else ""
+    message = (
+        f"{end.told} {WORDS[end.role]} {KIND[end.role]} `{given}`, a global name.{moved} "
+        f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file.{doubt}"
+    )
+    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given)

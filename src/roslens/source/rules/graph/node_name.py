@@ -1,0 +1,64 @@
+"""Rule ``graph.node_name``: two nodes of one name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from roslens.model.configuration import Configuration, ConfiguredNode
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.node_name",
+    "Two nodes of one name",
+    "Two nodes that run together have the same resolved name. Nodes whose names get a random end, and those of which "
+    "only one is started because of opposite conditions, are left out. Give each a name or a namespace of its own.",
+    Severity.ERROR,
+    ("ros", "graph", "names", "launch"),
+    "ROS 1 shuts the first one down when the second comes. In ROS 2 both run, but services, parameters and life cycle "
+    "of the two cannot be told apart.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each name that several nodes have."""
+    by_name: dict[str, list[ConfiguredNode]] = {}
+    for node in configuration.nodes:
+        if node.resolved and not node.anonymous and node.kind not in ("process", "test"):
+            by_name.setdefault(node.name, []).append(node)
+    for name, nodes in sorted(by_name.items()):
+        pairs = [pair for pair in combinations(nodes, 2) if _collide(*pair)]
+        if pairs:
+            first, second = min(pairs, key=lambda pair: len(pair[0].conditions) + len(pair[1].conditions))
+            yield _told(name, first, second, len(nodes), ros1=configuration.generation == "ros1")
+
+
+def _collide(first: ConfiguredNode, second: ConfiguredNode) -> bool:
+    # One program may make several nodes, all of which a name given at its start renames: that is one process.
+    if first.proof.place == second.proof.place and first.unit != second.unit:
+        return False
+    return not exclude_each_other(first.conditions, second.conditions)
+
+
+def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, *, ros1: bool) -> Finding:
+    severity, doubt = weighed(
+        RULE.severity if ros1 else Severity.WARNING,
+        (first.proof, second.proof),
+        (*first.conditions, *second.conditions),
+    )
+    effect = "the first is shut down when the second starts" if ros1 else "they cannot be told apart"
+    more = f" {count} nodes have this name." if count > 2 else ""
+    message = (
+        f"{_what(first)} ({first.proof.place}) and {_what(second)} ({second.proof.place}) are both called {name}: "
+        f"{effect}.{more} Give one of them another name or namespace.{doubt}"
+    )
+    return told(RULE, message, second.proof, entity=f"node:{name}", severity=severity)
+
+
+def _what(node: ConfiguredNode) -> str:
+    return "/".join(part for part in (node.package, node.executable) if part) or "a node"

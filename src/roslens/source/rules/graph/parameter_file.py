@@ -1,0 +1,47 @@
+"""Rule ``graph.parameter_file``: a file of parameters that has none for the node it is given to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import listed
+from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.surroundings import Ignored, Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.parameter_file",
+    "Parameter file for another node",
+    "A file of parameters is given to a node, and none of its keys is the name of this node or a pattern for it. "
+    "The name in the file must be the whole resolved name: `/ns/node`, or `node` in the root namespace, or `/**`.",
+    Severity.ERROR,
+    ("ros", "graph", "parameters", "launch"),
+    "The whole file is ignored without a word; the node runs with its defaults, and asking it for its parameters "
+    "confirms them.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each file that is ignored by the node it is given to."""
+    conditions = {node.name: node.conditions for node in configuration.nodes}
+    for one in surroundings.ignored:
+        yield _told(one, conditions.get(one.node, ()))
+
+
+def _told(one: Ignored, conditions: tuple[str, ...]) -> Finding:
+    severity, doubt = weighed(RULE.severity, (one.proof, one.given), conditions)
+    last = one.node.rpartition("/")[2]
+    same = [key for key in one.keys if key.rpartition("/")[2] == last]
+    near = same[0] if same else nearest_name(one.node, list(one.keys))
+    hint = f" `{near}` is nearly it." if near else ""
+    keys = listed([f"`{key}`" for key in one.keys])
+    message = (
+        f"{one.given.place} gives {one.proof.path} to {one.node}, but it is keyed to {keys}: "
+        f"all of it is ignored.{hint} Key it to `{one.node}` or to `/**`.{doubt}"
+    )
+    return told(RULE, message, one.proof, entity=f"node:{one.node}", severity=severity, context=one.proof.path)

@@ -1,0 +1,73 @@
+"""Rule ``graph.parameter_type``: a parameter set with another type than it is declared with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.parameter_type",
+    "Parameter of another type",
+    "A parameter is set with a value of another type than the code declares or reads it with, as YAML tells types "
+    'apart: `1` is an integer, `1.0` a double, `"1"` a string. ROS 2 is strict, also between integer and double; ROS 1 '
+    "converts numbers. Write the value in the type that the code has.",
+    Severity.ERROR,
+    ("ros", "graph", "parameters", "launch"),
+    "In ROS 2 the node ends at start with an exception that names no file; in ROS 1 the default is used silently.",
+    tool=TOOL,
+    scope="configuration",
+)
+_NUMBERS = frozenset({"int", "double"})
+_KNOWN = frozenset(
+    {"bool", "int", "double", "string", "bool_array", "int_array", "double_array", "string_array", "map"}
+)
+
+
+def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each parameter that is set with a type that does not fit."""
+    ros1 = configuration.generation == "ros1"
+    for node in configuration.nodes:
+        for one in node.parameters:
+            if one.set_by is not None and one.proof is not None and _differs(one, ros1=ros1):
+                yield _told(node, one, ros1=ros1)
+
+
+def _differs(one: ConfiguredParameter, *, ros1: bool) -> bool:
+    wanted, given = one.type, one.set_type
+    if not {wanted, given} <= _KNOWN or wanted == given:
+        return False
+    if ros1:
+        # What Python reads has the type of the value; roscpp converts numbers.
+        python = one.proof is not None and one.proof.path.endswith(".py")
+        return not python and not {wanted, given} <= _NUMBERS and "array" not in wanted + given
+    return one.access == "declared"
+
+
+def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Finding:
+    proof, code = one.set_by, one.proof
+    assert proof is not None  # noqa: S101 - only parameters that are set are told
+    assert code is not None  # noqa: S101
+    severity, doubt = weighed(
+        Severity.WARNING if ros1 else RULE.severity, (proof, code), (*node.conditions, *one.conditions)
+    )
+    value = f" (`{one.value}`)" if one.value is not None else ""
+    effect = "the default is used" if ros1 else "the node does not start"
+    message = (
+        f"parameter `{one.name}` of {node.name} is set as {one.set_type}{value}; {code.place} "
+        f"{one.access or 'reads'} it as {one.type}: {effect}. {_advice(one)}{doubt}"
+    )
+    entity = f"parameter:{node.name}:{one.name}"
+    return told(RULE, message, proof, entity=entity, severity=severity, context=f"{one.set_type} {one.type}")
+
+
+def _advice(one: ConfiguredParameter) -> str:
+    if one.type == "double" and one.set_type == "int" and one.value is not None:
+        return f"Write `{one.value}.0`."
+    if one.type == "string" and one.value is not None:
+        return f'Write `"{one.value}"`.'
+    return f"Write a value of type {one.type}."

@@ -1,0 +1,87 @@
+"""Rule ``graph.parameter_undeclared``: a parameter that is set and that no code knows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.parameter_undeclared",
+    "Parameter that nobody knows",
+    "A launch file or a file of parameters sets a parameter that the node never declares (ROS 2) or reads (ROS 1). "
+    "Nodes whose code is unknown are left out, and so is what every node has. Correct the name, or remove it.",
+    Severity.WARNING,
+    ("ros", "graph", "parameters", "launch"),
+    "The value is ignored without a word and the node runs with its default.",
+    tool=TOOL,
+    scope="configuration",
+)
+_OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
+_PREFIXES = ("qos_overrides.", "diagnostic_updater.")
+
+
+def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each parameter that is set and not known by the node it is set for."""
+    ros1 = configuration.generation == "ros1"
+    open_nodes = {one.node for one in configuration.unresolved if one.node}
+    read = [one.name for node in configuration.nodes for one in node.parameters if one.access] if ros1 else []
+    for node in configuration.nodes:
+        if not _is_understood(node):
+            continue
+        known = [one.name for one in node.parameters if one.access]
+        for one in node.parameters:
+            if one.set_by is None or one.access or _is_of_every_node(one.name):
+                continue
+            if ros1 and (not one.name.startswith(f"{node.name}/") or _is_read(one.name, read)):
+                continue
+            if not any("*" in name and _fits(one.name, name) for name in known):
+                yield _told(node, one, known, ros1=ros1, is_open=node.name in open_nodes)
+
+
+def _is_understood(node: ConfiguredNode) -> bool:
+    """Whether its code says all parameters that it has; with dynamic_reconfigure a .cfg file says more."""
+    if node.defined is None or node.defined.origin is not Origin.CODE or not node.resolved:
+        return False
+    return not any(end.endpoint.type.startswith("dynamic_reconfigure/") for end in node.endpoints)
+
+
+def _is_of_every_node(name: str) -> bool:
+    return name in _OF_EVERY_NODE or name.startswith(_PREFIXES)
+
+
+def _is_read(name: str, read: list[str]) -> bool:
+    """Whether some node reads it, or a map that it is in."""
+    return any(name == one or name.startswith(one.rstrip("/") + "/") for one in read)
+
+
+def _fits(name: str, pattern: str) -> bool:
+    from fnmatch import fnmatchcase
+
+    return fnmatchcase(name, pattern)
+
+
+def _told(node: ConfiguredNode, one: ConfiguredParameter, known: list[str], *, ros1: bool, is_open: bool) -> Finding:
+    proof = one.set_by
+    assert proof is not None  # noqa: S101 - only parameters that are set are told
+    more = ""
+    if is_open:
+        more = f"not all of the code of {node.name} was understood"
+    elif "." in one.name and not ros1:
+        more = "a plug-in that the node loads may declare it"
+    severity, doubt = weighed(RULE.severity, (proof,), node.conditions, more=more)
+    near = nearest_name(one.name, known)
+    verb = "reads" if ros1 else "declares"
+    advice = f"Did you mean `{near}`?" if near else f"Correct the name or remove it; {_knows(known)}."
+    where = f" ({node.defined.place})" if node.defined is not None else ""
+    message = f"parameter `{one.name}` is set for {node.name}{where}, which never {verb} it. {advice}{doubt}"
+    return told(RULE, message, proof, entity=f"parameter:{node.name}:{one.name}", severity=severity, context=proof.path)
+
+
+def _knows(known: list[str]) -> str:
+    return f"it knows {', '.join(sorted(known)[:5])}{' …' if len(known) > 5 else ''}" if known else "it knows none"

@@ -1,0 +1,97 @@
+"""Rule ``graph.qos``: what a subscription requests is not offered, so nothing passes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import msgspec
+
+from roslens.judge.qos_match import Mismatch, mismatches
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.graph import Role
+from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.ends import End, Key, by_name, ends, listed
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.qos",
+    "Quality of service that does not fit",
+    "A subscription requests more than a publisher of its topic offers: reliable against best effort, transient local "
+    "against volatile, a shorter deadline or lease, a stricter liveliness. The two are never joined. It is an error "
+    "where the subscription gets nothing from anybody, a warning where it loses one of its publishers. What is unknown "
+    "is taken to fit. Offer more at the publisher, or request less at the subscription.",
+    Severity.ERROR,
+    ("ros", "graph", "qos", "connectivity"),
+    "Publisher and subscription are both there and look joined, but no message arrives and neither of them fails: the "
+    "middleware tells it once, in a warning that is easily lost.",
+    tool=TOOL,
+    scope="configuration",
+    url="https://docs.ros.org/en/rolling/Concepts/Intermediate/About-Quality-of-Service-Settings.html",
+)
+
+
+class _Pair(msgspec.Struct, frozen=True):
+    publisher: End
+    subscription: End
+
+
+def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each topic and each set of policies that keeps ends of it apart."""
+    for (kind, name), all_ends in by_name(ends(configuration)).items():
+        if kind == "topic":
+            yield from _of_topic(name, all_ends)
+
+
+def _of_topic(name: str, all_ends: list[End]) -> Iterator[Finding]:
+    publishers = [end for end in all_ends if end.role is Role.PUBLISHER]
+    pairs: dict[tuple[Mismatch, ...], list[_Pair]] = {}
+    fed: set[Key] = set()
+    for subscription in (end for end in all_ends if end.role is Role.SUBSCRIPTION):
+        for publisher in publishers:
+            if exclude_each_other(publisher.conditions, subscription.conditions):
+                continue
+            lacking = tuple(sorted(_lacking(publisher, subscription)))
+            if lacking:
+                pairs.setdefault(lacking, []).append(_Pair(publisher, subscription))
+            else:
+                fed.add(subscription.key)
+    for lacking, joined in pairs.items():
+        yield _told(name, lacking, joined, fed)
+
+
+def _lacking(publisher: End, subscription: End) -> Iterator[Mismatch]:
+    offered, requested = publisher.one.endpoint.qos, subscription.one.endpoint.qos
+    if offered is None or requested is None:
+        return
+    for one in mismatches(offered, requested):
+        # No limit and an unknown one are the same number: a publisher of which a part is unknown may have one.
+        if one.policy in ("deadline", "lease") and publisher.one.qos_unknown:
+            continue
+        yield one
+
+
+def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: set[Key]) -> Finding:
+    starved = [pair for pair in joined if pair.subscription.key not in fed]
+    pair = (starved or joined)[0]
+    publisher, subscription = pair.publisher, pair.subscription
+    severity, doubt = weighed(
+        RULE.severity if starved else Severity.WARNING,
+        (publisher.one.proof, subscription.one.proof),
+        (*publisher.conditions, *subscription.conditions),
+    )
+    requested = ", ".join(one.requested for one in lacking)
+    offered = ", ".join(one.offered for one in lacking)
+    asks = "; ".join(one.asks for one in lacking)
+    loss = "it gets nothing at all" if starved else "it gets nothing of this publisher, but of others"
+    rest = len({(one.publisher.key, one.subscription.key) for one in joined}) - 1
+    others = [one.subscription.told for one in joined if one.subscription.key != subscription.key]
+    others += [one.publisher.told for one in joined if one.publisher.key != publisher.key]
+    more = f" The same between {rest} more pair{'s' if rest > 1 else ''}: {listed(others)}." if rest else ""
+    message = (
+        f"{subscription.told} requests {requested} on {name}, {publisher.told} offers {offered}: {loss} "
+        f"(it asks {asks}).{more} Offer {requested} at the publisher or request {offered} at the subscription.{doubt}"
+    )
+    context = " ".join((*(one.policy for one in lacking), subscription.node.name, publisher.node.name))
+    return told(RULE, message, subscription.one.proof, entity=subscription.entity, severity=severity, context=context)

@@ -1,0 +1,66 @@
+"""Rule ``graph.queue``: a queue of one message for a fast topic that nobody sends again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.graph import Role
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import End, by_name, ends
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.queue",
+    "Queue of one on a fast topic",
+    "A subscription keeps one message, of a topic that comes best effort and at a high rate: as fast as the timer of "
+    "its publisher, where the publisher has timers and no other cause to publish. `fast_hz` in `[options.graph]` says "
+    "what a high rate is. Where only the newest message counts it is right, and needs no change.",
+    Severity.NOTE,
+    ("ros", "graph", "qos"),
+    "Each message that comes while a callback runs takes the place of the one before: what is lost is not counted.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each topic with a subscription whose queue is too short."""
+    for (kind, name), all_ends in by_name(ends(configuration)).items():
+        if kind != "topic":
+            continue
+        short = [end for end in all_ends if end.role is Role.SUBSCRIPTION and _is_short(end)]
+        fast = [
+            (rate, end)
+            for end in all_ends
+            if end.role is Role.PUBLISHER and (rate := _rate_hz(end)) >= surroundings.fast_hz
+        ]
+        if short and fast:
+            yield _told(name, short, *max(fast, key=lambda pair: pair[0]))
+
+
+def _is_short(end: End) -> bool:
+    qos = end.one.endpoint.qos
+    return qos is not None and qos.reliability == "best_effort" and qos.history == "keep_last" and qos.depth == 1
+
+
+def _rate_hz(end: End) -> float:
+    """Return how often a node publishes that only its timers move; 0 where that is not known."""
+    timers = end.node.timers
+    moved = any(other.endpoint.role is Role.SUBSCRIPTION and not other.implicit for other in end.node.endpoints)
+    if moved or not timers or any(not timer.period_s for timer in timers):
+        return 0.0
+    return min(1 / timer.period_s for timer in timers if timer.period_s)
+
+
+def _told(name: str, short: list[End], rate: float, publisher: End) -> Finding:
+    end = short[0]
+    severity, doubt = weighed(RULE.severity, (end.one.proof,), (*end.conditions, *publisher.conditions))
+    more = f" (and {len(short) - 1} more)" if len(short) > 1 else ""
+    message = (
+        f"{end.told}{more} keeps 1 message of {name}, which {publisher.told} publishes best effort with {rate:g} Hz: "
+        f"messages are lost while a callback runs. Keep more, unless only the newest counts.{doubt}"
+    )
+    return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=end.node.name)

@@ -1,0 +1,107 @@
+"""What the rules of the graph know besides the configuration: the workspace around it, and what users set."""
+
+from __future__ import annotations
+
+import msgspec
+
+from roslens.model.configuration import Proof
+from roslens.model.source import Package
+
+COMMAND_TOPICS = (
+    "*/cmd_vel", "*/cmd_vel_unstamped", "*/cmd_vel_stamped", "*/ackermann_cmd", "*/joint_command", "*/joint_commands",
+    "*/joint_trajectory", "*_controller/command", "*_controller/commands",
+)  # fmt: skip
+"""Topics whose messages move something: one source at a time is meant."""
+
+EXTERNAL = (
+    "/clock", "/tf", "/tf_static", "/rosout", "/rosout_agg", "/parameter_events", "/diagnostics", "*/diagnostics",
+    "/diagnostics_agg", "/diagnostics_toplevel_state", "/initialpose", "/goal_pose", "/clicked_point",
+    "/move_base_simple/goal", "*/parameter_descriptions", "*/parameter_updates", "*/set_parameters",
+    "*/transition_event", "*/compressed", "*/compressedDepth", "*/theora", "*/zstd", "*/ffmpeg", "*/feedback",
+    "*/bond", "/statistics",
+)  # fmt: skip
+"""Names whose other end is usually outside of what is launched: of tools, of people, of every node."""
+
+FAST_HZ = 20.0
+"""Messages a second from which on a topic is a fast one."""
+
+
+class Ignored(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A file of parameters that is given to a node and has none for it.
+
+    Attributes:
+        node: resolved name of the node.
+        proof: the file, at its first key.
+        keys: the names of nodes that the file has parameters for.
+        given: where the node gets the file.
+    """
+
+    node: str
+    proof: Proof
+    keys: tuple[str, ...]
+    given: Proof
+
+
+class Transform(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A transform that a node publishes all the time, as its command line says."""
+
+    node: str
+    parent: str
+    child: str
+    proof: Proof
+    conditions: tuple[str, ...] = ()
+
+
+class Wait(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A place that waits for the answer of a service.
+
+    Attributes:
+        function: qualified name of the function that waits.
+        proof: the call, the same place as a site of the client.
+        how: in words, ``call()`` …
+    """
+
+    function: str
+    proof: Proof
+    how: str = "call()"
+
+
+class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Everything that a rule may know besides the configuration.
+
+    Attributes:
+        packages: of the workspace.
+        installed: by package of the workspace what its build installs, by the names by which it is started or loaded;
+            a package whose build is not known in full is left out.
+        given: arguments of the launch file, by name.
+        ignored: files of parameters that are not for the node they are given to.
+        transforms: that are published all the time.
+        waits: places that wait for the answer of a service.
+        command_topics: patterns of topics that move something.
+        external: patterns of names whose other end is elsewhere.
+        fast_hz: from which on a topic is a fast one.
+    """
+
+    packages: tuple[Package, ...] = ()
+    installed: dict[str, tuple[str, ...]] = {}
+    given: dict[str, str] = {}
+    ignored: tuple[Ignored, ...] = ()
+    transforms: tuple[Transform, ...] = ()
+    waits: tuple[Wait, ...] = ()
+    command_topics: tuple[str, ...] = COMMAND_TOPICS
+    external: tuple[str, ...] = EXTERNAL
+    fast_hz: float = FAST_HZ
+
+    def is_external(self, name: str) -> bool:
+        """Return whether the other end of a name is usually elsewhere."""
+        return _matches(name, self.external)
+
+    def is_command(self, name: str) -> bool:
+        """Return whether messages of a topic move something."""
+        return _matches(name, self.command_topics)
+
+
+def _matches(name: str, patterns: tuple[str, ...]) -> bool:
+    from fnmatch import fnmatchcase
+
+    return any(fnmatchcase(name, pattern) for pattern in patterns)

@@ -1,0 +1,35 @@
+"""A finding of a rule of the graph."""
+
+from __future__ import annotations
+
+from roslens.model.configuration import Proof
+from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
+
+TOOL = "graph"
+
+
+def told(
+    rule: RuleInfo, message: str, proof: Proof, *, entity: str, severity: Severity | None = None, context: str = ""
+) -> Finding:
+    """Return an occurrence of a rule at the place that shows it.
+
+    Args:
+        rule: that is broken.
+        message: what was found, where, what was expected, what to do.
+        proof: of what is found fault with.
+        entity: text form of its id.
+        severity: where doubt lowers it.
+        context: tells it from other findings of the rule on the same entity, whatever the line.
+    """
+    return Finding(
+        rule.id,
+        rule.severity if severity is None else severity,
+        message,
+        proof.path,
+        proof.line,
+        proof.column,
+        entity=entity,
+        tags=rule.tags,
+        tool=TOOL,
+        fingerprint=fingerprint(rule.id, entity, context),
+    )

@@ -1,0 +1,50 @@
+"""Rule ``graph.transform``: a frame that two nodes place, or that has two parents."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.surroundings import Surroundings, Transform
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.transform",
+    "Frame that is placed twice",
+    "Two nodes publish the transform to one frame, from two parents or from the same. Only what command lines of "
+    "static_transform_publisher say is known. Remove one of the two.",
+    Severity.WARNING,
+    ("ros", "graph", "tf"),
+    "Frames are a tree: of two parents the one that spoke last counts, so that positions jump or look-ups fail.",
+    tool=TOOL,
+    scope="configuration",
+)
+
+
+def found(_configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each frame that is placed more than once."""
+    by_child: dict[str, list[Transform]] = {}
+    for one in surroundings.transforms:
+        by_child.setdefault(one.child.lstrip("/"), []).append(one)
+    for child, ones in sorted(by_child.items()):
+        pairs = [pair for pair in combinations(ones, 2) if not exclude_each_other(*(one.conditions for one in pair))]
+        if pairs:
+            # Two parents are worse than the same one twice.
+            yield _told(child, *min(pairs, key=lambda pair: pair[0].parent == pair[1].parent))
+
+
+def _told(child: str, first: Transform, second: Transform) -> Finding:
+    severity, doubt = weighed(RULE.severity, (first.proof, second.proof), (*first.conditions, *second.conditions))
+    if first.parent == second.parent:
+        both = f"{first.node} ({first.proof.place}) and {second.node} ({second.proof.place})"
+        what = f"{both} both place {child} in {first.parent}"
+    else:
+        what = (
+            f"frame {child} has two parents: {first.parent} by {first.node} ({first.proof.place}) "
+            f"and {second.parent} by {second.node} ({second.proof.place})"
+        )
+    message = f"{what}. Remove one of the two.{doubt}"
+    return told(RULE, message, second.proof, entity=f"node:{second.node}", severity=severity, context=child)

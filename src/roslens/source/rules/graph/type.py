@@ -1,0 +1,53 @@
+"""Rule ``graph.type``: ends of one name that speak of different types."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import WORDS, End, by_name, ends, listed
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.type",
+    "Two types on one name",
+    "Ends of one topic, service or action have different types. Types that are unknown, and those that stand for any, "
+    "fit all. Give one of them another name, or both the same type.",
+    Severity.ERROR,
+    ("ros", "graph", "type", "connectivity"),
+    "The ends are never joined; in ROS 1 the connection is refused with a line in a log, in ROS 2 what happens differs "
+    "from middleware to middleware: nothing, garbage, or a crash.",
+    tool=TOOL,
+    scope="configuration",
+)
+_ANY = frozenset({"*", "topic_tools/ShapeShifter", "topic_tools/msg/ShapeShifter"})
+
+
+def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each name that has more than one type."""
+    for (kind, name), all_ends in by_name(ends(configuration)).items():
+        of_type: dict[str, list[End]] = {}
+        for end in all_ends:
+            if end.type and end.type not in _ANY:
+                of_type.setdefault(end.type, []).append(end)
+        if len(of_type) > 1:
+            yield _told(kind, name, of_type)
+
+
+def _told(kind: str, name: str, of_type: dict[str, list[End]]) -> Finding:
+    # What most ends have is taken to be meant; the others are found fault with.
+    ranked = sorted(of_type, key=lambda one: (-len(of_type[one]), one))
+    usual, others = ranked[0], ranked[1:]
+    good, bad = of_type[usual][0], of_type[others[0]][0]
+    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), (*good.conditions, *bad.conditions))
+    said = "; ".join(
+        f"{listed([f'{end.told} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
+    )
+    message = (
+        f"{kind} {name} has {len(ranked)} types: {said}. They are never joined. "
+        f"Give all of them one type, or {others[0]} another name.{doubt}"
+    )
+    return told(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=" ".join(sorted(ranked)))

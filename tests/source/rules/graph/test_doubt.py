@@ -1,0 +1,48 @@
+import pytest
+
+from roslens.model.configuration import Proof
+from roslens.model.finding import Severity
+from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed
+
+CERTAIN, LIKELY, POSSIBLE = (Proof("a.cpp", 3, sure=sure) for sure in ("certain", "likely", "possible"))
+
+
+@pytest.mark.parametrize(
+    ("proofs", "conditions", "expected"),
+    [
+        ((CERTAIN, None), (), Severity.ERROR),
+        ((CERTAIN, LIKELY), (), Severity.WARNING),
+        ((LIKELY,), ("x",), Severity.WARNING),
+        ((POSSIBLE,), (), Severity.NOTE),
+        ((CERTAIN,), ("x",), Severity.WARNING),
+    ],
+)
+def test_doubt_lowers_by_steps(proofs, conditions, expected):
+    severity, words = weighed(Severity.ERROR, proofs, conditions)
+    assert severity is expected
+    assert bool(words) is (expected is not Severity.ERROR)
+
+
+def test_the_words_say_each_doubt_once():
+    assert weighed(Severity.NOTE, (LIKELY, LIKELY), ("x", "x"), more="who knows")[1] == (
+        " In doubt: likely only (a.cpp:3); only if `x`; who knows."
+    )
+
+
+def test_what_is_clearer_comes_first():
+    assert doubt_of([CERTAIN]) < doubt_of([CERTAIN], ["x"]) < doubt_of([LIKELY]) < doubt_of([POSSIBLE])
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "expected"),
+    [
+        (("a",), ("not a",), True),
+        (("not a", "b"), ("a",), True),
+        (("a == 1",), ("not (a == 1)",), True),
+        (("a",), ("a",), False),
+        (("a",), ("not b",), False),
+        ((), ("not b",), False),
+    ],
+)
+def test_opposites_exclude_each_other(one, other, expected):
+    assert exclude_each_other(one, other) is expected

@@ -1,0 +1,38 @@
+from roslens.model.configuration import Proof
+from roslens.source.rules.graph.executable import found
+from roslens.source.rules.graph.surroundings import Surroundings
+from testbed.configured import configuration, node
+
+INSTALLED = {"robot": ("slam_node", "robot::Slam", "Filter")}
+
+
+def findings(*nodes):
+    return list(found(configuration(*nodes), Surroundings(installed=INSTALLED)))
+
+
+def test_a_name_that_no_build_makes_is_told_with_what_was_meant():
+    (one,) = findings(node("/slam", executable="slam_nod", line=4, known=False))
+    assert one.message == (
+        "launch/robot.launch.xml:4 starts `slam_nod` of robot as /slam, which robot does not install. "
+        "Did you mean `slam_node`?"
+    )
+
+
+def test_what_is_installed_and_what_is_not_known_is_none():
+    assert not findings(
+        node("/a", executable="slam_node"),
+        node("/b", executable="robot::Slam", kind="component"),
+        node("/c", executable="robot/Filter", package="nodelet", kind="nodelet"),
+        node("/d", executable="x", package="elsewhere"),
+        node("/e", executable="slam_*"),
+        node("/f", executable="echo", kind="process"),
+    )
+
+
+def test_a_nodelet_is_looked_for_in_its_package():
+    (one,) = findings(node("/c", executable="robot/Filtre", package="nodelet", kind="nodelet"))
+    assert "Did you mean `Filter`?" in one.message
+
+
+def test_targets_that_stand_for_themselves_are_none():
+    assert not findings(node("/a", executable="x", proof=Proof("CMakeLists.txt", 3)))

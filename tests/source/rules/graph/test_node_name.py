@@ -1,0 +1,36 @@
+from roslens.model.finding import Severity
+from roslens.source.rules.graph.node_name import found
+from roslens.source.rules.graph.surroundings import Surroundings
+from testbed.configured import configuration, node
+
+
+def findings(*nodes, **more):
+    return list(found(configuration(*nodes, **more), Surroundings()))
+
+
+def test_two_nodes_of_one_name_are_told_with_both_places():
+    (one,) = findings(node("/a", line=3), node("/a", line=7), generation="ros1")
+    assert (one.severity, one.line) == (Severity.ERROR, 7)
+    assert one.message == (
+        "robot/a (launch/robot.launch.xml:3) and robot/a (launch/robot.launch.xml:7) are both called /a: the first is "
+        "shut down when the second starts. Give one of them another name or namespace."
+    )
+    (one,) = findings(node("/a", line=3), node("/a", line=7))
+    assert one.severity is Severity.WARNING
+
+
+def test_the_same_file_included_twice_starts_it_twice():
+    assert len(findings(node("/a"), node("/a"))) == 1
+
+
+def test_random_ends_opposite_conditions_and_nodes_of_one_process_are_none():
+    assert not findings(node("/a", anonymous=True), node("/a", line=2, anonymous=True))
+    assert not findings(node("/a", conditions=("$(var sim)",)), node("/a", line=2, conditions=("not $(var sim)",)))
+    assert not findings(node("/a", unit="A"), node("/a", unit="B"))
+    assert not findings(node("/a*", resolved=False), node("/a*", line=2, resolved=False))
+
+
+def test_a_condition_lowers_it():
+    (one,) = findings(node("/a", conditions=("debug",)), node("/a", line=2), generation="ros1")
+    assert one.severity is Severity.WARNING
+    assert "only if `debug`" in one.message

@@ -1,0 +1,95 @@
+from roslens.model.configuration import Origin, Proof
+from roslens.model.finding import Severity
+from roslens.source.rules.graph.one_end import found
+from roslens.source.rules.graph.surroundings import Surroundings
+from testbed.configured import configuration, end, launched, node
+
+PROOF = Proof("src/x.cpp", 1)
+
+
+def findings(*nodes, **surroundings):
+    return list(found(configuration(*nodes), Surroundings(**surroundings)))
+
+
+def test_two_names_that_mean_each_other_are_one_finding_at_the_end_that_waits():
+    (one,) = findings(node("/lidar", end("pub", "/scan_raw", line=3)), node("/slam", end("sub", "/scan_row", line=8)))
+    assert one.severity is Severity.WARNING
+    assert (one.path, one.line) == ("src/slam.cpp", 8)
+    assert one.message == (
+        "/slam (src/slam.cpp:8) subscribes topic /scan_row, which nobody publishes. Candidate: /scan_raw of /lidar "
+        "(src/lidar.cpp:3), nearly the same name. Correct or remap one of the two names."
+    )
+
+
+def test_another_namespace_is_a_candidate():
+    (one,) = findings(node("/lidar", end("pub", "/robot/scan")), node("/slam", end("sub", "/scan")))
+    assert "Candidate: /robot/scan of /lidar (src/lidar.cpp:1), the same name in another namespace." in one.message
+
+
+def test_a_name_of_another_type_is_none():
+    found_ones = findings(
+        node("/a", end("pub", "/scan_raw", "sensor_msgs/msg/Imu")), node("/b", end("sub", "/scan_row"))
+    )
+    assert [("Candidate" in one.message, one.severity) for one in found_ones] == [
+        (False, Severity.WARNING),
+        (False, Severity.NOTE),
+    ]
+
+
+def test_a_name_that_is_used_by_both_sides_is_no_candidate():
+    (one,) = findings(
+        node("/a", end("pub", "/image1")), node("/b", end("sub", "/image1")), node("/c", end("sub", "/image2"))
+    )
+    assert "Candidate" not in one.message
+
+
+def test_services_and_actions_need_a_server():
+    found_ones = findings(node("/a", end("call", "/load", "m/srv/Load"), end("ask", "/dock", "m/action/Dock")))
+    assert [one.entity for one in found_ones] == ["action:/dock", "service:/load"]
+    assert all(one.severity is Severity.WARNING and "which nobody serves" in one.message for one in found_ones)
+
+
+def test_what_is_joined_and_what_is_elsewhere_is_none():
+    assert not findings(
+        node(
+            "/a", end("pub", "/scan"), end("sub", "/clock"), end("sub", "/initialpose"), end("pub", "/ns/diagnostics")
+        ),
+        node("/b", end("sub", "/scan")),
+        node("/c", end("sub", "/joy")),
+        external=("/clock", "/initialpose", "*/diagnostics", "/joy"),
+    )
+
+
+def test_nodes_of_the_catalogue_offer_more_than_is_used():
+    assert not findings(node("/rviz", end("pub", "/goal", origin=Origin.CATALOGUE)))
+
+
+def test_a_node_that_is_not_known_may_be_the_other_end():
+    (one,) = findings(node("/a", end("sub", "/scan")), node("/driver", known=False))
+    assert one.severity is Severity.NOTE
+    assert one.message.endswith("In doubt: what /driver makes is unknown.")
+
+
+def test_a_name_that_is_not_known_neither_raises_nor_satisfies():
+    (one,) = findings(node("/a", end("sub", "/scan")), node("/b", end("pub", "/*", resolved=False, line=5)))
+    assert one.entity == "topic:/scan"
+    assert one.severity is Severity.NOTE
+    assert "the name is unknown of /b (src/b.cpp:5)" in one.message
+
+
+def test_nodes_that_stand_alone_only_tell_candidates():
+    alone = {"proof": Proof("CMakeLists.txt", 3)}
+    assert not findings(node("/a", end("sub", "/scan"), **alone))
+    assert (
+        len(findings(node("/a", end("sub", "/scan_row"), **alone), node("/b", end("pub", "/scan_raw"), **alone))) == 1
+    )
+
+
+def test_parts_of_an_action_are_not_told_beside_it():
+    nodes = node("/a", end("act", "/dock", "m/DockAction")), node("/b", end("ask", "/dock", "m/DockAction"))
+    assert not findings(*nodes, node("/c", end("sub", "/dock/status", "actionlib_msgs/GoalStatusArray")))
+
+
+def test_how_the_code_gives_the_name_is_told():
+    (one,) = findings(node("/a", end("sub", "/robot/scan", given="scan"), proof=launched()))
+    assert one.message.endswith("It is given as `scan`.")

@@ -1,0 +1,45 @@
+import pytest
+
+from roslens.model.configuration import Proof
+from roslens.model.finding import Severity
+from roslens.source.rules.graph.parameter_type import found
+from roslens.source.rules.graph.surroundings import Surroundings
+from testbed.configured import configuration, launched, node, parameter
+
+
+def findings(wanted, given, *, value="1", access="declared", path="src/a.cpp", generation="ros2"):
+    one = parameter(
+        "rate",
+        type=wanted,
+        set_type=given,
+        value=value,
+        access=access,
+        proof=Proof(path, 5),
+        set_by=launched(3, "a.yaml"),
+    )
+    return list(found(configuration(node("/a", parameters=(one,)), generation=generation), Surroundings()))
+
+
+def test_an_integer_for_a_double_stops_a_node_of_ros2():
+    (one,) = findings("double", "int", value="30")
+    assert one.severity is Severity.ERROR
+    assert (one.path, one.line) == ("a.yaml", 3)
+    assert one.message == (
+        "parameter `rate` of /a is set as int (`30`); src/a.cpp:5 declared it as double: the node does not start. "
+        "Write `30.0`."
+    )
+
+
+@pytest.mark.parametrize(
+    ("wanted", "given"), [("double", "double"), ("", "int"), ("int", ""), ("int_array", "list"), ("list", "int")]
+)
+def test_what_fits_or_is_unknown_is_none(wanted, given):
+    assert not findings(wanted, given)
+
+
+def test_ros1_converts_numbers_and_takes_the_default_otherwise():
+    assert not findings("double", "int", access="read", generation="ros1")
+    (one,) = findings("bool", "string", value="yes please", access="read", generation="ros1")
+    assert one.severity is Severity.WARNING
+    assert "the default is used" in one.message
+    assert not findings("bool", "string", access="read", path="src/a.py", generation="ros1")

@@ -1,0 +1,65 @@
+from roslens.model.configuration import Origin, Proof, Unresolved
+from roslens.model.finding import Severity
+from roslens.source.rules.graph.parameter_undeclared import found
+from roslens.source.rules.graph.surroundings import Surroundings
+from testbed.configured import configuration, end, launched, node, parameter
+
+CODE = Proof("src/a.cpp", 5)
+FILE = launched(3, "config/a.yaml")
+
+
+def findings(*nodes, **more):
+    return list(found(configuration(*nodes, **more), Surroundings()))
+
+
+def test_a_parameter_that_is_set_and_not_declared_is_told_with_what_was_meant():
+    (one,) = findings(
+        node(
+            "/a", parameters=(parameter("max_speed", access="declared", proof=CODE), parameter("max_sped", set_by=FILE))
+        )
+    )
+    assert (one.path, one.line, one.severity) == ("config/a.yaml", 3, Severity.WARNING)
+    assert one.entity == "parameter:/a:max_sped"
+    assert one.message == (
+        "parameter `max_sped` is set for /a (src/a.cpp:1), which never declares it. Did you mean `max_speed`?"
+    )
+
+
+def test_what_is_declared_or_of_every_node_or_of_unknown_code_is_none():
+    assert not findings(
+        node("/a", parameters=(parameter("x", access="declared", set_by=FILE), parameter("use_sim_time", set_by=FILE))),
+        node("/b", known=False, parameters=(parameter("y", set_by=FILE),)),
+        node("/c", parameters=(parameter("z", set_by=FILE),), defined=Proof("rviz", origin=Origin.CATALOGUE)),
+        node("/d", parameters=(parameter("*.rate", access="declared"), parameter("left.rate", set_by=FILE))),
+    )
+
+
+def test_doubt_makes_it_a_note():
+    (one,) = findings(node("/a", parameters=(parameter("follow.gain", set_by=FILE),)))
+    assert one.severity is Severity.NOTE
+    assert "a plug-in that the node loads may declare it" in one.message
+    (one,) = findings(
+        node("/a", parameters=(parameter("gain", set_by=FILE),)), unresolved=(Unresolved("", CODE, "a macro", "/a"),)
+    )
+    assert one.severity is Severity.NOTE
+    assert "not all of the code of /a was understood" in one.message
+
+
+def test_ros1_asks_for_its_own_parameters_that_no_node_reads():
+    a = node(
+        "/a",
+        parameters=(
+            parameter("/a/rate", set_by=FILE),
+            parameter("/a/map/x", set_by=FILE),
+            parameter("/other", set_by=FILE),
+        ),
+    )
+    b = node("/b", parameters=(parameter("/a/map", access="read", proof=CODE),))
+    (one,) = findings(a, b, generation="ros1")
+    assert one.entity == "parameter:/a:/a/rate"
+    assert "which never reads it" in one.message
+
+
+def test_parameters_of_dynamic_reconfigure_are_in_another_file():
+    server = end("serve", "/a/set_parameters", "dynamic_reconfigure/Reconfigure")
+    assert not findings(node("/a", server, parameters=(parameter("/a/rate", set_by=FILE),)), generation="ros1")

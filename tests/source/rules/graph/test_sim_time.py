@@ -1,0 +1,34 @@
+from roslens.source.rules.graph.sim_time import found
+from roslens.source.rules.graph.surroundings import Surroundings
+from testbed.configured import configuration, launched, node, parameter
+
+SIMULATED = (parameter("use_sim_time", value="True", set_by=launched(4)),)
+REAL = (parameter("use_sim_time", value="false", set_by=launched(5)),)
+UNKNOWN = (parameter("use_sim_time", set_by=launched(6, sure="possible")),)
+
+
+def findings(*nodes, **more):
+    return list(found(configuration(*nodes, **more), Surroundings()))
+
+
+def test_nodes_without_it_among_nodes_with_it_are_told_once():
+    (one,) = findings(
+        node("/a", parameters=SIMULATED), node("/b", line=7), node("/c", line=8, parameters=REAL), node("/d", line=9)
+    )
+    assert one.line == 7
+    assert one.message == (
+        "use_sim_time is true for /a (launch/robot.launch.xml:4), but not for /b (launch/robot.launch.xml:7), "
+        "/c (launch/robot.launch.xml:8), /d (launch/robot.launch.xml:9). Set it for all nodes that run together."
+    )
+
+
+def test_all_none_unknown_and_what_needs_no_time_is_none():
+    assert not findings(node("/a", parameters=SIMULATED), node("/b", parameters=SIMULATED))
+    assert not findings(node("/a", parameters=REAL), node("/b"))
+    assert not findings(
+        node("/a", parameters=SIMULATED),
+        node("/b", parameters=UNKNOWN),
+        node("/c", executable="static_transform_publisher"),
+    )
+    assert not findings(node("/a", parameters=SIMULATED), node("/b"), generation="ros1")
+    assert not findings(node("/a", parameters=SIMULATED, conditions=("sim",)), node("/b", conditions=("not sim",)))

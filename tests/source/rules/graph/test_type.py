@@ -1,0 +1,41 @@
+from roslens.model.finding import Severity
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.type import found
+from testbed.configured import configuration, end, node
+
+
+def findings(*nodes):
+    return list(found(configuration(*nodes), Surroundings()))
+
+
+def test_the_rarer_type_is_found_fault_with():
+    (one,) = findings(
+        node("/a", end("pub", "/p", "geometry_msgs/msg/Pose", 3)),
+        node("/b", end("sub", "/p", "geometry_msgs/msg/Pose", 4)),
+        node("/c", end("sub", "/p", "geometry_msgs/msg/PoseStamped", 5)),
+    )
+    assert one.severity is Severity.ERROR
+    assert (one.path, one.line) == ("src/c.cpp", 5)
+    assert "topic /p has 2 types: /a (src/a.cpp:3) publishes it, /b (src/b.cpp:4) subscribes it as" in one.message
+
+
+def test_services_and_topics_of_one_name_are_two_things():
+    assert not findings(node("/a", end("pub", "/p", "a_msgs/msg/A")), node("/b", end("serve", "/p", "a_msgs/srv/B")))
+
+
+def test_unknown_types_and_those_that_stand_for_any_fit():
+    assert not findings(
+        node("/a", end("pub", "/p", "a_msgs/msg/A")),
+        node("/b", end("sub", "/p", "")),
+        node("/c", end("sub", "/p", "topic_tools/ShapeShifter")),
+        node("/d", end("sub", "/p", "*")),
+    )
+
+
+def test_implicit_ends_are_left_out():
+    from roslens.model.configuration import Origin
+
+    assert not findings(
+        node("/a", end("pub", "/p", "a_msgs/msg/A", origin=Origin.IMPLICIT)),
+        node("/b", end("sub", "/p", "a_msgs/msg/B")),
+    )

@@ -107,7 +107,7 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
             "topic: /scan",
             "r.yaml:4:5: a constraint that expects nothing; expected a signal with a range, such as `rate`",
         ),
-        ("service: /s", "a constraint that expects nothing; expected `expected: always`"),
+        ("service: /s", "a constraint that expects nothing; expected a signal with a range, such as `calls`, or"),
         ("rate: 1..2", "r.yaml:4:5: a constraint that selects nothing; expected one of the keys host, node"),
         ("topic: /s\nnode: /n\nrate: 1..2", "a constraint on `node` and `topic`; expected one of them"),
         ("node: /n\nrate: 1..2", "'rate' is not measured of a node; expected it of a topic or connection"),

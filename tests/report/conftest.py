@@ -39,3 +39,12 @@ def view_of():
 @pytest.fixture
 def view(sample, view_of):
     return view_of([("unit-drive", sample.drive()), ("unit-arm", sample.arm())], sample.workspace(), sample.header())
+
+
+@pytest.fixture
+def graph():
+    path = SAMPLE.with_name("graph.py")
+    spec = importlib.util.spec_from_file_location("report_graph", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.configuration()

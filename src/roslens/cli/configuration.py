@@ -16,7 +16,7 @@ import msgspec
 from roslens.model.errors import DocumentError, UsageError
 from roslens.model.finding import Severity
 from roslens.model.source import Location, Role
-from roslens.source.settings import CountingSettings, MacroSettings, SourceSettings, WorkspaceSettings
+from roslens.source.settings import CountingSettings, GraphSettings, MacroSettings, SourceSettings, WorkspaceSettings
 
 FILE_NAME = "roslens.toml"
 
@@ -50,6 +50,7 @@ _TABLES: dict[str, type[msgspec.Struct]] = {
     "workspace": WorkspaceSettings,
     "counting": CountingSettings,
     "macros": MacroSettings,
+    "graph": GraphSettings,
 }
 FAIL_ON = (*(severity.value for severity in Severity), "never")
 

@@ -41,12 +41,34 @@ class MacroSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     statement: tuple[str, ...] = ()
 
 
+class NodeHint(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
+    """What code cannot tell of a node: endpoints, a line each (``name package/msg/Type``), and names at places.
+
+    ``names`` maps ``path:line`` of an endpoint whose name is unresolved to that name.
+    """
+
+    publishes: tuple[str, ...] = ()
+    subscribes: tuple[str, ...] = ()
+    serves: tuple[str, ...] = ()
+    calls: tuple[str, ...] = ()
+    serves_actions: tuple[str, ...] = ()
+    calls_actions: tuple[str, ...] = ()
+    names: dict[str, str] = {}
+
+
+class GraphSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What completes the computation graph: ``hints`` by resolved name of a node, or ``package/executable``."""
+
+    hints: dict[str, NodeHint] = {}
+
+
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that shapes the result of the source half."""
 
     workspace: WorkspaceSettings = WorkspaceSettings()
     counting: CountingSettings = CountingSettings()
     macros: MacroSettings = MacroSettings()
+    graph: GraphSettings = GraphSettings()
     models: tuple[str, ...] = ("ros",)
     gate_roles: tuple[str, ...] = ("own",)
     plugins: tuple[str, ...] = ()

@@ -61,6 +61,12 @@ duplicate_lines = 10
 blank = []
 # Macros that stand for a whole statement or declaration without a semicolon.
 statement = []
+
+# What code cannot tell of a node, for `roslens graph`; by its name, or by package/executable:
+# [graph.hints."/driver"]
+# publishes = ["odom nav_msgs/msg/Odometry 10"]
+# names = { "src/driver/src/driver.cpp:31" = "cmd_vel" }
+[graph.hints]
 """
 
 

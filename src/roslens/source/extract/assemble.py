@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import msgspec
 
@@ -23,6 +23,7 @@ from roslens.source.extract.launched import Argument, Launch, Launched, Setting
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.parameter_file import ros2_parameters
 from roslens.source.extract.text import Text
+from roslens.source.settings import NodeHint
 
 Known = Callable[[Launched, str, Sequence[Text]], Meant | None]
 """What is known of a node whose code is not in the workspace: by what is started, the generation and its arguments."""
@@ -39,6 +40,8 @@ def assemble(
     known: Known | None = None,
     files: Files | None = None,
     by_launch: bool = True,
+    hints: Mapping[str, NodeHint] | None = None,
+    hinted_in: str = "roslens.toml",
 ) -> Configuration:
     """Return the configuration that a launch comes to.
 
@@ -49,8 +52,13 @@ def assemble(
         known: knows nodes whose code is not in the workspace.
         files: from which files of parameters on command lines are read.
         by_launch: False where ``launch`` stands for targets, see :func:`targets_started`.
+        hints: of the user, by name of a node or ``package/executable``.
+        hinted_in: the file that has the hints.
+
+    Raises:
+        UsageError: a hint tells no endpoint.
     """
-    whole = _Whole(launch, units, known, files, by_launch=by_launch)
+    whole = _Whole(launch, units, known, files, by_launch=by_launch, hints=hints or {}, hinted_in=hinted_in)
     for launched in launch.nodes:
         whole.start(launched)
     unresolved = [Unresolved(one.text, launch_proof(one.evidence), one.reason) for one in launch.unresolved]
@@ -92,8 +100,17 @@ def _started(target: Target, kind: str) -> Launched:
 
 class _Whole:
     def __init__(
-        self, launch: Launch, units: Units, known: Known | None, files: Files | None, *, by_launch: bool
+        self,
+        launch: Launch,
+        units: Units,
+        known: Known | None,
+        files: Files | None,
+        *,
+        by_launch: bool,
+        hints: Mapping[str, NodeHint],
+        hinted_in: str,
     ) -> None:
+        self.hints, self.hinted_in = dict(hints), hinted_in
         self.launch, self.units, self.known, self.files, self.by_launch = launch, units, known, files, by_launch
         self.nodes: list[ConfiguredNode] = []
         self.unresolved: list[Unresolved] = []
@@ -113,6 +130,8 @@ class _Whole:
             self.launch.settings,
             container_name(launched, generation),
             self.by_launch,
+            self.hints,
+            self.hinted_in,
         )
         if not meant.facts:
             if not self.by_launch:

@@ -20,6 +20,7 @@ from roslens.source.extract.assemble_arguments import CommandLine
 from roslens.source.extract.assemble_parameters import Values, doubt, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
+from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, Sure
@@ -36,6 +37,7 @@ from roslens.source.extract.resolve_name import (
     rule,
 )
 from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.settings import NodeHint
 
 _SIM_TIME = {"ros2": "use_sim_time", "ros1": "/use_sim_time"}
 
@@ -49,6 +51,8 @@ class Given(msgspec.Struct, frozen=True):
         outside: parameters set outside of nodes (ROS 1).
         container: resolved name of the node it is loaded into.
         by_launch: whether a launch file starts it; else its target does.
+        hints: of the user, by name of a node or ``package/executable``.
+        hinted_in: the file that has the hints.
     """
 
     launched: Launched
@@ -57,6 +61,8 @@ class Given(msgspec.Struct, frozen=True):
     outside: tuple[Setting, ...] = ()
     container: str = ""
     by_launch: bool = True
+    hints: dict[str, NodeHint] = {}
+    hinted_in: str = ""
 
 
 def place_of(given: Given, facts: NodeFacts) -> Place:
@@ -120,10 +126,19 @@ class _Node:
         self.uncertain: set[int] = set()
         self.unresolved: list[Unresolved] = []
         self.origin = meant.origin
+        launched = given.launched
+        what = (launched.plugin if launched.plugin.parts else launched.executable).pattern
+        found = hint_of(given.hints, self.name, launched.package.pattern, what)
+        self.hint: NodeHint | None
+        self.hint_key, self.hint = found or ("", None)
 
     def configured(self) -> ConfiguredNode:
         facts, launched = self.facts, self.given.launched
-        endpoints = [self._endpoint(one) for one in facts.endpoints]
+        named = self.hint.names if self.hint else {}
+        endpoints = [self._endpoint(_renamed(one, named)) for one in facts.endpoints]
+        if self.hint:
+            told = hinted(self.hint, self.given.generation, self.given.hinted_in, self.hint_key)
+            endpoints += [self._endpoint(one, Origin.HINT) for one in told]
         if self.given.generation == "ros1":
             endpoints = folded(endpoints)
         parameters = parameters_of(facts.parameters, self.values)
@@ -157,7 +172,7 @@ class _Node:
             return self.facts.kind
         return self.meant.kind or kind
 
-    def _endpoint(self, fact: EndpointFact) -> ConfiguredEndpoint:
+    def _endpoint(self, fact: EndpointFact, origin: Origin | None = None) -> ConfiguredEndpoint:
         filled = self.values.fill(fact.name)
         resolved, by = resolve(filled.text, self.place, self.rules)
         self._note(filled.text, by)
@@ -167,7 +182,7 @@ class _Node:
         sure = doubt(stated, filled.sure, kind.sure if fact.type.holes else Sure.CERTAIN)
         if resolved.holes or (by is None and any(may_match(one, filled.text, self.place) for one in self.rules)):
             sure = Sure.POSSIBLE
-        proof = proof_of(fact.evidence, self.origin)
+        proof = proof_of(fact.evidence, origin or self.origin)
         how = "; ".join(filled.how) or ("" if fact.name.holes else proof.how)
         proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
         given = str(fact.name)
@@ -235,6 +250,12 @@ class _Node:
 
     def _miss(self, text: str, fact: EndpointFact, reason: str) -> None:
         self.unresolved.append(Unresolved(text, proof_of(fact.evidence, self.origin), reason, self.name))
+
+
+def _renamed(fact: EndpointFact, names: dict[str, str]) -> EndpointFact:
+    """Return an endpoint with the name that the user gives to what is made at its place."""
+    name = names.get(f"{fact.evidence.path}:{fact.evidence.line}")
+    return fact if name is None else msgspec.structs.replace(fact, name=Text.of(name))
 
 
 def container_name(launched: Launched, generation: str) -> str:

@@ -1,0 +1,189 @@
+"""``roslens graph``: the computation graph that launch files and code come to, read, not run."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.cli.boundary import CLEAN, FINDINGS
+from roslens.cli.streams import add_stream_arguments
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.cli.graph_source import GraphSource
+    from roslens.model.configuration import Configuration
+
+TEXT = "Show which node publishes, subscribes, serves and calls what, from source and launch files."
+FORMATS = ("text", "json", "dot", "mermaid", "nodl", "rosgraph", "markdown")
+_ONE = ("rosgraph",)
+EXAMPLES = """\
+  roslens graph                                    every node of the packages below this folder
+  roslens graph --launch rover_bringup/rover.launch.py --arg navigation:=false
+  roslens graph --package rover_base --node base_node --all
+  roslens graph --launch rover_bringup/rover.launch.py --format dot | dot -Tsvg > rover.svg
+  roslens graph --diff rover_bringup/rover.launch.py rover_bringup/rover.launch.py:navigation=false
+
+exit codes: as everywhere; with --diff 1 where there is a difference"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of ``roslens graph``."""
+    parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
+    parser.add_argument("--launch", metavar="FILE", help="what this launch file starts: PACKAGE/FILE or a path")
+    parser.add_argument(
+        "--arg", action="append", default=[], metavar="NAME:=VALUE", help="argument of the launch file; again for more"
+    )
+    parser.add_argument("--package", action="append", default=[], metavar="NAME", help="only what this package makes")
+    parser.add_argument("--node", action="append", default=[], metavar="NAME", help="only this node, or a pattern")
+    parser.add_argument("--all", action="store_true", help="also endpoints that every node has, as /rosout")
+    parser.add_argument("--format", choices=FORMATS, default="text", help="of the result")
+    parser.add_argument(
+        "--diff",
+        nargs=2,
+        metavar=("A", "B"),
+        help="compare two launch files (FILE[:arg=value,...]) or two files written by --format json",
+    )
+    parser.add_argument("-o", "--output", metavar="FILE", help="write the result there instead")
+    parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    add_stream_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Assemble, print and return the exit code.
+
+    Raises:
+        RoslensError: see :mod:`roslens.cli.boundary`.
+    """
+    from roslens.cli.graph_choice import chosen, require_nodes
+
+    if options.diff:
+        return _diff(options)
+    if options.format == "markdown":
+        raise UsageError("--format markdown without --diff", expected="one of the other formats")
+    if options.arg and not options.launch:
+        raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
+    if options.launch and options.package:
+        raise UsageError("--package with --launch", expected="one of them")
+    found = _configurations(open_source(options), options)
+    require_nodes(found, options.node)
+    shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
+    write(_text(shown, options), options.output)
+    return CLEAN
+
+
+def open_source(options: argparse.Namespace) -> GraphSource:
+    """Find the workspace and its configuration file."""
+    import os
+
+    import msgspec
+
+    from roslens.cli.configuration import find_configuration
+    from roslens.cli.graph_source import GraphSource
+    from roslens.source.workspace.conditions import environment_of
+    from roslens.source.workspace.find import root_of
+
+    configuration = find_configuration(root_of([options.path]), options.config)
+    settings = configuration.source
+    seen = {**environment_of(os.environ), **settings.workspace.environment}
+    workspace = msgspec.structs.replace(settings.workspace, environment=seen)
+    settings = msgspec.structs.replace(settings, workspace=workspace)
+    source = GraphSource(options.path, settings, Path(configuration.path).name, dict(os.environ))
+    for failure in source.failures:
+        # What is wrong with manifests is told by `check`; a workspace without packages has no graph.
+        if options.verbose or not source.facts.packages:
+            print(f"roslens: {failure.what}; expected {failure.expected}", file=sys.stderr)
+    return source
+
+
+def _configurations(source: GraphSource, options: argparse.Namespace) -> tuple[Configuration, ...]:
+    from roslens.cli.graph_source import arguments_of
+
+    if options.launch:
+        return (source.launched(options.launch, arguments_of(options.arg)),)
+    return source.packages(options.package)
+
+
+def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace) -> str:
+    if options.format == "json":
+        from roslens.report.graph_document import to_graph_json
+
+        return to_graph_json(configurations)
+    if not configurations:
+        return "no nodes\n" if options.format == "text" else ""
+    if options.format in _ONE and len(configurations) > 1:
+        raise UsageError(
+            f"--format {options.format} of packages of both generations",
+            expected="one configuration",
+            advice="Choose with --launch or --package",
+        )
+    writer = _writer(options.format)
+    return "\n".join(writer(one) for one in configurations)
+
+
+def _writer(form: str) -> Callable[[Configuration], str]:
+    """Return what writes a configuration in a format."""
+    if form == "rosgraph":
+        from roslens.report.to_rosgraph import to_rosgraph
+
+        return lambda one: to_rosgraph(one.graph())
+    from importlib import import_module
+
+    module, name = _WRITERS[form]
+    found: Callable[[Configuration], str] = getattr(import_module(f"roslens.report.{module}"), name)
+    return found
+
+
+_WRITERS = {
+    "text": ("graph_text", "to_graph_text"),
+    "dot": ("to_dot", "to_dot"),
+    "mermaid": ("to_mermaid", "to_mermaid"),
+    "nodl": ("to_nodl", "to_nodl"),
+}
+
+
+def _diff(options: argparse.Namespace) -> int:
+    from roslens.cli.graph_choice import chosen
+    from roslens.cli.graph_diff import differences, to_markdown, to_text
+
+    if options.format not in ("text", "markdown", "json"):
+        raise UsageError(f"--format {options.format} with --diff", expected="text, markdown or json")
+    if options.launch or options.arg or options.package:
+        raise UsageError("--launch, --arg or --package with --diff", expected="what is compared after --diff alone")
+    sides = [chosen(_side(text, options), options.node, implicit=options.all) for text in options.diff]
+    found = differences(*sides)
+    if options.format == "json":
+        import msgspec
+
+        text = msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n"
+    else:
+        text = (to_markdown if options.format == "markdown" else to_text)(found, *options.diff)
+    write(text, options.output)
+    return FINDINGS if found else CLEAN
+
+
+def _side(text: str, options: argparse.Namespace) -> Configuration:
+    """Return one side of a comparison: a document, or a launch file with arguments."""
+    if text.endswith(".json"):
+        from roslens.report.graph_document import read_graph_json
+
+        configurations = read_graph_json(Path(text).read_bytes(), text)
+        if len(configurations) != 1:
+            raise UsageError(f"{text} has {len(configurations)} configurations", expected="one")
+        return configurations[0]
+    launch, _, rest = text.partition(":")
+    arguments = dict(pair.partition("=")[::2] for pair in rest.split(",") if pair)
+    return open_source(options).launched(launch, arguments)
+
+
+def write(text: str, output: str | None) -> None:
+    """Write a result to a file, whole or not at all, or to standard output."""
+    if output is None:
+        sys.stdout.write(text)
+        return
+    from roslens.report.whole_file import whole_file
+
+    with whole_file(Path(output)) as stream:
+        stream.write(text)

@@ -1,0 +1,162 @@
+"""A configuration of a workspace by what the user names: a launch file with arguments, packages, or everything."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.model.configuration import Configuration
+    from roslens.source.extract.workspace_facts import WorkspaceFacts
+    from roslens.source.settings import SourceSettings
+
+_LAUNCH_ENDS = (".launch", ".launch.py", ".launch.xml", ".launch.yaml", ".launch.yml", "_launch.py", ".test", ".xml")
+
+
+class GraphSource:
+    """The workspace below some folder, from which configurations are made."""
+
+    def __init__(self, path: str, settings: SourceSettings, hinted_in: str, environment: Mapping[str, str]) -> None:
+        """Find the packages of a workspace.
+
+        Args:
+            path: folder of it.
+            settings: how files are told apart, macros, hints.
+            hinted_in: the file with the hints.
+            environment: variables that conditions of manifests see.
+
+        Raises:
+            UsageError: there is no such folder.
+        """
+        from roslens.source.extract.workspace_facts import WorkspaceFacts
+        from roslens.source.workspace.find import find_workspace
+
+        self._settings = settings
+        self._hinted_in = hinted_in
+        self._environment = environment
+        workspace = find_workspace([path], settings.workspace)
+        self.root = Path(workspace.root)
+        self.failures = workspace.failures
+        self.facts: WorkspaceFacts = WorkspaceFacts(workspace, settings)
+
+    def launched(self, launch: str, arguments: Mapping[str, str]) -> Configuration:
+        """Return what a launch file comes to.
+
+        Raises:
+            UsageError: there is no such file.
+        """
+        from roslens.source.extract.assemble import assemble
+        from roslens.source.extract.catalogue import known_node
+        from roslens.source.extract.launch_ros1 import evaluate_ros1
+        from roslens.source.extract.launch_ros2 import evaluate_ros2
+
+        path = self._launch_file(launch)
+        evaluate = evaluate_ros1 if self._is_ros1(path) else evaluate_ros2
+        result = evaluate(path, self.facts.files, arguments, None)
+        given = "".join(f" {name}:={value}" for name, value in arguments.items())
+        return assemble(
+            result, self.facts, title=path + given, known=known_node, files=self.facts.files,
+            hints=self._settings.graph.hints, hinted_in=self._hinted_in,
+        )  # fmt: skip
+
+    def packages(self, names: Sequence[str]) -> tuple[Configuration, ...]:
+        """Return all that the builds of packages make: a configuration for each generation of ROS.
+
+        Raises:
+            UsageError: the workspace has no package of that name.
+        """
+        from roslens.source.extract.assemble import assemble, targets_started
+        from roslens.source.extract.catalogue import known_node
+
+        known = [package.name for package in self.facts.packages]
+        for name in names:
+            if name not in known:
+                raise _no_package(name, known)
+        found = []
+        for generation in ("ros1", "ros2"):
+            chosen = [
+                one.name
+                for one in self.facts.packages
+                if (one.name in names or not names) and (one.build_type == "catkin") == (generation == "ros1")
+            ]
+            nodes = [node for name in chosen for node in targets_started(name, self.facts, generation).nodes]
+            if not nodes:
+                continue
+            from roslens.source.extract.launched import Launch
+
+            title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
+            made = assemble(
+                Launch(generation, tuple(nodes)), self.facts, title=title, known=known_node, files=self.facts.files,
+                by_launch=False, hints=self._settings.graph.hints, hinted_in=self._hinted_in,
+            )  # fmt: skip
+            found.append(made)
+        return tuple(one for one in found if one.nodes)
+
+    def launch_files(self) -> Iterator[str]:
+        """Yield the launch files of the workspace as PACKAGE/FILE."""
+        for package in self.facts.packages:
+            for path in self.facts.paths(package.name):
+                if path.endswith(_LAUNCH_ENDS) and "/launch/" in f"/{path}":
+                    yield f"{package.name}/{path.rpartition('/')[2]}"
+
+    def _launch_file(self, launch: str) -> str:
+        package, slash, name = launch.partition("/")
+        if slash and self.facts.has(package):
+            fit = [path for path in self.facts.paths(package) if path.endswith(f"/{name}")]
+            if fit:
+                return min(fit, key=lambda path: ("/launch/" not in f"/{path}", len(path), path))
+        for start in (Path(launch), self.root / launch):
+            if start.is_file():
+                resolved = start.resolve()
+                if not resolved.is_relative_to(self.root):
+                    raise UsageError(
+                        f'"{launch}" is outside of the workspace "{self.root}"',
+                        expected="a launch file in it",
+                        advice="Give the folder of the workspace as PATH",
+                    )
+                return resolved.relative_to(self.root).as_posix()
+        import difflib
+
+        near = difflib.get_close_matches(launch, list(self.launch_files()), 1, 0.4)
+        raise UsageError(
+            f'no launch file "{launch}"',
+            expected="PACKAGE/FILE or a path",
+            advice=f'Did you mean "{near[0]}"?' if near else "",
+        )
+
+    def _is_ros1(self, path: str) -> bool:
+        if path.endswith((".py", ".yaml", ".yml")):
+            return False
+        import re
+
+        content = self.facts.files.content(path) or b""
+        if re.search(rb"<(?:node|test)\b[^>]*\s(?:exec|namespace)\s*=|\$\((?:var|find-pkg-share)\s|<let\b", content):
+            return False
+        return not path.endswith(".launch.xml") or re.search(rb"<(?:node|test)\b[^>]*\stype\s*=", content) is not None
+
+
+def _no_package(name: str, known: Sequence[str]) -> UsageError:
+    import difflib
+
+    near = difflib.get_close_matches(name, known, 1)
+    shown = ", ".join(known[:8]) + (" …" if len(known) > 8 else "")
+    advice = f'Did you mean "{near[0]}"?' if near else ""
+    return UsageError(f'no package "{name}"', expected=f"one of {shown}", advice=advice)
+
+
+def arguments_of(words: Sequence[str]) -> dict[str, str]:
+    """Return arguments of a launch file by name, from words like ``name:=value``.
+
+    Raises:
+        UsageError: a word is none.
+    """
+    found = {}
+    for word in words:
+        name, separator, value = word.partition(":=")
+        if not separator or not name:
+            raise UsageError(f'--arg "{word}"', expected="name:=value")
+        found[name] = value
+    return found

@@ -1,0 +1,46 @@
+"""Configurations as JSON: ``docs/reference/graph.schema.json`` says what it looks like."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.model.configuration import Configuration
+from roslens.model.errors import DocumentError
+
+SCHEMA = "roslens-graph/1"
+
+
+class GraphDocument(msgspec.Struct, frozen=True):
+    """What ``roslens graph --format json`` writes; within version 1 keys are only added."""
+
+    schema: str
+    configurations: tuple[Configuration, ...]
+
+
+def to_graph_json(configurations: tuple[Configuration, ...]) -> str:
+    """Return configurations as a JSON document."""
+    encoded = msgspec.json.encode(GraphDocument(SCHEMA, configurations))
+    return msgspec.json.format(encoded, indent=1).decode() + "\n"
+
+
+def read_graph_json(content: bytes, shown: str) -> tuple[Configuration, ...]:
+    """Read a document back.
+
+    Raises:
+        DocumentError: it is none.
+    """
+    try:
+        document = msgspec.json.decode(content, type=GraphDocument)
+    except msgspec.DecodeError as error:
+        raise DocumentError(str(error), where=shown, expected="a file of `roslens graph --format json`") from error
+    if document.schema != SCHEMA:
+        raise DocumentError(f'"schema": "{document.schema}"', where=shown, expected=f'"{SCHEMA}"')
+    return document.configurations
+
+
+def graph_schema() -> dict[str, Any]:
+    """Return the JSON Schema of the document."""
+    schema = msgspec.json.schema(GraphDocument)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": SCHEMA, **schema}

@@ -1,0 +1,156 @@
+"""A configuration for people: each node with what it publishes, subscribes, serves, calls and takes, and from where."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from roslens.model.configuration import (
+    Configuration,
+    ConfiguredEndpoint,
+    ConfiguredNode,
+    ConfiguredParameter,
+    Origin,
+    Proof,
+)
+from roslens.model.graph import Role
+from roslens.model.qos import Qos
+
+_HEADS = (
+    (Role.PUBLISHER, "publishes"),
+    (Role.SUBSCRIPTION, "subscribes"),
+    (Role.SERVICE_SERVER, "serves"),
+    (Role.SERVICE_CLIENT, "calls"),
+    (Role.ACTION_SERVER, "serves actions"),
+    (Role.ACTION_CLIENT, "calls actions"),
+)
+_LONGEST = 60
+
+
+def to_graph_text(configuration: Configuration) -> str:
+    """Return a configuration as lines; marks are told in the last one where there are any."""
+    lines = [*_head(configuration)]
+    for one in configuration.nodes:
+        lines += ["", *_node(one)]
+    if configuration.unresolved:
+        lines += ["", f"unresolved: {len(configuration.unresolved)}"]
+        for missing in configuration.unresolved:
+            node = f"{missing.node}: " if missing.node else ""
+            text = f' "{_short(missing.text)}"' if missing.text else ""
+            lines.append(f"  {missing.proof.place}  {node}{missing.reason}{text}")
+    if any("? " in line or "~ " in line for line in lines):
+        lines += ["", "? a part of the name is unknown, * stands for it   ~ likely, but may be otherwise"]
+    return "".join(f"{_printable(line)}\n" for line in lines)
+
+
+def _head(configuration: Configuration) -> Iterator[str]:
+    names = {one.endpoint.name for node in configuration.nodes for one in node.endpoints if _is_topic(one)}
+    nodes = len(configuration.nodes)
+    yield f"{configuration.title}: {configuration.generation}, {nodes} nodes, {len(names)} topics"
+    if configuration.arguments:
+        yield "  arguments"
+        for argument in configuration.arguments:
+            default = "must be given" if argument.default is None else f'"{argument.default}"'
+            about = f"  {argument.description}" if argument.description else ""
+            yield f"    {argument.name}: {default}{about}"
+    yield from _parameters("parameters of all nodes", configuration.parameters)
+
+
+def _is_topic(one: ConfiguredEndpoint) -> bool:
+    return one.endpoint.role in (Role.PUBLISHER, Role.SUBSCRIPTION)
+
+
+def _node(node: ConfiguredNode) -> Iterator[str]:
+    what = "/".join(one for one in (node.package, node.executable) if one)
+    about = [what, node.kind if node.kind != "node" else "", f"in {node.container}" if node.container else ""]
+    mark = "" if node.resolved else "? "
+    yield f"{mark}{node.name}  ({', '.join(one for one in about if one)})  {node.proof.place}"
+    if node.defined is not None:
+        yield f"  defined in {_from(node.defined)}"
+    for condition in node.conditions:
+        yield f"  if {condition}"
+    if node.machine:
+        yield f"  on {node.machine}"
+    for role, head in _HEADS:
+        ends = [one for one in node.endpoints if one.endpoint.role is role]
+        if ends:
+            yield f"  {head}"
+            yield from _aligned([_end(one) for one in ends])
+    yield from _parameters("parameters", node.parameters)
+    remaps = [one for one in node.remaps if not one.used]
+    if remaps:
+        yield "  remappings that match nothing" + (", as far as is known" if any(r.uncertain for r in remaps) else "")
+        yield from _aligned([(f"{one.source} to {one.target}", one.proof.place) for one in remaps])
+
+
+def _end(one: ConfiguredEndpoint) -> tuple[str, ...]:
+    mark = "" if one.resolved else "? "
+    mark = mark or ("~ " if one.proof.sure != "certain" else "")
+    notes = [f"if {_short(condition)}" for condition in one.conditions]
+    if one.remapped is not None:
+        notes.append(f'remapped from "{one.given}" in {one.remapped.place}')
+    if one.proof.how and one.proof.origin is not Origin.IMPLICIT:
+        notes.append(one.proof.how)
+    note = f"  ({'; '.join(notes)})" if notes else ""
+    quality = quality_text(one.endpoint.qos) if one.endpoint.qos else _queue(one)
+    return mark + one.endpoint.name, one.endpoint.type or "type unknown", quality, _from(one.proof) + note
+
+
+def _queue(one: ConfiguredEndpoint) -> str:
+    pieces = [f"queue {one.queue}" if one.queue >= 0 else "", "latched" if one.latched else ""]
+    return ", ".join(piece for piece in pieces if piece)
+
+
+def quality_text(qos: Qos) -> str:
+    """Return a quality of service in words; what is unknown is left out, ``?`` where all is."""
+    history = "keep_all" if qos.history == "keep_all" else f"depth {qos.depth}" if qos.depth else ""
+    limits = (("deadline", qos.deadline_s), ("lifespan", qos.lifespan_s), ("lease", qos.lease_s))
+    words = [qos.reliability, "" if qos.durability == "volatile" else qos.durability, history]
+    words += [f"{name} {seconds:g} s" for name, seconds in limits if seconds]
+    words.append("" if qos.liveliness in ("", "automatic") else qos.liveliness)
+    return ", ".join(word for word in words if word) or "qos unknown"
+
+
+def _from(proof: Proof) -> str:
+    if proof.origin is Origin.CATALOGUE:
+        return f"catalogue: {proof.path}"
+    if proof.origin is Origin.IMPLICIT:
+        return proof.how
+    return proof.place
+
+
+def _parameters(head: str, parameters: Sequence[ConfiguredParameter]) -> Iterator[str]:
+    if not parameters:
+        return
+    yield f"  {head}"
+    yield from _aligned([_parameter(one) for one in parameters])
+
+
+def _parameter(one: ConfiguredParameter) -> tuple[str, ...]:
+    value = "?" if one.value is None else _short(one.value)
+    notes = [one.type or one.set_type]
+    if one.access == "" and one.proof is None:
+        notes.append("set, but no code is known to take it")
+    if one.set_by is not None:
+        default = "" if one.default is None else f", default {_short(one.default)}"
+        return one.name, f"= {value}", ", ".join(n for n in notes if n), f"set in {one.set_by.place}{default}"
+    return one.name, f"= {value}", ", ".join(n for n in notes if n), _from(one.proof) if one.proof else ""
+
+
+def _short(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= _LONGEST else line[: _LONGEST - 1] + "…"
+
+
+def _aligned(rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+    table = list(rows)
+    count = max(map(len, table), default=0)
+    widths = [min(max((len(row[place]) for row in table if place < len(row)), default=0), 48) for place in range(count)]
+    for row in table:
+        yield ("    " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=False))).rstrip()
+
+
+def _printable(line: str) -> str:
+    """Return a line in which nothing is left that a terminal would obey; names come from the source that is read."""
+    if line.isprintable():
+        return line
+    return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode() for sign in line)

@@ -1,0 +1,114 @@
+"""Nodes of a configuration as NoDL 2 documents: what each offers and needs, one YAML document a node.
+
+NoDL (ros-tooling/nodl, nodl.schema.yaml) is about ROS 2. It has no word for what is unknown: a quality of service that
+is unknown is the system's default, an endpoint whose name or type is unknown is left in a comment.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, ConfiguredParameter
+from roslens.model.graph import Role
+from roslens.model.qos import Qos
+
+_FIELDS = {
+    Role.PUBLISHER: "publishers",
+    Role.SUBSCRIPTION: "subscriptions",
+    Role.SERVICE_SERVER: "service_servers",
+    Role.SERVICE_CLIENT: "service_clients",
+    Role.ACTION_SERVER: "action_servers",
+    Role.ACTION_CLIENT: "action_clients",
+}
+_NAME = re.compile(r"[/~A-Za-z](?:[A-Za-z0-9_/]*[A-Za-z0-9_])?\Z")
+_TYPE = re.compile(r"[A-Za-z]\w*(?:/(?:msg|srv|action))?/[A-Z][A-Za-z0-9]*\Z")
+_SCALARS = ("bool", "int", "double", "string")
+_TYPES = frozenset((*_SCALARS, *(f"{one}_array" for one in _SCALARS)))
+
+
+def to_nodl(configuration: Configuration) -> str:
+    """Return the nodes of a configuration as YAML documents, each begun by ``---`` and a comment that names it."""
+    return "".join(f"{line}\n" for node in configuration.nodes for line in _node(node))
+
+
+def _node(node: ConfiguredNode) -> Iterator[str]:
+    yield "---"
+    yield f"# {_comment(node.name)} ({_comment(node.package)}/{_comment(node.executable)})"
+    yield "nodl_version: 2"
+    known = [one for one in node.parameters if one.type in _TYPES and one.access]
+    if known:
+        yield "parameters:"
+        for one in known:
+            yield from _parameter(one)
+    for one in node.parameters:
+        if one.type not in _TYPES and one.access:
+            yield f"# parameter {_comment(one.name)}: its type is unknown"
+    for role, field in _FIELDS.items():
+        ends = {(one.endpoint.name, one.endpoint.type): one for one in node.endpoints if one.endpoint.role is role}
+        valid = [one for _, one in sorted(ends.items()) if _valid(one)]
+        if valid:
+            yield f"{field}:"
+            for end in valid:
+                yield from _end(end)
+        for _, end in sorted(ends.items()):
+            if not _valid(end):
+                told = f"{end.endpoint.name} {end.endpoint.type or 'of unknown type'} ({end.given})"
+                yield f"# {field}: {_comment(told)}: unresolved"
+
+
+def _valid(one: ConfiguredEndpoint) -> bool:
+    return one.resolved and bool(_NAME.match(one.endpoint.name)) and bool(_TYPE.match(one.endpoint.type))
+
+
+def _parameter(one: ConfiguredParameter) -> Iterator[str]:
+    yield f"  {json.dumps(one.name)}:"
+    yield f"    type: {one.type}"
+    if (default := _default(one)) is not None:
+        yield f"    default_value: {default}"
+
+
+def _default(one: ConfiguredParameter) -> str | None:
+    """Return a default as YAML; None where its text does not fit its type."""
+    if one.default is None or one.type.endswith("_array"):
+        return None
+    if one.type == "string":
+        return json.dumps(one.default)
+    if one.type == "bool":
+        return one.default.lower() if one.default.lower() in ("true", "false") else None
+    try:
+        return str(int(one.default) if one.type == "int" else float(one.default))
+    except ValueError:
+        return None
+
+
+def _end(one: ConfiguredEndpoint) -> Iterator[str]:
+    yield f"  - name: {json.dumps(one.endpoint.name)}"
+    yield f"    type: {one.endpoint.type}"
+    if one.endpoint.role in (Role.PUBLISHER, Role.SUBSCRIPTION):
+        yield "    qos:"
+        yield from (f"      {key}: {value}" for key, value in _qos(one.endpoint.qos or Qos()).items())
+    if one.conditions:
+        yield f"    description: {json.dumps('if ' + ' and '.join(one.conditions))}"
+
+
+def _qos(qos: Qos) -> dict[str, str | int]:
+    history = qos.history.upper() or "SYSTEM_DEFAULT"
+    # Without its depth a history of the last messages is no valid one.
+    if history == "KEEP_LAST" and not qos.depth:
+        history = "SYSTEM_DEFAULT"
+    found: dict[str, str | int] = {"history": history}
+    if history == "KEEP_LAST":
+        found["depth"] = qos.depth
+    found["reliability"] = qos.reliability.upper() or "SYSTEM_DEFAULT"
+    for key, text in (("durability", qos.durability), ("liveliness", qos.liveliness)):
+        if text:
+            found[key] = text.upper()
+    times = {"deadline_ns": qos.deadline_s, "lifespan_ns": qos.lifespan_s, "liveliness_lease_duration_ns": qos.lease_s}
+    found.update({key: round(seconds * 1e9) for key, seconds in times.items() if seconds})
+    return found
+
+
+def _comment(text: str) -> str:
+    return " ".join(text.split())

@@ -1,0 +1,48 @@
+import msgspec
+
+from roslens.model.qos import Qos
+from roslens.report.graph_text import quality_text, to_graph_text
+
+
+def test_a_node_tells_what_it_does_and_from_where(graph):
+    text = to_graph_text(graph)
+    lines = text.splitlines()
+    assert lines[0] == "pkg/launch/a.launch.py: ros2, 2 nodes, 3 topics"
+    assert "    x: must be given  an argument" in lines
+    assert "/ns/talker  (pkg/talker)  pkg/launch/a.launch.py:7" in lines
+    assert "  if use_it" in lines
+    assert any("/chatter" in one and "reliable, depth 10" in one and "pkg/src/a.cpp:12" in one for one in lines)
+
+
+def test_what_is_not_certain_has_a_mark_that_is_told(graph):
+    lines = to_graph_text(graph).splitlines()
+    assert any(one.strip().startswith("? /in/*") and "type unknown" in one for one in lines)
+    assert any(one.strip().startswith("~ /chatter") and "default of parameter topic" in one for one in lines)
+    assert lines[-1].startswith("? a part of the name is unknown")
+
+
+def test_parameters_say_what_sets_them(graph):
+    text = to_graph_text(graph)
+    assert "set in pkg/launch/a.launch.py:7, default 1" in text
+    assert "set, but no code is known to take it" in text
+    assert "chater to /never" in text
+
+
+def test_what_is_unresolved_is_always_listed(graph):
+    text = to_graph_text(graph)
+    assert "unresolved: 1" in text
+    assert "/ns/talker: the name of this publisher depends on t" in text
+
+
+def test_nothing_that_a_terminal_would_obey_is_written(graph):
+    text = to_graph_text(msgspec.structs.replace(graph, title="a\x1b[31m\u202eb"))
+    assert "\x1b" not in text
+    assert "\u202e" not in text
+
+
+def test_qualities_in_words():
+    assert quality_text(Qos()) == "qos unknown"
+    assert (
+        quality_text(Qos("best_effort", "volatile", "keep_all", deadline_s=0.5))
+        == "best_effort, keep_all, deadline 0.5 s"
+    )

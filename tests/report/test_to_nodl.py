@@ -1,0 +1,25 @@
+import yaml
+
+from roslens.report.to_nodl import to_nodl
+
+
+def test_each_node_is_a_document(graph):
+    listener, talker = yaml.safe_load_all(to_nodl(graph))
+    assert listener["nodl_version"] == talker["nodl_version"] == 2
+    assert listener["action_clients"] == [{"name": "/go", "type": "pkg/action/Go"}]
+    assert talker["publishers"][0] == {
+        "name": "/chatter",
+        "type": "std_msgs/msg/String",
+        "qos": {"history": "KEEP_LAST", "depth": 10, "reliability": "RELIABLE", "durability": "VOLATILE"},
+    }
+    assert talker["service_servers"] == [{"name": "/reset", "type": "std_srvs/srv/Empty", "description": "if debug"}]
+    assert talker["parameters"] == {
+        "rate": {"type": "int", "default_value": 1},
+        "name": {"type": "string", "default_value": 'a "b"'},
+    }
+
+
+def test_what_nodl_has_no_word_for_is_left_in_comments(graph):
+    text = to_nodl(graph)
+    assert "# publishers: /in/* of unknown type (/in/*): unresolved" in text
+    assert "# parameter list: its type is unknown" in text

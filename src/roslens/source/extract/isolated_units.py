@@ -1,0 +1,107 @@
+"""All units of a workspace, where one that breaks its evaluation does not lose the others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.source import Location
+from roslens.source.extract.node_bases import generation_of
+from roslens.source.extract.node_facts import NodeFacts, Target
+from roslens.source.extract.node_units import (
+    Reached,
+    facts_of_class,
+    facts_of_main,
+    facts_of_module,
+    facts_of_plugin,
+    node_classes,
+    registered,
+)
+from roslens.source.extract.workspace_index import Defined, Index
+from roslens.source.extract.workspace_units import facts_of_workspace, unreached
+
+Unit = Callable[[], Iterable[NodeFacts]]
+
+
+def units_of(index: Index, targets: Iterable[Target]) -> tuple[tuple[NodeFacts, ...], tuple[Failure, ...]]:
+    """Return the facts of all units in order of their files, each once, and what could not be evaluated.
+
+    Args:
+        index: of the workspace.
+        targets: of all packages: they name the functions of Python modules that are started.
+    """
+    failures: list[Failure] = []
+    found: list[NodeFacts] = []
+    try:
+        found += facts_of_workspace(index)
+    except Exception:  # noqa: BLE001 - which unit it was is found by evaluating them one by one
+        found += _one_by_one(index, failures)
+    for path, function in sorted(_entries(index, targets)):
+        found += _attempt(lambda: facts_of_module(index, path, function), path, 0, failures)  # noqa: B023 - called at once
+    order = sorted(found, key=lambda one: (one.path, one.line, one.unit))
+    return tuple(one for place, one in enumerate(order) if not place or one != order[place - 1]), tuple(failures)
+
+
+def _entries(index: Index, targets: Iterable[Target]) -> set[tuple[str, str]]:
+    """Return file and function of the entry points of Python packages."""
+    found = set()
+    for target in targets:
+        module, _, function = target.entry.replace("::", ".").partition(":")
+        if not function:
+            continue
+        ends = (module.replace(".", "/") + ".py", module.replace(".", "/") + "/__init__.py")
+        paths = [path for path in target.sources if path.endswith(ends)] or list(target.sources)
+        found |= {(path, function) for path in paths if path in index.programs}
+    return found
+
+
+def _one_by_one(index: Index, failures: list[Failure]) -> Iterator[NodeFacts]:
+    reached: Reached = set()
+    known: set[str] = set()
+
+    def plugin(defined: Defined) -> Unit:
+        return lambda: facts_of_plugin(index, defined, generation_of(index, defined.path), reached)
+
+    for defined, generation, kind in list(node_classes(index)):
+        known.add(defined.what.qualified_name)
+
+        def of_class(one: Defined = defined, generation: str = generation, kind: str = kind) -> Iterable[NodeFacts]:
+            return facts_of_class(index, one, generation, kind, reached)
+
+        yield from _attempt(of_class, defined.path, defined.what.line, failures)
+    for name, evidence in registered(index).items():
+        found = index.class_of(name, evidence.path, "")
+        if found is not None and found.what.qualified_name not in known:
+            known.add(found.what.qualified_name)
+            yield from _attempt(plugin(found), found.path, found.what.line, failures)
+    for path in sorted(index.programs):
+        start = facts_of_module if index.programs[path].language == "python" else facts_of_main
+
+        def of_file(path: str = path, start: Callable[..., list[NodeFacts]] = start) -> Iterable[NodeFacts]:
+            return start(index, path, reached=reached)
+
+        yield from _attempt(of_file, path, 0, failures)
+    for defined in list(unreached(index, reached)):
+        yield from _attempt(plugin(defined), defined.path, defined.what.line, failures)
+
+
+def _attempt(unit: Unit, path: str, line: int, failures: list[Failure]) -> list[NodeFacts]:
+    try:
+        return list(unit())
+    except Exception as error:  # noqa: BLE001 - one unit must not lose the others
+        import traceback
+
+        failures.append(
+            Failure(
+                tool="graph",
+                what=f"{type(error).__name__}: {error}",
+                expected="code whose nodes and endpoints can be evaluated",
+                advice="Please report it with the file: this is a fault of roslens",
+                location=Location(path, line),
+                entity=str(EntityId(EntityKind.FILE, path)),
+                partial=True,
+                detail="".join(traceback.format_exception(error)),
+            )
+        )
+        return []

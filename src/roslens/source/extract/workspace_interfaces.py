@@ -1,0 +1,98 @@
+"""The interfaces of a workspace with what identifies them on the wire."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+import msgspec
+
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.source import Language, Location, Package, SourceFile
+from roslens.source.extract.interface import Checksum, Interface, Lookup
+from roslens.source.extract.interface_file import read_interface
+from roslens.source.extract.message_md5 import md5_of
+from roslens.source.extract.type_hash import type_hash
+
+INTERFACES = frozenset({Language.MSG, Language.SRV, Language.ACTION})
+_ROS2 = frozenset({"rosidl_default_generators", "rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
+
+
+class KnownInterface(msgspec.Struct, frozen=True, omit_defaults=True):
+    """An interface, the file it is in, and its checksum: MD5 of ROS 1, RIHS01 of ROS 2."""
+
+    interface: Interface
+    path: str
+    checksum: Checksum
+
+
+def ros_generation(package: Package) -> int:
+    """Return for which ROS a package is built, 1 or 2: its build type says so, else what it depends on."""
+    if package.build_type.startswith("ament"):
+        return 2
+    if package.build_type == "catkin":
+        return 1
+    return 2 if any(one.name in _ROS2 for one in package.dependencies) else 1
+
+
+def interfaces_of(
+    root: str, files: Mapping[str, Iterable[SourceFile]], packages: Iterable[Package]
+) -> tuple[tuple[KnownInterface, ...], tuple[Failure, ...]]:
+    """Return the interfaces of packages, sorted by name, and what of them could not be read or understood.
+
+    Args:
+        root: folder that paths start from.
+        files: of each package, by its id.
+        packages: in whose order the first of two interfaces of one name counts.
+    """
+    found: dict[tuple[int, str], tuple[str, Interface]] = {}
+    failures: list[Failure] = []
+    for package in packages:
+        generation = ros_generation(package)
+        for file in sorted(files.get(package.id, ()), key=lambda one: one.path):
+            if file.language not in INTERFACES:
+                continue
+            try:
+                content = Path(root, file.path).read_bytes()
+                interface, wrong = read_interface(content, file.path, package.name, generation)
+            except Exception as error:  # noqa: BLE001 - one file must not lose the others
+                failures.append(_broken(file, package, error))
+                continue
+            failures += [msgspec.structs.replace(one, package=package.id) for one in wrong]
+            found.setdefault((generation, interface.full_name), (file.path, interface))
+    lookups = {generation: _lookup(found, generation) for generation in (1, 2)}
+    known = [
+        KnownInterface(interface, path, _checksum(interface, lookups[generation]))
+        for (generation, _), (path, interface) in sorted(found.items())
+    ]
+    return tuple(known), tuple(failures)
+
+
+def _lookup(found: Mapping[tuple[int, str], tuple[str, Interface]], generation: int) -> Lookup:
+    def lookup(name: str) -> Interface | None:
+        known = found.get((generation, name))
+        return None if known is None else known[1]
+
+    return lookup
+
+
+def _checksum(interface: Interface, lookup: Lookup) -> Checksum:
+    try:
+        return (md5_of if interface.generation == 1 else type_hash)(interface, lookup)
+    except Exception as error:  # noqa: BLE001 - one interface must not lose the others
+        return Checksum(unknown=f"{type(error).__name__}: {error}")
+
+
+def _broken(file: SourceFile, package: Package, error: Exception) -> Failure:
+    readable = not isinstance(error, OSError)
+    return Failure(
+        tool="interfaces" if readable else "read",
+        what=f"{type(error).__name__}: {error}",
+        expected="an interface" if readable else "a file that can be read",
+        advice="Please report it with the file: this is a fault of roslens" if readable else "Check its permissions",
+        location=Location(file.path),
+        entity=str(EntityId(EntityKind.FILE, file.path)),
+        package=package.id,
+        partial=True,
+    )

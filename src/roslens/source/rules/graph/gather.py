@@ -1,0 +1,77 @@
+"""What is around a configuration, put together from the workspace that it was assembled from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from roslens.model.configuration import Configuration
+from roslens.model.source import Package
+from roslens.source.extract.launched import Launch, Unresolved
+from roslens.source.extract.node_facts import Target
+from roslens.source.extract.program import Program
+from roslens.source.rules.graph.ignored_files import ignored_files
+from roslens.source.rules.graph.static_transforms import static_transforms
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.waits import waits
+
+
+def surroundings_of(
+    configuration: Configuration,
+    *,
+    launch: Launch | None = None,
+    given: Mapping[str, str] | None = None,
+    packages: Sequence[Package] = (),
+    targets: Mapping[str, Sequence[Target]] | None = None,
+    unresolved: Iterable[Unresolved] = (),
+    paths: Mapping[str, Sequence[str]] | None = None,
+    programs: Mapping[str, Program] | None = None,
+    options: Mapping[str, Any] | None = None,
+) -> Surroundings:
+    """Return what the rules of the graph know besides a configuration; what is not given, rules do without.
+
+    Args:
+        configuration: what would run together.
+        launch: that it was assembled from.
+        given: arguments of the launch file.
+        packages: of the workspace.
+        targets: by package what its build makes.
+        unresolved: what of builds could not be evaluated; packages that have such a part are not held to their targets.
+        paths: by package its files.
+        programs: by path.
+        options: what users set in ``[options.graph]``.
+    """
+    from roslens.source.rules.graph import with_options
+
+    missed = [one.evidence.path for one in unresolved]
+    open_packages = {one.name for one in packages if any(_is_in(path, one) for path in missed)}
+    installed = {
+        package: _names(made, (paths or {}).get(package, ()), configuration.generation)
+        for package, made in sorted((targets or {}).items())
+        if package not in open_packages
+    }
+    found = Surroundings(
+        tuple(packages),
+        installed,
+        dict(given or {}),
+        tuple(ignored_files(configuration, launch)) if launch is not None else (),
+        tuple(static_transforms(configuration, launch)) if launch is not None else (),
+        tuple(waits(programs)) if programs and configuration.generation == "ros2" else (),
+    )
+    return with_options(found, dict(options or {}))
+
+
+def _is_in(path: str, package: Package) -> bool:
+    return package.path in ("", ".") or path.startswith(f"{package.path}/")
+
+
+def _names(targets: Sequence[Target], paths: Sequence[str], generation: str) -> tuple[str, ...]:
+    """Return the names by which something of a package is started or loaded."""
+    names = set()
+    for one in targets:
+        if one.installed:
+            names |= {one.name, one.entry, one.name.rpartition("/")[2]}
+    if generation == "ros1":
+        # roslaunch also finds what lies anywhere in the sources of a package.
+        names |= {path.rpartition("/")[2] for path in paths}
+    return tuple(sorted(names - {""}))

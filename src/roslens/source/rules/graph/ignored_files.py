@@ -1,0 +1,46 @@
+"""Files of parameters that have none for the node they are given to (ROS 2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from roslens.model.configuration import Configuration, ConfiguredNode
+from roslens.source.extract.assemble_proof import launch_proof
+from roslens.source.extract.launched import Launch, Launched, Setting
+from roslens.source.extract.resolve_name import node_pattern_matches
+from roslens.source.rules.graph.surroundings import Ignored
+
+
+def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Ignored]:
+    """Yield each file, with the node that ignores it.
+
+    A file that several nodes are given, and that is for one of those started at the same place, is for this one.
+
+    Args:
+        configuration: with the resolved names of nodes.
+        launch: that it was assembled from, which says what nodes are given.
+    """
+    by_place: dict[str, list[ConfiguredNode]] = {}
+    for node in configuration.nodes:
+        by_place.setdefault(node.proof.place, []).append(node)
+    for launched in launch.nodes:
+        proof = launch_proof(launched.evidence)
+        nodes = by_place.get(proof.place, [])
+        if not nodes or not all(node.resolved for node in nodes):
+            continue
+        for settings in _keyed(launched).values():
+            keys = tuple(dict.fromkeys(one.node for one in settings))
+            # A name in a file may have a part that is not known either.
+            if any("{" in key or node_pattern_matches(key, node.name) for key in keys for node in nodes):
+                continue
+            first = min(settings, key=lambda one: one.evidence)
+            yield Ignored(nodes[0].name, launch_proof(first.evidence), keys, proof)
+
+
+def _keyed(launched: Launched) -> Mapping[str, Sequence[Setting]]:
+    """Return the settings that are keyed to nodes, by file."""
+    found: dict[str, list[Setting]] = {}
+    for one in launched.settings:
+        if one.node:
+            found.setdefault(one.evidence.path, []).append(one)
+    return found

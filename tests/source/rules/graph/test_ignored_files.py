@@ -1,0 +1,33 @@
+from roslens.source.extract.launched import Launch, Launched, Setting
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.text import Text
+from roslens.source.rules.graph.ignored_files import ignored_files
+from roslens.source.rules.graph.surroundings import Ignored
+from testbed.configured import configuration, launched, node
+
+PLACE = Evidence("launch/robot.launch.xml", 4)
+
+
+def given(*keys, name="/robot/slam", resolved=True):
+    settings = [
+        Setting(Text.of("rate"), Text.of("1"), Evidence("slam.yaml", 9 - n), node=key) for n, key in enumerate(keys)
+    ]
+    start = Launched(Text.of("slam"), Text.of("slam"), PLACE, settings=tuple(settings))
+    return list(ignored_files(configuration(node(name, line=4, resolved=resolved)), Launch("ros2", (start,))))
+
+
+def test_a_file_without_a_key_for_its_node_is_ignored():
+    assert given("/slam", "/amcl") == [
+        Ignored("/robot/slam", launched(8, "slam.yaml"), ("/slam", "/amcl"), launched(4))
+    ]
+
+
+def test_one_key_for_the_node_is_enough():
+    assert not given("/amcl", "/robot/slam")
+    assert not given("/**")
+    assert not given("/*/slam")
+    assert not given("")
+
+
+def test_a_name_that_is_not_known_is_not_held_against_a_file():
+    assert not given("/slam", name="/*/slam", resolved=False)

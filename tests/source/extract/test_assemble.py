@@ -344,3 +344,31 @@ def test_a_guess_about_which_node_stays_a_guess():
     fact = end(Role.PUBLISHER, "chatter")
     fact = msgspec.structs.replace(fact, evidence=msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY))
     assert explicit(only(configured(talker(endpoints=(fact,)), started())))[0].proof.sure == "likely"
+
+
+def test_further_nodes_of_a_component_take_what_their_container_is_given():
+    first = NodeFacts("pkg.Talker", "pkg/src/talker.cpp", 5, "ros2", name=Text.of("a"))
+    second = NodeFacts(
+        "pkg.Talker", "pkg/src/map.cpp", 1, "ros2", name=Text.of("costmap"),
+        endpoints=(end(Role.PUBLISHER, parameter_name("topic", "map")), end(Role.PUBLISHER, "chatter")),
+    )  # fmt: skip
+    box = Launched(
+        Text.of("rclcpp_components"), Text.of("component_container"), START, Text.of("box"), kind="container",
+        settings=(Setting(Text.of("topic"), Text.of("grid"), YAML, "string", "/costmap"),),
+        remaps=(Remap(Text.of("chatter"), Text.of("/box_said"), START),),
+    )  # fmt: skip
+    loaded = Launched(
+        Text.of("pkg"), Text(), START, Text.of("mine"), plugin=Text.of("pkg::Talker"), container=Text.of("/box"),
+        kind="component", remaps=(Remap(Text.of("chatter"), Text.of("/mine_said"), START),),
+    )  # fmt: skip
+    configuration = configured((first, second), box, loaded, targets=(COMPONENT,))
+    nodes = {node.name: node for node in configuration.nodes}
+    assert set(nodes) == {"/box", "/mine", "/costmap"}
+    assert names(nodes["/costmap"]) == ["/box_said", "/grid"]
+
+
+def test_a_name_for_a_program_of_several_nodes_is_that_of_the_first():
+    second = NodeFacts("main", "pkg/src/talker.cpp", 20, "ros2", name=Text.of("other"))
+    configuration = configured((talker(), second), started(name=Text.of("mine")))
+    assert [node.name for node in configuration.nodes] == ["/mine", "/other"]
+    assert "makes several nodes" in configuration.unresolved[0].reason

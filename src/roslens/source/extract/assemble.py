@@ -22,6 +22,7 @@ from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Argument, Launch, Launched, Setting
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.parameter_file import ros2_parameters
+from roslens.source.extract.resolve_name import TOP, absolute
 from roslens.source.extract.text import Text
 from roslens.source.settings import NodeHint
 
@@ -142,10 +143,33 @@ class _Whole:
             self.unresolved += [one for one in missing if one.reason]
             self._miss(_shown(launched), launched, f"{meant.reason}; what it publishes and subscribes is unknown")
             return
-        for facts in meant.facts:
-            node, missing = assembled(given, facts, meant)
+        for number, facts in enumerate(meant.facts):
+            held = self._further(given, facts) if number and generation == "ros2" else given
+            node, missing = assembled(held, facts, meant)
             self.nodes.append(node)
             self.unresolved += missing
+
+    def _further(self, given: Given, facts: NodeFacts) -> Given:
+        """Return what holds for a further node of a process or component.
+
+        What a component is loaded with is for that node alone (rclcpp_components, component_manager.cpp); further ones
+        take the arguments of the process, as all nodes of a program do. A name for all of them is taken for that of the
+        first: code that makes several nodes mostly keeps their names apart.
+        """
+        launched = given.launched
+        if launched.kind == "component":
+            found = [one for one in self.launch.nodes if one.kind == "container"]
+            box = next((one for one in found if _whole_name(one) == given.container), None)
+            settings, remaps = (box.settings, box.remaps) if box is not None else ((), ())
+            launched = msgspec.structs.replace(launched, settings=settings, remaps=remaps, namespace=TOP)
+            line = CommandLine() if box is None else command_line(box.arguments, "ros2", box.evidence)
+            given = msgspec.structs.replace(given, line=line)
+        elif launched.name.parts and facts.name.parts:
+            which = f"whether the name {launched.name} is for this one too depends on its options"
+            self._miss(str(facts.name), launched, f"{_shown(launched)} makes several nodes: {which}")
+        if facts.name.parts:
+            launched = msgspec.structs.replace(launched, name=Text())
+        return msgspec.structs.replace(given, launched=launched)
 
     def _meant(self, launched: Launched, line: CommandLine) -> Meant:
         meant = meant_by(launched, self.units)
@@ -175,6 +199,10 @@ class _Whole:
 def _nothing(launched: Launched, generation: str) -> NodeFacts:
     """Return facts of a node of which nothing is known."""
     return NodeFacts("", launched.evidence.path, launched.evidence.line, generation, name=launched.executable)
+
+
+def _whole_name(launched: Launched) -> str:
+    return absolute(launched.namespace, launched.name).pattern
 
 
 def _shown(launched: Launched) -> str:

@@ -54,7 +54,7 @@ def endpoint_of(line: str, role: Role, generation: str, evidence: Evidence, word
         UsageError: the line tells no endpoint.
     """
     told, _, condition = line.partition(" if ")
-    name, kind, quality, *more = [*told.split(), "", ""]
+    name, kind, quality, *more = [*told.split(), "", "", ""]
     if not _TYPE.fullmatch(kind) or any(more):
         raise UsageError(f'"{line}"', expected=_EXPECTED)
     number = quality.isdecimal()
@@ -106,7 +106,10 @@ def hinted(hint: NodeHint, generation: str, path: str, node: str) -> Iterator[En
     evidence = Evidence(path, 0, how=f'[graph.hints."{node}"]')
     for key, role in ROLES.items():
         for line in getattr(hint, key):
-            yield endpoint_of(line, role, generation, evidence)
+            try:
+                yield endpoint_of(line, role, generation, evidence)
+            except UsageError as error:
+                raise UsageError(f'{error.what} in [graph.hints."{node}"]', expected=error.expected) from error
 
 
 def hint_of(hints: Mapping[str, NodeHint], node: str, package: str, executable: str) -> tuple[str, NodeHint] | None:

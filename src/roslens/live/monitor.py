@@ -93,7 +93,8 @@ class Monitor:
         self._add(tally, connection)
 
     def _add(self, tally: Tally, connection: Connection | None) -> None:
-        kept = plausible_tally(tally)
+        # What has no name cannot be told apart, nor shown.
+        kept = plausible_tally(tally) if tally.topic else None
         if kept is not tally:
             self._implausible += 1
             if kept is None:
@@ -110,7 +111,7 @@ class Monitor:
 
     def add_sample(self, sample: Sample) -> None:
         """Take what was read of a host, process, node or service; values that are not finite are unknown."""
-        if sample.time - sample.time != 0 or sample.entity.kind not in _SAMPLED:
+        if sample.time - sample.time != 0 or sample.entity.kind not in _SAMPLED or not sample.entity.name:
             self._implausible += 1
             return
         sampled = self._world.entity(sample.entity, self._clock.now)

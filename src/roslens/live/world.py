@@ -149,6 +149,8 @@ class World:
         types: dict[str, set[str]] = {}
         self.published, self.subscribed = {}, {}
         for end in graph.endpoints:
+            if not end.name:
+                continue
             if end.role is Role.PUBLISHER:
                 publishers.setdefault(end.name, set()).add(end.node)
                 self.published.setdefault(end.node, set()).add(end.name)

@@ -2,6 +2,7 @@ import pytest
 
 from roslens.live.adapters.ros1.follow import Follower
 from roslens.live.adapters.ros1.master import Master
+from roslens.live.adapters.ros1.names import observer_name
 from roslens.live.adapters.ros1.resolve import Resolver
 
 ME, API = "/me", "http://127.0.0.1:9/"
@@ -54,4 +55,14 @@ def test_it_is_registered_at_a_master_that_was_restarted(system, published):
     system.answer()
     assert follower.step().restarted
     assert [told[:2] for told in published] == [("register", topic) for topic, _ in PUBLISHED] * 2
+    follower.leave(lambda _: None)
+
+
+def test_other_observers_are_no_part_of_the_system(system, published):
+    system.publishers = {"/diagnostics": {observer_name("base-1", 7), "/arm"}, "/chat": {"/roslens_demo"}}
+    system.subscribers = {"/chat": {observer_name("brain", 12)}}
+    follower = Follower(Master(system.master.uri, ME, Resolver()), ME, API, ())
+    follower.step()
+    assert follower.state.publishers == (("/chat", "/roslens_demo"), ("/diagnostics", "/arm"))
+    assert follower.state.subscribers == ()
     follower.leave(lambda _: None)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import os
 import queue
-import re
 import signal
 import socket
 import sys
@@ -20,6 +19,7 @@ from roslens.live.adapters.ros1.ends import Ends
 from roslens.live.adapters.ros1.follow import Follower
 from roslens.live.adapters.ros1.listening import Listening
 from roslens.live.adapters.ros1.master import Master
+from roslens.live.adapters.ros1.names import observer_name
 from roslens.live.adapters.ros1.observation import Observation
 from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.place import is_local, own_address
@@ -100,7 +100,7 @@ def observe(options: argparse.Namespace, speaker: Speaker) -> None:
     """Observe until stopped."""
     resolver = Resolver()
     host, port = split_uri(options.master)
-    caller = f"/roslens_{re.sub('[^A-Za-z0-9_]', '_', socket.gethostname())}_{os.getpid()}"
+    caller = observer_name(socket.gethostname(), os.getpid())
     wakes: queue.SimpleQueue[Wake] = queue.SimpleQueue()
     towards = host
     with suppress(UnresolvedError):

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 
 import msgspec
 
+from roslens.live.adapters.ros1.names import is_observer
 from roslens.live.adapters.ros1.slave import BusStats, Counter, Link
 from roslens.model.tally import Observer, Tally
 
@@ -70,7 +71,7 @@ class Bus:
     be silent). The first sight of a connection counts nothing: what it carried before has no known beginning.
 
     Args:
-        hidden: names of subscribers that are not part of the system, which is the observer itself.
+        hidden: names of nodes that are not part of the system, besides those of observers.
         host: on which the observer stands.
     """
 
@@ -101,9 +102,12 @@ class Bus:
                     key = (counter.topic, reading.node, peer)
                 else:
                     key = (counter.topic, homes.get(peer.rstrip("/"), ""), reading.node)
-                if stretch and key[2] not in self._hidden and key[1] not in self._hidden:
+                if stretch and not (self._hides(key[1]) or self._hides(key[2])):
                     (sent if counter.sends else received).setdefault(key, []).append(stretch)
         return [self._tally(key, received.get(key) or sent[key]) for key in sorted(received.keys() | sent.keys())]
+
+    def _hides(self, node: str) -> bool:
+        return node in self._hidden or is_observer(node)
 
     def forget(self, node: str) -> None:
         """Drop what was known of a node that is gone."""

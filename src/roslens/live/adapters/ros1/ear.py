@@ -8,7 +8,7 @@ import msgspec
 
 from roslens.judge.pattern import Pattern
 from roslens.live.adapters.ros1.listening import EXPECTED, Listening
-from roslens.live.adapters.ros1.names import TOOL
+from roslens.live.adapters.ros1.names import TOOL, is_observer
 from roslens.live.adapters.ros1.observation import Observation
 from roslens.live.adapters.ros1.slave import FRAMING
 from roslens.live.adapters.ros1.statistics import TOPIC
@@ -76,7 +76,7 @@ class Ear:
         )
 
     def _known(self, tally: Tally) -> bool:
-        return not self._caller or tally.publisher != self._caller
+        return not is_observer(tally.publisher) and (not self._caller or tally.publisher != self._caller)
 
     def _reported(self, node: str, time: float, body: bytes, failures: list[Failure]) -> list[Event]:
         try:

@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 
 import msgspec
 
-from roslens.live.adapters.ros1.master import Master, SystemState
-from roslens.live.adapters.ros1.names import TOOL
+from roslens.live.adapters.ros1.master import Master, Registrations, SystemState
+from roslens.live.adapters.ros1.names import TOOL, is_observer
 from roslens.live.adapters.ros1.xml_rpc import CallError
 from roslens.model.failure import Failure
 
@@ -120,11 +120,10 @@ class Follower:
         self._master.close()
 
 
-def without(state: SystemState, node: str) -> SystemState:
-    """Return registrations without those of one node."""
-    return SystemState(
-        tuple(pair for pair in state.publishers if pair[1] != node),
-        tuple(pair for pair in state.subscribers if pair[1] != node),
-        tuple(pair for pair in state.services if pair[1] != node),
-        state.oddities,
-    )
+def without(state: SystemState, caller: str) -> SystemState:
+    """Return registrations without our own, and those of other observers."""
+
+    def part(pairs: Registrations) -> Registrations:
+        return tuple(pair for pair in pairs if pair[1] != caller and not is_observer(pair[1]))
+
+    return SystemState(part(state.publishers), part(state.subscribers), part(state.services), state.oddities)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from roslens.model.failure import Failure
@@ -9,6 +10,21 @@ from roslens.model.failure import Failure
 TOOL = "ros1"
 LONGEST_NAME = 1024
 MOST_ENTRIES = 100_000
+_OBSERVER = re.compile(r"/roslens_[A-Za-z0-9_]+_[0-9]+")
+
+
+def observer_name(host: str, pid: int) -> str:
+    """Return what the observer in process ``pid`` calls itself at the master.
+
+    >>> observer_name("base-1", 7)
+    '/roslens_base_1_7'
+    """
+    return f"/roslens_{re.sub('[^A-Za-z0-9_]', '_', host)}_{pid}"
+
+
+def is_observer(name: str) -> bool:
+    """Whether a name is that of an observer, which is no part of what is observed, whoever's it is."""
+    return _OBSERVER.fullmatch(name) is not None
 
 
 def sound_name(value: Any) -> bool:

@@ -48,7 +48,8 @@ def test_subfolders_have_a_scope():
     found = run(
         "set(A 1)\nadd_subdirectory(sub)\nadd_subdirectory(gone)",
         files={
-            "pkg/sub/CMakeLists.txt": b"set(A 2)\nset(B ${A} PARENT_SCOPE)\nset(C ${CMAKE_CURRENT_SOURCE_DIR} PARENT_SCOPE)"
+            "pkg/sub/CMakeLists.txt": b"set(A 2)\nset(B ${A} PARENT_SCOPE)\n"
+            b"set(C ${CMAKE_CURRENT_SOURCE_DIR} PARENT_SCOPE)"
         },
     )
     assert (found.get("A"), found.get("B"), found.get("C")) == ("1", "2", found.absolute("pkg/sub"))
@@ -59,7 +60,7 @@ def test_a_folder_that_adds_itself():
     found = run(
         "add_subdirectory(sub)\nset(B 1)", files={"pkg/sub/CMakeLists.txt": b"if(1)\nadd_subdirectory(../sub)\nendif()"}
     )
-    assert any("deep" in one for one in reasons(found))
+    assert reasons(found) == ["the folder is added twice"]
     assert found.get("B") == "1"
 
 

@@ -77,7 +77,8 @@ def test_conditions_are_kept_while_a_branch_is_run():
     seen = []
     found = evaluation(mark=lambda one, call: seen.append([*one.conditions]))
     run(
-        "if(A_FOUND AND NOT B)\nmark()\nelseif(WIN32)\nmark()\nelse()\nif(NOT DEFINED SOME_VERSION)\nmark()\nendif()\nmark()\nendif()\nmark()",
+        "if(A_FOUND AND NOT B)\nmark()\nelseif(WIN32)\nmark()\nelse()\n"
+        "if(NOT DEFINED SOME_VERSION)\nmark()\nendif()\nmark()\nendif()\nmark()",
         found,
     )
     denied = "NOT (A_FOUND AND NOT B)"

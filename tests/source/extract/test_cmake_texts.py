@@ -1,4 +1,4 @@
-"""``list()`` and ``string()`` of what is unknown, wrong or too long; the rest is held against cmake in test_cmake_blocks."""
+"""``list()`` and ``string()`` of what is unknown, wrong or too long; test_cmake_blocks holds the rest against cmake."""
 
 from pathlib import Path
 
@@ -29,7 +29,8 @@ def test_lists_of_what_is_unknown():
 
 @pytest.mark.parametrize(
     "text",
-    ["list(GET L 9 R)", "list(GET L x R)", "list(SUBLIST L a b R)", "string(SUBSTRING abc x 1 R)", "string(REPEAT ab 99999999 R)",
+    ["list(GET L 9 R)", "list(GET L x R)", "list(SUBLIST L a b R)",
+     "string(SUBSTRING abc x 1 R)", "string(REPEAT ab 99999999 R)",
      'string(REGEX REPLACE "(a*)*" x R aaa)', "string(UNHEARD a R)", "string(REPLACE)", "list(NOTHING L R)"],
 )  # fmt: skip
 def test_what_is_wrong_is_unknown(text):

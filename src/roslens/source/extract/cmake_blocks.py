@@ -56,6 +56,7 @@ def _foreach(run: Evaluation, block: Block) -> None:
         return
     _, before = run.scope.get(name)
     for item in items:
+        run.step()
         perhaps = run.alternatives.get(item)
         try:
             if perhaps is None:
@@ -104,6 +105,7 @@ def _items(run: Evaluation, arguments: list[str]) -> list[str] | None:
 def _while(run: Evaluation, block: Block) -> None:
     opened, body = block.branches[0]
     for _ in range(MOST_ROUNDS):
+        run.step()
         found = answer(opened.arguments, run)
         if found.value is None:
             changes = run.perhaps(body, [" ".join(argument.written for argument in opened.arguments)])

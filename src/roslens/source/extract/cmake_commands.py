@@ -207,8 +207,9 @@ def _include(run: Evaluation, call: Call) -> None:
             if found and script:
                 run.run_file(found, script)
                 return
-        run.prefixes.add(name)
-        return
+        if run.relative(name) not in run.listing:
+            run.prefixes.add(name)
+            return
     path = run.relative(name)
     content = None if path is None else run.files.content(path)
     if path is not None and content is None:
@@ -229,6 +230,9 @@ def _add_subdirectory(run: Evaluation, call: Call) -> None:
     if folder is None or path is None or script is None:
         what = f'"{path}" is not among the files of the package' if path else "the folder is unknown"
         run.fail(call.arguments[0].replace(f"{SOURCE}/", ""), call.evidence, what)
+        return
+    if run.seen(path, tuple(run.conditions)):
+        run.fail(call.arguments[0].replace(f"{SOURCE}/", ""), call.evidence, "the folder is added twice")
         return
     run_folder(run, folder, path, script)
 

@@ -23,11 +23,12 @@ from roslens.source.extract.node_facts import Evidence
 SOURCE, BUILD = "/=workspace", "/=build"
 """Folders that stand for the root of the workspace and of its build."""
 
-MOST_STEPS = 30_000
+MOST_STEPS = 15_000
 MOST_LENGTH = 100_000
-MOST_TEXT = 20_000_000
+MOST_TEXT = 10_000_000
 MOST_ROUNDS = 1_000
-MOST_DEPTH = 60
+MOST_DEPTH = 40
+MOST_SELF_INCLUDES = 3
 
 
 class Call(msgspec.Struct, frozen=True):
@@ -102,6 +103,7 @@ class Evaluation:
         self.alternatives: dict[str, tuple[str, ...]] = {}
         self.targets: set[str] = set()
         self.where = self.folder
+        self.added: dict[str, tuple[str, ...]] = {}
         self.path = ""
         self.loaded: set[str] = set()
         self._commands = commands
@@ -109,6 +111,7 @@ class Evaluation:
         self._blocks = blocks
         self._calls: list[tuple[str, Command]] = []
         self._bound: dict[str, str] | None = None
+        self._files: list[str] = []
         self._steps = self._text = self._depth = 0
 
     # Paths
@@ -139,6 +142,12 @@ class Evaluation:
         self.unresolved.setdefault(Unresolved(shown(text)[:300], evidence, shown(reason)))
 
     # Variables
+
+    def seen(self, path: str, conditions: tuple[str, ...]) -> bool:
+        """Note that a folder is added; return whether it was before, on the same side of what is unknown."""
+        known = self.added.setdefault(path, conditions)
+        nested = path in self._files
+        return nested or (known is not conditions and known == conditions)
 
     def get(self, name: str) -> str | None:
         """Return the value of a variable; None where it is not set. What others may have set is a hole."""
@@ -203,6 +212,8 @@ class Evaluation:
         for argument in arguments:
             value = argument.literal if argument.literal is not None else self.value(argument.template)
             if argument.kind == "bare":
+                if ";" in value:
+                    self.spend(len(value))
                 found.extend(items_of(value))
             else:
                 found.append(value)
@@ -265,10 +276,14 @@ class Evaluation:
 
     def run_file(self, path: str, script: Script, *, shown_in: str = "") -> None:
         """Run a file in the current scope."""
+        if self._files.count(path) >= MOST_SELF_INCLUDES:
+            self.fail(path, Evidence(path, 1), f"a file includes itself more than {MOST_SELF_INCLUDES} times")
+            return
         for fault in script.faults:
             self.fail(fault.what, Evidence(path, fault.line, fault.column), "not the language of CMake")
         before = self.path, self._bound, self.get("CMAKE_CURRENT_LIST_DIR"), self.get("CMAKE_CURRENT_LIST_FILE")
         self.path, self._bound = path, None
+        self._files.append(path)
         self.set("CMAKE_CURRENT_LIST_FILE", self.absolute(path))
         self.set("CMAKE_CURRENT_LIST_DIR", shown_in or self.absolute(dirname(path)))
         try:
@@ -278,6 +293,7 @@ class Evaluation:
             if signal.what == "stop":
                 raise
         finally:
+            self._files.pop()
             self.path, self._bound = before[:2]
             self.set("CMAKE_CURRENT_LIST_DIR", before[2])
             self.set("CMAKE_CURRENT_LIST_FILE", before[3])
@@ -302,12 +318,20 @@ class Evaluation:
         finally:
             self._depth -= 1
 
+    def step(self) -> None:
+        """Count a command or a round of a loop.
+
+        Raises:
+            ExhaustedError: they are too many.
+        """
+        self._steps += 1
+        if self._steps > MOST_STEPS:
+            raise ExhaustedError(f"it takes more than {MOST_STEPS:,} commands")
+
     def run(self, body: Body) -> None:
         """Run commands and blocks in order."""
         for statement in body:
-            self._steps += 1
-            if self._steps > MOST_STEPS:
-                raise ExhaustedError(f"it takes more than {MOST_STEPS:,} commands")
+            self.step()
             if isinstance(statement, Command):
                 self._run_command(statement)
             else:

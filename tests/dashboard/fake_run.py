@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import importlib.util
 import random
 import statistics
 from collections.abc import Mapping
+from pathlib import Path
+from types import ModuleType
 
 from roslens.dashboard.site import Site
 from roslens.dashboard.source_text import blob_id
@@ -222,6 +225,16 @@ def _function(writer: _Writer, chance: random.Random, owner: str) -> tuple[str, 
     return f"{name}(const std::string &, double)", start, end, values
 
 
+def _made_up_configurations() -> ModuleType:
+    path = Path(__file__).with_name("made_up_configurations.py")
+    spec = importlib.util.spec_from_file_location("made_up_configurations", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
 class FakeRun:
     """Packages, sources and the store that holds the run. The same arguments give the same run.
 
@@ -243,6 +256,9 @@ class FakeRun:
         ]
         self._extra = findings // max(1, packages)
         self.store = Store.open(None)
+        made_up = _made_up_configurations()
+        self.configurations = {"rover": made_up.large() if packages > 100 else made_up.robot()}
+        self.about = {"rover": made_up.robot_findings()}
         self._write()
 
     def site(self, read: bool = True) -> Site:
@@ -253,6 +269,8 @@ class FakeRun:
             quantities=QUANTITIES,
             models=models,
             read_source=self.sources.get if read else lambda _: None,
+            configurations=self.configurations,
+            about=self.about,
         )
 
     def _write(self) -> None:

@@ -18,6 +18,9 @@ _SUFFIX = re.compile(r"\.(?=(?:html|json|csv)\Z)")
 PLACES = {
     "overview": "overview",
     "graph": "graph",
+    "computation": "computation/",
+    "node": "nodes/",
+    "topic": "topics/",
     "packages": "packages",
     "package": "packages/",
     "file": "files/",

@@ -72,6 +72,7 @@ def pages_of(site: Site) -> Iterator[PageRef]:
     """Yield every page of the site, each once."""
     for page in ("overview", "graph", "packages", "findings", "metrics", "rules", "failures", "search", "help"):
         yield PageRef(page)
+    yield from site.book.refs()
     for package in site.packages:
         yield PageRef("package", package.id)
     for key in site.quantities:

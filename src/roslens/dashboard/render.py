@@ -23,13 +23,21 @@ WEB = Path(__file__).with_name("web")
 NAVIGATION = (
     ("overview", "Overview"),
     ("graph", "Graph"),
+    ("computation", "Computation"),
     ("packages", "Packages"),
     ("findings", "Findings"),
     ("metrics", "Metrics"),
     ("rules", "Rules"),
     ("failures", "Not analysed"),
 )
-PARENTS = {"package": "packages", "file": "packages", "metric": "metrics", "rule": "rules"}
+PARENTS = {
+    "package": "packages",
+    "file": "packages",
+    "metric": "metrics",
+    "rule": "rules",
+    "node": "computation",
+    "topic": "computation",
+}
 """Under which word of the navigation a page is found."""
 
 
@@ -38,31 +46,7 @@ class Renderer:
 
     def __init__(self, site: Site, medium: str) -> None:
         """Load the templates."""
-        self._medium = medium
-        self._environment = Environment(
-            loader=FileSystemLoader(TEMPLATES),
-            autoescape=True,
-            trim_blocks=True,
-            lstrip_blocks=True,
-            undefined=StrictUndefined,
-        )
-        self._environment.filters["ticks"] = ticks
-        self._environment.globals.update(
-            site=site,
-            medium=medium,
-            number=number,
-            share=share,
-            plural=plural,
-            next_sort=next_sort,
-            reference=reference,
-            requery=requery,
-            embedded=embedded,
-            rows_html=rows_html,
-            navigation=NAVIGATION,
-            parents=PARENTS,
-            help_keys=KEYS,
-            version=roslens.__version__,
-        )
+        self._environment = environment(medium, site=site, navigation=NAVIGATION, parents=PARENTS, help_keys=KEYS)
 
     def page(self, view: View, links: Links) -> str:
         """Return a whole page."""
@@ -84,6 +68,32 @@ class Renderer:
         return self._environment.get_template(template).render(
             view=view, content=content or view.ref.page, link=links.to, twin=links.twin, asset=links.asset, **view.shown
         )
+
+
+def environment(medium: str, **known: object) -> Environment:
+    """Return what renders templates; ``known`` is what all of them can name besides what every page needs."""
+    made = Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=StrictUndefined,
+    )
+    made.filters["ticks"] = ticks
+    made.globals.update(
+        medium=medium,
+        number=number,
+        share=share,
+        plural=plural,
+        next_sort=next_sort,
+        reference=reference,
+        requery=requery,
+        embedded=embedded,
+        rows_html=rows_html,
+        version=roslens.__version__,
+        **known,
+    )
+    return made
 
 
 def reference(page: str, key: str = "", anchor: str = "", **query: str) -> PageRef:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import msgspec
 
 from roslens.dashboard.address import PLACES
+from roslens.dashboard.computation import element_pages, graph_page
 from roslens.dashboard.pages import (
     failures,
     file,
@@ -28,6 +29,9 @@ from roslens.dashboard.view import Request, View
 PAGES: dict[str, Callable[[Site, Request], View | None]] = {
     "overview": overview.build,
     "graph": graph.build,
+    "computation": lambda site, request: graph_page.build(site.book, request),
+    "node": lambda site, request: element_pages.build_node(site.book, request),
+    "topic": lambda site, request: element_pages.build_topic(site.book, request),
     "packages": packages.build,
     "package": package.build,
     "file": file.build,

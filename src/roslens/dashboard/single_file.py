@@ -79,7 +79,15 @@ def single_file(site: Site, out: Path) -> None:
     Raises:
         UsageError: ``out`` cannot be written.
     """
-    text = single_page(site)
+    write_page(single_page(site), out, "--single-file")
+
+
+def write_page(text: str, out: Path, option: str) -> None:
+    """Write a file that takes the place of an older one when it is whole; ``option`` named it.
+
+    Raises:
+        UsageError: ``out`` cannot be written.
+    """
     try:
         with whole_file(out) as stream:
             stream.write(text)
@@ -87,7 +95,7 @@ def single_file(site: Site, out: Path) -> None:
         raise UsageError(
             f"cannot write {str(out)!r}: {error.strerror or error}",
             expected="a file that can be written",
-            advice="Give another one with --single-file",
+            advice=f"Give another one with {option}",
         ) from error
 
 
@@ -96,6 +104,8 @@ def single_page(site: Site) -> str:
     book = _Book(site)
     for page in _MAIN:
         book.add(PageRef(page), book.render(PageRef(page), _MAIN_LIMITS))
+    for slug in site.book.systems:
+        book.add(PageRef("computation", slug), book.render(PageRef("computation", slug), _MAIN_LIMITS))
     frame = _frame(book, "", ())
     book.size += len(frame.encode()) + 100 * min(_INDEXED_FILES, len(site.places))
     for package in site.packages:
@@ -119,6 +129,8 @@ def _fill_up(book: _Book) -> list[tuple[str, int, int]]:
     ordered_rules = list(dict.fromkeys(total.rule for total in site.rule_totals()))
     rules = book.fill((PageRef("rule", rule) for rule in ordered_rules), _MANY, room // 6)
     metrics = book.fill((PageRef("metric", key) for key in _metrics(site)), _MANY, room // 6)
+    joined = [ref for ref in site.book.refs() if ref.page != "computation"]
+    interfaces = book.fill(joined, limits, room // 6)
     packages = book.fill((PageRef("package", name) for name in _packages(site)), limits, room * 2 // 5)
     left = max(0, room - (book.size - start))
     files = _worst_files(site)
@@ -128,6 +140,7 @@ def _fill_up(book: _Book) -> list[tuple[str, int, int]]:
         ("Files with source", sources, len(site.places)),
         ("Rules that were broken", rules, len(ordered_rules)),
         ("Metrics with distribution", metrics, len(site.quantities)),
+        *([("Nodes and topics", interfaces, len(joined))] if joined else ()),
     ]
 
 
@@ -171,17 +184,19 @@ def _index(book: _Book) -> list[tuple[str, str, str, str]]:
 
 
 def _frame(book: _Book, sections: str, index: Sequence[tuple[str, str, str, str]]) -> str:
+    page = book.renderer.text("single.html", link=book.links.to, sections=Markup("\0"), index=index, **inlined())
+    return page.replace("\0", sections, 1)
+
+
+def inlined() -> dict[str, object]:
+    """Return what one file holds of ``web/``, ready to stand inside its elements: icon, style, theme, script."""
+
     def read(name: str) -> str:
         return (WEB / name).read_text(encoding="utf-8")
 
-    page = book.renderer.text(
-        "single.html",
-        link=book.links.to,
-        icon=read("icon.svg"),
-        style=Markup(compact(read("roslens.css"))),  # noqa: S704 - our own file
-        theme=Markup(inline(read("theme.js"))),  # noqa: S704 - our own file
-        script=Markup(inline(bundle("main.js", read))),  # noqa: S704 - our own files
-        sections=Markup("\0"),
-        index=index,
-    )
-    return page.replace("\0", sections, 1)
+    return {
+        "icon": read("icon.svg"),
+        "style": Markup(compact(read("roslens.css"))),  # noqa: S704 - our own file
+        "theme": Markup(inline(read("theme.js"))),  # noqa: S704 - our own file
+        "script": Markup(inline(bundle("main.js", read))),  # noqa: S704 - our own files
+    }

@@ -16,16 +16,18 @@ from roslens.judge.rate import Rating, rate
 from roslens.judge.select import EVERY
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
-from roslens.model.finding import RuleInfo, Severity
+from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.source import SourceFile
 from roslens.model.tags import TagFilter
 
 if TYPE_CHECKING:
+    from roslens.dashboard.computation.book import Book
     from roslens.dashboard.graph_model import PackageGraph
     from roslens.dashboard.layout.lay_out import Layout
     from roslens.judge.quality_model import QualityModel
+    from roslens.model.configuration import Configuration
     from roslens.store.read import RunView
 
 
@@ -61,6 +63,8 @@ class Site:
         quantities: Mapping[str, Quantity],
         models: Sequence[QualityModel] = (),
         read_source: ReadSource = _no_source,
+        configurations: Mapping[str, Configuration] | None = None,
+        about: Mapping[str, Sequence[Finding]] | None = None,
     ) -> None:
         """Bring a run and its explanations together.
 
@@ -69,11 +73,15 @@ class Site:
             quantities: everything that may have been measured, by key.
             models: quality models whose thresholds are shown; the run's own first.
             read_source: gives the content of a file by its path below the workspace root, None where it cannot.
+            configurations: whose computation graphs are shown, by name.
+            about: findings about each of them, by the same names.
         """
         self.view = view
         self.quantities = dict(quantities)
         self.models = tuple(models)
         self.sources = Sources(read_source, self._file_of)
+        self._configurations = dict(configurations or {})
+        self._about = dict(about or {})
 
     def _file_of(self, path: str) -> SourceFile | None:
         place = self.places.get(path)
@@ -233,6 +241,14 @@ class Site:
             ]
             found[key] = tuple(dict.fromkeys((*own, *folded)))
         return found
+
+    @cached_property
+    def book(self) -> Book:
+        """The configurations, with a way to the pages of their nodes and topics."""
+        from roslens.dashboard.computation.book import Book
+        from roslens.dashboard.computation.system import systems_of
+
+        return Book(systems_of(self._configurations, self._about), lambda path: path in self.places)
 
     @cached_property
     def graph(self) -> tuple[PackageGraph, Layout]:

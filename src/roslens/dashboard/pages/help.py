@@ -13,6 +13,7 @@ KEYS = {
         ("Esc", "close, clear"),
         ("g, then o", "overview"),
         ("g, then g", "graph"),
+        ("g, then c", "computation graph"),
         ("g, then p", "packages"),
         ("g, then f", "findings"),
         ("g, then m", "metrics"),
@@ -34,6 +35,7 @@ KEYS = {
         ("Shift arrows", "move the picture"),
         ("s", "open or close the side panel"),
         ("t", "table instead of picture"),
+        ("l", "computation graph: to the line that makes what is selected"),
         ("Esc", "clear selection, then focus"),
     ),
 }

@@ -36,6 +36,10 @@ def everything(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
     """Yield kind, name, what it is and page of all that can be searched for."""
     for package in site.packages:
         yield "package", package.id, package.description[:100], PageRef("package", package.id)
+    for ref in site.book.refs():
+        if ref.page != "computation" and (found := site.book.find(ref.page, ref.key)):
+            element = found[0].elements[found[1]]
+            yield element.kind.value, element.name, found[0].configuration.title, ref
     for key, quantity in site.quantities.items():
         yield "metric", quantity.title, key, PageRef("metric", key)
     for rule in site.rules.values():

@@ -3,7 +3,7 @@
 import { typing } from "./dom.js";
 
 const actions = new Map();
-const PLACES = { o: "overview", g: "graph", p: "packages", f: "findings", m: "metrics", r: "rules" };
+const PLACES = { o: "overview", g: "graph", p: "packages", f: "findings", m: "metrics", r: "rules", c: "computation" };
 let going = 0;
 
 /** Call `action` for a key pressed outside of fields; it returns false where the key means nothing right now. */

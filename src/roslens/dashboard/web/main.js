@@ -3,6 +3,7 @@
 import { medium } from "./address.js";
 import { startChips } from "./chips.js";
 import { startFilters, startFindingKeys } from "./findings.js";
+import { startComputation } from "./graph/computation.js";
 import { startGraph } from "./graph/graph.js";
 import { onKey, startKeys } from "./keys.js";
 import { startSearch } from "./search.js";
@@ -16,8 +17,9 @@ function improve(root) {
   startTables(root);
   startFilters(root, replace);
   startSource(root);
-  const graph = root.querySelector("#graph-view");
-  if (graph) startGraph(root, chips);
+  const graph = root.querySelector("[data-graph]")?.dataset.graph;
+  if (graph === "packages") startGraph(root, chips);
+  if (graph === "computation") startComputation(root);
 }
 
 let awaited = "";

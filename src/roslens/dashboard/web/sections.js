@@ -4,6 +4,17 @@ import { section } from "./address.js";
 
 const PARENTS = { "packages/": "packages", "rules/": "rules", "metrics/": "metrics" };
 
+/** Under which word of the navigation a section is found. */
+function parentOf(name) {
+  const [kind, system] = name.split("/");
+  if (["computation", "nodes", "topics"].includes(kind)) {
+    const own = `computation/${system}`;
+    return document.querySelector(`[data-nav="${CSS.escape(own)}"]`) ? own : "computation";
+  }
+  const parent = Object.entries(PARENTS).find(([start]) => name.startsWith(start));
+  return parent ? parent[1] : name;
+}
+
 export function startSections(improve) {
   const sections = new Map([...document.querySelectorAll(".paged > section")].map((element) => [element.id, element]));
   const improved = new Set();
@@ -15,11 +26,11 @@ export function startSections(improve) {
     // A place outside of the sections (the target of "Skip to content") leaves the section that is shown.
     if (place && !owner && shown) return;
     shown = true;
-    const name = sections.has(asked) ? asked : owner ? owner.id : "overview";
+    const name = sections.has(asked) ? asked : owner ? owner.id : sections.keys().next().value;
     for (const [id, element] of sections) element.classList.toggle("current", id === name);
-    const parent = Object.entries(PARENTS).find(([start]) => name.startsWith(start));
+    const parent = parentOf(name);
     for (const link of document.querySelectorAll("[data-nav]")) {
-      if (link.dataset.nav === (parent ? parent[1] : name)) link.setAttribute("aria-current", "page");
+      if (link.dataset.nav === parent) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     }
     scrollTo(0, 0);

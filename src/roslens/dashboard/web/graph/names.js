@@ -10,7 +10,7 @@ const HEIGHT = 15;
  * a selection dims the rest, a name may lie on a dimmed disc. `shape` says how discs are drawn that are none: their half
  * height and width and where the name goes.
  */
-export function showNames(svg, elements, nodes, order, places, camera, shape = DISC) {
+export function showNames(svg, elements, nodes, order, places, camera, shape = DISC, titles = []) {
   const all = camera.k >= READABLE;
   svg.classList.toggle("no-names", !all);
   svg.style.setProperty("--zoom", String(Math.min(camera.k, 1)));
@@ -30,6 +30,10 @@ export function showNames(svg, elements, nodes, order, places, camera, shape = D
     const [across, down] = [camera.k * shape.across(nodes[number]), camera.k * shape.down(nodes[number])];
     taken.add({ owner: number, left: x - across, right: x + across, top: y - down, bottom: y + down });
   }
+  titles.forEach(({ x, y, width: across }, number) => {
+    const [left, top] = [camera.k * x + camera.x, camera.k * y + camera.y];
+    taken.add({ owner: `title ${number}`, left, right: left + across, top: top - HEIGHT, bottom: top });
+  });
   const named = new Set();
   for (const number of order) {
     const place = places.get(number);

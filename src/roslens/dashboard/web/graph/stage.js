@@ -175,7 +175,7 @@ export class Stage {
       button(`All ${this.what}`, "Clear the focus", () => this.focusOn(-1)),
       "/",
       make("strong", { text: this.nodes[this.focus].name || this.nodes[this.focus].id }),
-      make("span", { class: "quiet", text: `and what is at most ${this.hops} step${this.hops === 1 ? "" : "s"} away: ${figure(this.visible.size)} of ${figure(this.nodes.length)} ${this.what}` }),
+      make("span", { class: "quiet", text: `and what is at most ${this.hops} step${this.hops === 1 ? "" : "s"} away: ${figure(this.visible.size)} of ${figure(this.total ?? this.nodes.length)} ${this.what}` }),
       button("Fewer", "One step fewer", () => this.focusOn(this.focus, this.hops - 1), this.hops === 1),
       button("More", "One step more", () => this.focusOn(this.focus, this.hops + 1), this.hops === 9),
       button("Clear", "Clear the focus", () => this.focusOn(-1)),

@@ -1,0 +1,251 @@
+"""A page per node, its interface with what shows it; and per topic, service or action, with who is at which end."""
+
+from __future__ import annotations
+
+import msgspec
+
+from roslens.dashboard.address import PageRef
+from roslens.dashboard.computation.book import Book, ref_of
+from roslens.dashboard.computation.endpoint_rows import endpoint_table
+from roslens.dashboard.computation.system import Element, Kind, System
+from roslens.dashboard.table import Cell, Column, Table, sort_rows
+from roslens.dashboard.view import Request, View
+from roslens.model.configuration import ConfiguredNode, Proof
+from roslens.model.graph import Role
+
+_SECTIONS = (
+    ("publishes", "Publishes", (Role.PUBLISHER,)),
+    ("subscribes", "Subscribes to", (Role.SUBSCRIPTION,)),
+    ("serves", "Serves", (Role.SERVICE_SERVER, Role.ACTION_SERVER)),
+    ("calls", "Calls", (Role.SERVICE_CLIENT, Role.ACTION_CLIENT)),
+)
+_SIDES = {
+    Kind.TOPIC: (
+        ("publishers", "Publishers", Role.PUBLISHER, "Nobody publishes."),
+        ("subscriptions", "Subscriptions", Role.SUBSCRIPTION, "Nobody subscribes."),
+    ),
+    Kind.SERVICE: (
+        ("servers", "Servers", Role.SERVICE_SERVER, "Nobody serves it."),
+        ("clients", "Clients", Role.SERVICE_CLIENT, "Nobody calls it."),
+    ),
+    Kind.ACTION: (
+        ("servers", "Servers", Role.ACTION_SERVER, "Nobody serves it."),
+        ("clients", "Clients", Role.ACTION_CLIENT, "Nobody calls it."),
+    ),
+}
+_OF_NODE = ("name", "type", "qos", "place", "conditions", "callback", "sure", "more")
+_OF_TOPIC = ("node", "type", "qos", "hash", "place", "conditions", "callback", "sure", "more")
+
+
+def build_node(book: Book, request: Request) -> View | None:
+    """Return the page of a node; None for an unknown one."""
+    found = book.find("node", request.key)
+    if found is None:
+        return None
+    system, number = found
+    node, element = system.nodes[number], system.elements[number]
+    ends = [(place, end) for place, end in enumerate(system.ends) if end.node == number]
+    own = [(place, end) for place, end in ends if not end.configured.implicit]
+    tables = [
+        endpoint_table(
+            book,
+            system,
+            [(place, end) for place, end in own if end.configured.endpoint.role in roles],
+            ("does", *_OF_NODE) if len(roles) > 1 else _OF_NODE,
+            name,
+            title,
+        )
+        for name, title, roles in _SECTIONS
+    ]
+    rest = [(place, end) for place, end in ends if end.configured.implicit]
+    tables += [
+        _parameters(book, node),
+        _timers(book, node),
+        _remaps(book, node),
+        endpoint_table(book, system, rest, ("does", "name", "type", "qos"), "implicit", "What every node has"),
+    ]
+    return _view(
+        book,
+        request,
+        system,
+        element,
+        tables,
+        facts={"node": {key: value for key, value in _node_facts(node).items() if value}},
+        shown={
+            "facts": _node_rows(book, system, node),
+            "unresolved": [
+                (one, book.place(one.proof)) for one in system.configuration.unresolved if one.node == node.name
+            ],
+        },
+    )
+
+
+def build_topic(book: Book, request: Request) -> View | None:
+    """Return the page of a topic, service or action; None for an unknown one."""
+    found = book.find("topic", request.key)
+    if found is None:
+        return None
+    system, number = found
+    element = system.elements[number]
+    ends = [(place, end) for place, end in enumerate(system.ends) if end.channel == number]
+    tables = [
+        endpoint_table(
+            book,
+            system,
+            [(place, end) for place, end in ends if end.configured.endpoint.role is role],
+            _OF_TOPIC,
+            name,
+            title,
+            empty,
+        )
+        for name, title, role, empty in _SIDES[element.kind]
+    ]
+    types = sorted({end.configured.endpoint.type for _, end in ends} - {""})
+    hashes = sorted({end.configured.endpoint.hash for _, end in ends} - {""})
+    rows = [("Type", Cell(", ".join(types) or "unknown")), ("Hash", Cell(", ".join(hashes) or "unknown"))]
+    return _view(
+        book,
+        request,
+        system,
+        element,
+        tables,
+        facts={"topic": {"name": element.name, "kind": element.kind.value, "types": types, "hashes": hashes}},
+        shown={"facts": rows, "unresolved": []},
+    )
+
+
+def _view(
+    book: Book,
+    request: Request,
+    system: System,
+    element: Element,
+    tables: list[Table],
+    *,
+    facts: dict[str, object],
+    shown: dict[str, object],
+) -> View:
+    page = "node" if element.kind is Kind.NODE else "topic"
+    findings = system.findings_on(element)
+    ordered = [
+        sort_rows(table, request.query.get(f"sort_{table.name}"), None if request.complete else request.limits.rows)
+        for table in tables
+    ]
+    return View(
+        ref=PageRef(page, request.key, query=request.query.pairs),
+        title=element.name,
+        facts={"configuration": system.slug, **facts, "findings": msgspec.to_builtins(findings)},
+        tables=tuple(ordered),
+        shown={
+            "element": element,
+            "system": system,
+            "findings": [(one, book.place(Proof(one.path, one.line))) for one in findings],
+            **shown,
+        },
+    )
+
+
+def _node_facts(node: ConfiguredNode) -> dict[str, object]:
+    kept = (
+        "name",
+        "package",
+        "executable",
+        "kind",
+        "unit",
+        "container",
+        "machine",
+        "anonymous",
+        "conditions",
+        "resolved",
+    )
+    return {key: value for key in kept if (value := getattr(node, key))}
+
+
+def _node_rows(book: Book, system: System, node: ConfiguredNode) -> list[tuple[str, Cell]]:
+    """Return what is said of the node besides its tables, as (title, cell)."""
+    inside = [other for other in system.nodes if other.container == node.name]
+    holder = next((place for place, other in enumerate(system.nodes) if other.name == node.container), None)
+    rows = [
+        ("Started at", book.place(node.proof)),
+        ("Defined at", book.place(node.defined)),
+        ("In code", Cell(node.unit)),
+        ("Package", Cell(node.package)),
+        ("Executable", Cell(node.executable)),
+        ("Only if", Cell(" and ".join(node.conditions))),
+        (
+            "Loaded into",
+            Cell(node.container, ref=ref_of(system, system.elements[holder]) if holder is not None else None),
+        ),
+        ("Holds", Cell(", ".join(other.name for other in inside))),
+        ("Machine", Cell(node.machine)),
+        ("Name", Cell("gets a random end" if node.anonymous else "")),
+    ]
+    return [(title, cell) for title, cell in rows if cell.value]
+
+
+def _parameters(book: Book, node: ConfiguredNode) -> Table:
+    columns = (
+        Column("name", "Parameter"),
+        Column("value", "Value", "code"),
+        Column("type", "Type", "code"),
+        Column("default", "Default", "code"),
+        Column("range", "Range", "code"),
+        Column("access", "In code"),
+        Column("place", "Declared or read at", "code"),
+        Column("set_by", "Set at", "code"),
+        Column("conditions", "Only if", "code", optional=True),
+    )
+    rows = tuple(
+        (
+            Cell(one.name),
+            Cell(one.value, text="" if one.value is not None else "unknown"),
+            Cell(one.type if one.set_type in {"", one.type} else f"{one.type}, set as {one.set_type}"),
+            Cell(one.default),
+            Cell(one.range),
+            Cell(one.access),
+            book.place(one.proof),
+            book.place(one.set_by),
+            Cell(" and ".join(one.conditions)),
+        )
+        for one in node.parameters
+    )
+    return Table("parameters", "Parameters", columns, rows, total=len(rows), empty="None.")
+
+
+def _timers(book: Book, node: ConfiguredNode) -> Table:
+    columns = (
+        Column("period", "Period", "number", unit="s", decimals=3),
+        Column("rate", "Rate", "number", unit="Hz", decimals=2),
+        Column("callback", "Callback", "code"),
+        Column("group", "Callback group"),
+        Column("place", "Made at", "code"),
+    )
+    rows = tuple(
+        (
+            Cell(one.period_s),
+            Cell(1 / one.period_s if one.period_s else None),
+            Cell(one.callback),
+            Cell(one.group),
+            book.place(one.proof),
+        )
+        for one in node.timers
+    )
+    return Table("timers", "Timers", columns, rows, total=len(rows), empty="None.")
+
+
+def _remaps(book: Book, node: ConfiguredNode) -> Table:
+    columns = (
+        Column("source", "Remapping of", "code"),
+        Column("target", "to", "code"),
+        Column("used", "Matched"),
+        Column("place", "Written at", "code"),
+    )
+    rows = tuple(
+        (
+            Cell(one.source),
+            Cell(one.target),
+            Cell("not known" if one.uncertain else "yes" if one.used else "nothing"),
+            book.place(one.proof),
+        )
+        for one in node.remaps
+    )
+    return Table("remaps", "Remappings", columns, rows, total=len(rows), empty="None.")

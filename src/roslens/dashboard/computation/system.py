@@ -1,0 +1,235 @@
+"""A configuration as elements and wires: nodes, topics, services, actions, and which way things flow between them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from enum import Enum
+
+import msgspec
+
+from roslens.dashboard.computation.noise import IMPLICIT, kinds_of_noise
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
+from roslens.model.finding import Finding
+from roslens.model.graph import Role
+
+_UNSAFE = re.compile(r"[^A-Za-z0-9._+-]+")
+_SURENESS = ("certain", "likely", "possible")
+
+
+class Kind(str, Enum):
+    """What an element is."""
+
+    NODE = "node"
+    TOPIC = "topic"
+    SERVICE = "service"
+    ACTION = "action"
+
+
+KIND_OF_ROLE = {
+    Role.PUBLISHER: Kind.TOPIC,
+    Role.SUBSCRIPTION: Kind.TOPIC,
+    Role.SERVICE_SERVER: Kind.SERVICE,
+    Role.SERVICE_CLIENT: Kind.SERVICE,
+    Role.ACTION_SERVER: Kind.ACTION,
+    Role.ACTION_CLIENT: Kind.ACTION,
+}
+OUTWARD = frozenset({Role.PUBLISHER, Role.SERVICE_CLIENT, Role.ACTION_CLIENT})
+"""Roles from which things flow to the topic, service or action: messages and requests."""
+
+VERB = {
+    Role.PUBLISHER: "publishes",
+    Role.SUBSCRIPTION: "subscribes",
+    Role.SERVICE_SERVER: "serves",
+    Role.SERVICE_CLIENT: "calls",
+    Role.ACTION_SERVER: "serves",
+    Role.ACTION_CLIENT: "calls",
+}
+
+
+class Element(msgspec.Struct, frozen=True):
+    """A node, topic, service or action.
+
+    Attributes:
+        key: names its page, unique within the configuration.
+        lane: the namespace in whose box it stands.
+        sure: the least sure of what shows it.
+        noise: presets that leave it out.
+        severity: of the worst finding about it; empty without any.
+    """
+
+    kind: Kind
+    name: str
+    key: str
+    lane: str
+    sure: str = "certain"
+    conditional: bool = False
+    resolved: bool = True
+    noise: tuple[str, ...] = ()
+    severity: str = ""
+
+
+class Wire(msgspec.Struct, frozen=True):
+    """Things flow from element ``source`` to element ``target``; ``endpoints`` are numbers into the system's ends."""
+
+    source: int
+    target: int
+    endpoints: tuple[int, ...]
+    conditional: bool = False
+    resolved: bool = True
+    implicit: bool = False
+    sure: str = "certain"
+
+
+class End(msgspec.Struct, frozen=True):
+    """An endpoint, its node and the element that it joins the node to."""
+
+    node: int
+    channel: int
+    configured: ConfiguredEndpoint
+
+
+class System:
+    """One configuration with its elements and wires, nodes first, each sorted as the configuration has them."""
+
+    def __init__(self, slug: str, configuration: Configuration, findings: Sequence[Finding] = ()) -> None:
+        """Work out elements and wires.
+
+        Args:
+            slug: names its pages.
+            configuration: what would run.
+            findings: about it; those that name one of its nodes, topics, services or actions are shown there.
+        """
+        self.slug = slug
+        self.configuration = configuration
+        self.findings = tuple(findings)
+        self._about: dict[str, list[Finding]] = {}
+        for finding in findings:
+            self._about.setdefault(finding.entity, []).append(finding)
+        self.nodes = configuration.nodes
+        self._lanes = {namespace_of(node.name) for node in self.nodes}
+        self.elements: list[Element] = []
+        self.ends: list[End] = []
+        self._add_nodes()
+        self._add_channels()
+        self.by_key = {element.key: number for number, element in enumerate(self.elements)}
+        self.wires = self._wires()
+
+    def findings_on(self, element: Element) -> tuple[Finding, ...]:
+        """Return what is wrong with an element."""
+        return tuple(self._about.get(f"{element.kind.value}:{element.name}", ()))
+
+    def ends_of(self, number: int) -> list[End]:
+        """Return the endpoints of a node or at a topic, service or action."""
+        return [end for end in self.ends if number in {end.node, end.channel}]
+
+    def _add_nodes(self) -> None:
+        taken: dict[str, int] = {}
+        for node in self.nodes:
+            taken[node.name] = taken.get(node.name, 0) + 1
+            key = node.name if taken[node.name] == 1 else f"{node.name}~{taken[node.name]}"
+            element = Element(
+                Kind.NODE,
+                node.name,
+                f"node/{key.strip('/')}",
+                namespace_of(node.name),
+                sure=node.proof.sure,
+                conditional=bool(node.conditions),
+                resolved=node.resolved,
+            )
+            self.elements.append(msgspec.structs.replace(element, severity=self._severity(element)))
+
+    def _add_channels(self) -> None:
+        found: dict[tuple[str, str], list[tuple[int, ConfiguredEndpoint]]] = {}
+        for number, node in enumerate(self.nodes):
+            for one in node.endpoints:
+                word = KIND_OF_ROLE[one.endpoint.role].value
+                found.setdefault((one.endpoint.name, word), []).append((number, one))
+        for (name, word), users in sorted(found.items(), key=lambda item: item[0]):
+            kind = Kind(word)
+            noise = kinds_of_noise(name)
+            if all(one.implicit for _, one in users):
+                noise = (IMPLICIT, *noise)
+            element = Element(
+                kind,
+                name,
+                f"{word}/{name.strip('/')}",
+                self._lane(name),
+                sure=_least_sure([one for _, one in users]),
+                conditional=all(one.conditions or self.nodes[node].conditions for node, one in users),
+                resolved=any(one.resolved for _, one in users),
+                noise=noise,
+            )
+            channel = len(self.elements)
+            self.elements.append(msgspec.structs.replace(element, severity=self._severity(element)))
+            self.ends += [End(node, channel, one) for node, one in users]
+
+    def _severity(self, element: Element) -> str:
+        found = [finding.severity for finding in self.findings_on(element)]
+        return max(found, key=lambda severity: severity.rank).value if found else ""
+
+    def _lane(self, name: str) -> str:
+        """Return the innermost namespace that holds nodes and this name."""
+        lane = namespace_of(name)
+        while lane != "/" and lane not in self._lanes:
+            lane = namespace_of(lane)
+        return lane
+
+    def _wires(self) -> tuple[Wire, ...]:
+        found: dict[tuple[int, int], list[tuple[int, ConfiguredEndpoint]]] = {}
+        for number, end in enumerate(self.ends):
+            out = end.configured.endpoint.role in OUTWARD
+            pair = (end.node, end.channel) if out else (end.channel, end.node)
+            found.setdefault(pair, []).append((number, end.configured))
+        return tuple(
+            Wire(
+                source,
+                target,
+                tuple(number for number, _ in ends),
+                conditional=all(one.conditions for _, one in ends),
+                resolved=any(one.resolved for _, one in ends),
+                implicit=all(one.implicit for _, one in ends),
+                sure=_least_sure([one for _, one in ends]),
+            )
+            for (source, target), ends in sorted(found.items())
+        )
+
+
+def _least_sure(endpoints: Sequence[ConfiguredEndpoint]) -> str:
+    ranks = [_SURENESS.index(one.proof.sure) if one.proof.sure in _SURENESS else 2 for one in endpoints]
+    return _SURENESS[max(ranks, default=0)]
+
+
+def namespace_of(name: str) -> str:
+    """Return the namespace of a resolved name: ``/a/b`` is in ``/a``, ``/a`` in ``/``."""
+    return name.rpartition("/")[0] or "/"
+
+
+def systems_of(
+    configurations: Mapping[str, Configuration], findings: Mapping[str, Sequence[Finding]] | None = None
+) -> dict[str, System]:
+    """Return a system for each configuration by its slug, in the given order.
+
+    Args:
+        configurations: by the names that the caller gives them.
+        findings: about each, by the same names.
+    """
+    found: dict[str, System] = {}
+    for name, configuration in configurations.items():
+        slug = start = _UNSAFE.sub("-", name).strip("-") or "system"
+        number = 1
+        while slug in found:
+            number += 1
+            slug = f"{start}-{number}"
+        found[slug] = System(slug, configuration, (findings or {}).get(name, ()))
+    return found
+
+
+def relative(name: str, lane: str) -> str:
+    """Return the name as seen from its namespace's box."""
+    return name.removeprefix(lane if lane == "/" else lane + "/")
+
+
+def node_of(system: System, number: int) -> ConfiguredNode | None:
+    """Return the configured node behind an element; None for a topic, service or action."""
+    return system.nodes[number] if number < len(system.nodes) else None

@@ -1,0 +1,309 @@
+// The computation graph: nodes, and topics as marks of their own or as lines between nodes.
+
+import { setParameters } from "../address.js";
+import { draw, figure, make, settled } from "../dom.js";
+import { onKey } from "../keys.js";
+import { dependentsOf, around } from "./focus.js";
+import { closeUp, line, stepsFrom } from "./lanes.js";
+import { showNames } from "./names.js";
+import { visibleOf } from "./noise.js";
+import { Stage } from "./stage.js";
+
+const split = (text) => (text || "").split(",").map((part) => part.trim()).filter(Boolean);
+const same = (a, b) => a.length === b.length && a.every((one, place) => one === b[place]);
+const counted = (count, what) => `${figure(count)} ${what}${count === 1 ? "" : "s"}`;
+const MOST = 40;
+
+const SHAPE = {
+  across: (node) => node.w / 2,
+  down: (node) => node.h / 2,
+  put(element, node, where) {
+    const text = element.lastElementChild;
+    const inside = where === "home";
+    element.classList.toggle("outside", !inside);
+    text.setAttribute("x", inside && node.kind !== "node" ? (20 - node.w / 2).toFixed(1) : "0");
+    element.classList.toggle("above", where === "above");
+    text.setAttribute("y", inside ? "0" : String((where === "above" ? -1 : 1) * (node.h / 2 + 2)));
+  },
+};
+
+class ComputationView extends Stage {
+  constructor(root, data) {
+    super(root, data, "elements");
+    this.scene = Object.fromEntries(["boxes", "wires", "titles"].map((name) => [name, this.svg.querySelector(`.${name}`)]));
+    this.shown = [];
+    this.drawnAs = null;
+    const rows = (name) => new Map([...(root.querySelectorAll(`[id$="${name}"] tbody tr[data-id]`) || [])].map((row) => [Number(row.dataset.id), row]));
+    this.rows = { nodes: rows("nodes"), endpoints: rows("endpoints") };
+    this.start();
+    const find = this.form.elements.find;
+    find.addEventListener("input", settled(() => this.find(find.value), 120));
+    find.addEventListener("keydown", (event) => event.key === "Enter" && this.nextFound());
+    onKey("l", () => (this.root.checkVisibility() ? this.openLine() : false));
+    this.find(find.value, false);
+  }
+
+  readAddress(now) {
+    super.readAddress(now);
+    const wanted = now.get("topics");
+    this.settings = {
+      lines: wanted === "lines" || wanted === "marks" ? wanted === "lines" : this.graph.many,
+      noise: now.getAll("noise").length ? split(now.getAll("noise").join(",")).filter((one) => this.graph.presets.includes(one)).sort() : this.graph.default,
+      hide: split(now.get("hide")),
+    };
+    const form = this.form.elements;
+    form.topics.value = this.settings.lines ? "lines" : "marks";
+    for (const box of this.form.querySelectorAll('[name="noise"]')) box.checked = this.settings.noise.includes(box.value);
+    form.hide.value = this.settings.hide.join(",");
+    form.find.value = now.get("find") || "";
+  }
+
+  readForm() {
+    const noise = [...this.form.querySelectorAll('[name="noise"]')].filter((box) => box.checked).map((box) => box.value);
+    this.settings = { lines: this.form.elements.topics.value === "lines", noise: [...noise].sort(), hide: split(this.form.elements.hide.value) };
+    setParameters({
+      topics: this.settings.lines === this.graph.many ? "" : this.settings.lines ? "lines" : "marks",
+      noise: same(this.settings.noise, this.graph.default) ? "" : noise.join(",") || "none",
+      hide: this.settings.hide.join(","),
+    });
+    this.placeNodes();
+    this.select(this.selected, false);
+    this.find(this.form.elements.find.value);
+    this.fit();
+  }
+
+  /** What is visible and drawn under the filters, in the focus, with topics as marks or as lines. */
+  placeNodes() {
+    const { nodes } = this.graph;
+    const { lines, noise, hide } = this.settings;
+    const allowed = visibleOf(this.graph, new Set(noise), hide);
+    const implicit = noise.includes("implicit");
+    this.joined = this.graph.wires.filter((wire) => allowed.has(wire.source) && allowed.has(wire.target) && !(wire.implicit && implicit));
+    const all = lines ? this.flows(allowed) : this.joined;
+    const ends = new Set([...allowed].filter((number) => !lines || nodes[number].kind === "node"));
+    nodes.forEach((node) => (node.needs = []));
+    for (const one of all) nodes[one.source].needs.push(one.target);
+    this.dependents = dependentsOf(nodes);
+    if (this.focus >= 0 && !ends.has(this.focus)) this.focus = -1;
+    this.total = ends.size;
+    this.visible = this.focus < 0 ? ends : around(nodes, this.dependents, this.focus, this.hops);
+    this.lines = all.filter((one) => this.visible.has(one.source) && this.visible.has(one.target));
+    this.draw();
+    this.showCrumbs();
+  }
+
+  /** Flows from node to node by way of what is allowed. */
+  flows(allowed) {
+    const given = new Map();
+    for (const wire of this.joined) if (this.graph.nodes[wire.target].kind !== "node") given.set(wire.target, [...(given.get(wire.target) || []), wire]);
+    const found = new Map();
+    for (const take of this.joined) {
+      for (const give of given.get(take.source) || []) {
+        if (give.source === take.target || !allowed.has(give.source)) continue;
+        const key = `${give.source} ${take.target}`;
+        const flow = found.get(key) || { source: give.source, target: take.target, by: [], conditional: true, resolved: false };
+        flow.by.push(take.source);
+        flow.conditional &&= Boolean(give.conditional || take.conditional);
+        flow.resolved ||= give.resolved !== false && take.resolved !== false;
+        found.set(key, flow);
+      }
+    }
+    return [...found.values()];
+  }
+
+  draw() {
+    const { nodes, drawn } = this.graph;
+    const { lines, noise, hide } = this.settings;
+    const ready = this.focus < 0 && same(noise, drawn.noise) && same(hide, drawn.hide);
+    const from = lines ? this.graph.lines : this.graph.topics;
+    let boxes;
+    if (ready) {
+      this.places = new Map(Object.entries(from.places).map(([number, [x, y]]) => [Number(number), { x, y }]));
+      this.extent = { x: 0, y: 0, width: from.width, height: from.height };
+      const own = lines ? this.graph.flows : this.graph.wires;
+      this.shown = from.lines.map(([number, path]) => ({ ...own[number], path }));
+      boxes = from.boxes;
+    } else {
+      const close = closeUp(nodes, this.visible, this.graph.lanes, this.column());
+      this.places = close.places;
+      this.extent = { x: 0, y: 0, width: close.width, height: close.height };
+      this.shown = this.lines.map((one) => ({ ...one, path: line(close.places.get(one.source), close.places.get(one.target), nodes[one.source], nodes[one.target]) }));
+      boxes = close.boxes;
+    }
+    this.titles = boxes.filter((box) => !box.depth).map((box) => ({ x: box.x + 7, y: box.y + 3, width: 7.6 * box.name.length }));
+    const as = ready ? `${lines}` : "";
+    if (this.drawnAs === null && ready && lines === drawn.lines) {
+      // The page came with this picture.
+      this.drawnAs = as;
+      this.titleLines();
+      return;
+    }
+    if (as && as === this.drawnAs) return;
+    this.drawnAs = as;
+    this.elements.forEach((element, number) => {
+      const place = this.places.get(number);
+      element.toggleAttribute("hidden", !place);
+      if (place) element.setAttribute("transform", `translate(${place.x.toFixed(1)} ${place.y.toFixed(1)})`);
+    });
+    this.scene.boxes.replaceChildren(
+      ...boxes.map((box) =>
+        draw("g", { class: `box d${Math.min(box.depth, 2)}` }, draw("rect", { x: box.x, y: box.y, width: box.width, height: box.height, rx: 8 })),
+      ),
+    );
+    this.scene.titles.replaceChildren(...boxes.map((box) => draw("text", { class: `d${Math.min(box.depth, 2)}`, x: box.x + 7, y: box.y + 3, text: box.depth ? box.name.slice(box.name.lastIndexOf("/") + 1) : box.name })));
+    this.scene.wires.setAttribute("class", `wires${this.shown.length > 200 ? " many" : ""}`);
+    this.scene.wires.replaceChildren(...this.shown.map((one) => this.path(one)));
+    this.titleLines();
+  }
+
+  /** In which column an element stands: by flow, in a focus as seen from it. */
+  column() {
+    const { nodes } = this.graph;
+    const by = this.settings.lines ? "tier" : "column";
+    if (this.focus < 0) return (place) => nodes[place][by];
+    const steps = stepsFrom(nodes, this.dependents, this.focus);
+    return (place) => steps.get(place);
+  }
+
+  path(one, more = "") {
+    const style = [one.conditional && "conditional", one.resolved === false && "unresolved", more].filter(Boolean).join(" ");
+    return draw("path", { class: style, d: one.path });
+  }
+
+  titleLines() {
+    if (!this.settings.lines) return;
+    [...this.scene.wires.children].forEach((path, place) => path.replaceChildren(draw("title", { text: (this.shown[place].by || []).map((one) => this.graph.nodes[one].name).join("\n") })));
+  }
+
+  recolour() {}
+
+  box() {
+    return this.extent;
+  }
+
+  linksOf(number) {
+    return this.shown.filter((one) => one.source === number || one.target === number).map((one) => this.path(one, one.source === number ? "gives" : "takes"));
+  }
+
+  nameNodes() {
+    if (!this.camera) return;
+    const near = this.selected < 0 ? [] : [this.selected, ...this.neighbours(this.selected)];
+    const weight = (number) => (this.graph.nodes[number].kind === "node" ? 1000 : 0) + this.graph.nodes[number].needs.length + this.dependents[number].length;
+    const rest = this.selected < 0 ? [...this.visible].sort((a, b) => weight(b) - weight(a)) : [];
+    const order = [...new Set([...near, ...(this.found || []).filter((number) => this.visible.has(number)), ...rest])];
+    showNames(this.svg, this.elements, this.graph.nodes, order, this.places, this.camera, SHAPE, this.titles);
+  }
+
+  find(text, remember = true) {
+    const needle = text.trim().toLocaleLowerCase();
+    this.found = needle ? [...this.visible].filter((number) => this.graph.nodes[number].name.toLocaleLowerCase().includes(needle)) : [];
+    const found = new Set(this.found);
+    this.canvas.classList.toggle("graph-find", Boolean(needle));
+    this.elements.forEach((element, number) => element.classList.toggle("found", found.has(number)));
+    if (remember) setParameters({ find: text.trim() });
+    if (this.selected < 0) this.select(-1, false);
+    else this.nameNodes();
+  }
+
+  nextFound() {
+    if (!this.found.length) return;
+    this.select(this.found[(this.found.indexOf(this.selected) + 1) % this.found.length]);
+  }
+
+  openLine() {
+    const link = this.part("selected").querySelector("a.place");
+    if (link) link.click();
+    return Boolean(link);
+  }
+
+  describe(number) {
+    return number < 0 ? this.describeAll() : this.describeOne(number);
+  }
+
+  pick(number, more = "") {
+    return make("li", {}, make("button", { type: "button", class: "pick", text: this.graph.nodes[number].name, onclick: () => this.select(number) }), more ? make("span", { class: "quiet", text: more }) : null);
+  }
+
+  describeAll() {
+    const among = this.found?.length ? this.found : [...this.visible].filter((number) => this.graph.nodes[number].severity);
+    const nodes = [...this.visible].filter((number) => this.graph.nodes[number].kind === "node").length;
+    const heading = this.canvas.classList.contains("graph-find") ? `Found (${figure(this.found.length)})` : "With findings";
+    return [
+      make("h2", { text: `${counted(nodes, "node")}${this.settings.lines ? "" : ` and ${figure(this.visible.size - nodes)} topics, services and actions`}` }),
+      make("p", { class: "quiet", text: "Select an element to see its ends, how sure they are and the lines that make them." }),
+      make("h3", { text: heading }),
+      among.length ? make("ul", {}, ...among.slice(0, MOST).map((one) => this.pick(one, this.graph.nodes[one].severity || this.graph.nodes[one].kind))) : make("p", { class: "quiet", text: "None among those shown." }),
+    ];
+  }
+
+  describeOne(number) {
+    const node = this.graph.nodes[number];
+    const isNode = node.kind === "node";
+    const href = this.elements[number].getAttribute("href");
+    const row = this.rows.nodes.get(number);
+    return [
+      make("h2", { text: node.name }),
+      make("p", { class: "quiet", text: [isNode && row ? row.cells[1].textContent : node.kind, node.sure === "certain" ? "" : node.sure, node.severity].filter(Boolean).join(", ") }),
+      ...(isNode && row ? [this.placeOf("Started at ", row.cells[4]), this.placeOf("Defined at ", row.cells[5]), this.placeOf("Only if ", row.cells[6])] : []),
+      make(
+        "div",
+        { class: "actions" },
+        href ? make("a", { href, text: "Open its page" }) : null,
+        make("button", { type: "button", class: "pick", text: "Focus on it", onclick: () => this.focusOn(number) }),
+        make("button", { type: "button", class: "pick", text: "Clear", onclick: () => this.select(-1) }),
+      ),
+      ...this.endsOf(number, isNode),
+    ];
+  }
+
+  placeOf(title, cell) {
+    return cell.textContent.trim() ? make("p", { class: "where" }, title, ...this.copied(cell)) : null;
+  }
+
+  copied(cell) {
+    return [...cell.cloneNode(true).childNodes].map((part) => {
+      if (part.tagName === "A") part.classList.add("place");
+      return part;
+    });
+  }
+
+  /** The endpoints of a node or at a topic, by what they do, from the rows of the table. */
+  endsOf(number, isNode) {
+    const groups = new Map();
+    this.graph.wires.forEach((wire, place) => {
+      if (wire.source !== number && wire.target !== number) return;
+      if (wire.implicit && this.settings.noise.includes("implicit")) return;
+      const other = wire.source === number ? wire.target : wire.source;
+      for (const end of this.graph.ends[place]) {
+        const row = this.rows.endpoints.get(end);
+        const does = row ? row.cells[1].textContent.trim() : "";
+        groups.set(does, [...(groups.get(does) || []), this.endItem(other, row)]);
+      }
+    });
+    const found = [...groups].sort(([a], [b]) => (a < b ? -1 : 1));
+    if (!found.length) return [make("p", { class: "quiet", text: "Nothing is joined to it." })];
+    return found.flatMap(([does, items]) => [
+      make("h3", { text: `${isNode ? does.charAt(0).toLocaleUpperCase() + does.slice(1) : `Who ${does}`} (${items.length})` }),
+      make("ul", { class: "ends" }, ...items.slice(0, MOST)),
+      items.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${items.length} shown; its page has all` }) : null,
+    ]);
+  }
+
+  endItem(other, row) {
+    const item = this.pick(other);
+    if (!row) return item;
+    const text = (place) => row.cells[place].textContent.trim();
+    const lines = [
+      [text(3), text(4)].filter(Boolean).join(" · "),
+      text(6) && `only if ${text(6)}`,
+      text(7) !== "certain" && text(7),
+    ].filter(Boolean);
+    item.append(make("div", { class: "quiet" }, ...lines.map((one) => make("div", { text: one })), make("div", { class: "where" }, ...this.copied(row.cells[5]))));
+    return item;
+  }
+}
+
+export function startComputation(root) {
+  const data = root.querySelector('[id$="graph-data"]');
+  if (root.querySelector('[id$="graph-svg"]')) new ComputationView(root, JSON.parse(data.textContent));
+}

@@ -1,0 +1,98 @@
+// Elements in columns and in boxes of namespaces, closed up around those that are visible; lay_out.py explains it.
+
+const ROOM = 10;
+const PAD = 12;
+const HEAD = 20;
+const BETWEEN = 16;
+const EDGE = 16;
+const GAP = 90;
+const TIP = 6;
+
+const parts = (name) => name.split("/").filter(Boolean);
+
+/** Places of the visible elements and the boxes around them. `column` says in which column an element stands. */
+export function closeUp(nodes, visible, lanes, column) {
+  const left = EDGE + PAD;
+  const spans = new Map();
+  let x = left;
+  for (const number of [...new Set([...visible].map(column))].sort((a, b) => a - b)) {
+    const width = Math.max(...[...visible].filter((place) => column(place) === number).map((place) => nodes[place].w));
+    spans.set(number, [x, x + width]);
+    x += width + GAP;
+  }
+  const places = new Map();
+  const reach = [];
+  let top = EDGE;
+  let before = [];
+  lanes.forEach((name, lane) => {
+    const members = [...visible].filter((place) => nodes[place].lane === lane).sort((a, b) => nodes[a].row - nodes[b].row);
+    if (!members.length) return;
+    const after = parts(name);
+    let common = 0;
+    while (common < Math.min(before.length, after.length) && before[common] === after[common]) common += 1;
+    top += (before.length - common) * PAD + (reach.length ? BETWEEN : 0) + (after.length - common) * HEAD;
+    const heights = new Map();
+    for (const place of members) heights.set(column(place), (heights.get(column(place)) || 0) + nodes[place].h + ROOM);
+    const height = Math.max(...heights.values());
+    const next = new Map([...heights].map(([number, own]) => [number, top + (height - own) / 2]));
+    for (const place of members) {
+      const span = spans.get(column(place));
+      const own = nodes[place].h + ROOM;
+      places.set(place, { x: (span[0] + span[1]) / 2, y: next.get(column(place)) + own / 2 });
+      next.set(column(place), next.get(column(place)) + own);
+    }
+    reach.push({ name, depth: after.length, top, bottom: top + height, first: Math.min(...members.map(column)), last: Math.max(...members.map(column)) });
+    top += height;
+    before = after;
+  });
+  return { places, boxes: boxesOf(reach, spans), width: Math.max(EDGE, x - GAP + PAD + EDGE), height: top + EDGE };
+}
+
+/** How many steps right (or, negative, left) of one element the others stand, by the way things flow. */
+export function stepsFrom(nodes, dependents, centre) {
+  const found = new Map([[centre, 0]]);
+  const open = [centre];
+  for (const place of open) {
+    const ways = [[nodes[place].needs, 1], [dependents[place], -1]];
+    for (const [others, way] of ways) {
+      for (const other of others) {
+        if (found.has(other)) continue;
+        found.set(other, found.get(place) + way);
+        open.push(other);
+      }
+    }
+  }
+  return found;
+}
+
+function boxesOf(reach, spans) {
+  const names = [...new Set(reach.flatMap(({ name }) => parts(name).map((_, depth) => `/${parts(name).slice(0, depth + 1).join("/")}`)))].sort();
+  const deepest = Math.max(1, ...names.map((name) => parts(name).length));
+  return names.map((name) => {
+    const members = reach.filter((lane) => lane.name === name || lane.name.startsWith(`${name}/`));
+    const depth = parts(name).length - 1;
+    const side = (PAD * (deepest - depth)) / deepest;
+    const first = members.reduce((a, b) => (b.top < a.top ? b : a));
+    const last = members.reduce((a, b) => (b.bottom > a.bottom ? b : a));
+    const x = spans.get(Math.min(...members.map((lane) => lane.first)))[0] - side;
+    const y = first.top - HEAD * (first.depth - depth);
+    return {
+      name,
+      depth,
+      x,
+      y,
+      width: spans.get(Math.max(...members.map((lane) => lane.last)))[1] + side - x,
+      height: last.bottom + (PAD / 2) * (last.depth - depth) - y,
+    };
+  });
+}
+
+/** A line between the sides of two elements that face each other, with an arrow at its end. */
+export function line(a, b, from, to) {
+  const tip = (x, y, way) => `M${(x - way * TIP).toFixed(1)} ${(y - TIP / 2).toFixed(1)}L${x.toFixed(1)} ${y.toFixed(1)}L${(x - way * TIP).toFixed(1)} ${(y + TIP / 2).toFixed(1)}`;
+  const way = Math.abs(a.x - b.x) < 1 ? 0 : a.x < b.x ? 1 : -1;
+  const x1 = a.x + ((way || 1) * from.w) / 2;
+  const x2 = b.x - ((way || -1) * to.w) / 2;
+  const bend = way ? (x1 + x2) / 2 : Math.max(x1, x2) + 14 + Math.min(30, Math.abs(a.y - b.y) / 8);
+  return `M${x1.toFixed(1)} ${a.y.toFixed(1)}C${bend.toFixed(1)} ${a.y.toFixed(1)} ${bend.toFixed(1)} ${b.y.toFixed(1)} ${x2.toFixed(1)} ${b.y.toFixed(1)}${tip(x2, b.y, way || -1)}`;
+}

@@ -29,6 +29,7 @@ def test_what_is_declared_own_unknown_or_of_others_is_none():
     assert not findings(package("slam", "sensor_msgs", kind="exec"))
     assert not findings(package("sensor_msgs", path="slam"))
     assert not findings(package("slam"), kind="")
+    assert not findings(package("slam"), kind="tf2_msgs/msg/TFMessage")
     assert not findings(package("slam"), path="other/src/x.cpp")
     assert not findings(package("slam"), origin=Origin.CATALOGUE)
 

@@ -1,6 +1,6 @@
 from roslens.model.configuration import Origin, Proof
 from roslens.source.rules.graph.ends import by_name, ends, is_launched, listed, unknown_nodes, unresolved_ends
-from testbed.configured import configuration, end, node
+from testbed.configured import configuration, end, node, timer
 
 KNOWN = configuration(
     node(
@@ -25,6 +25,8 @@ def test_the_clearest_comes_first():
 
 def test_what_is_known_of_nodes():
     assert [one.name for one in unknown_nodes(KNOWN)] == ["/c"]
+    silent = node("/s", end("pub", "/tf", line=0))
+    assert [one.name for one in unknown_nodes(configuration(silent, node("/t", timers=(timer(1.0),))))] == ["/s"]
     assert is_launched(KNOWN)
     assert not is_launched(configuration())
 

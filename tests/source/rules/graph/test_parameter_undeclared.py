@@ -5,6 +5,7 @@ from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, end, launched, node, parameter
 
 CODE = Proof("src/a.cpp", 5)
+KNOWN = parameter("known", access="declared", proof=CODE)
 FILE = launched(3, "config/a.yaml")
 
 
@@ -30,25 +31,36 @@ def test_what_is_declared_or_of_every_node_or_of_unknown_code_is_none():
         node("/a", parameters=(parameter("x", access="declared", set_by=FILE), parameter("use_sim_time", set_by=FILE))),
         node("/b", known=False, parameters=(parameter("y", set_by=FILE),)),
         node("/c", parameters=(parameter("z", set_by=FILE),), defined=Proof("rviz", origin=Origin.CATALOGUE)),
+        node("/e", parameters=(parameter("z", set_by=FILE),)),
         node("/d", parameters=(parameter("*.rate", access="declared"), parameter("left.rate", set_by=FILE))),
     )
 
 
 def test_doubt_makes_it_a_note():
-    (one,) = findings(node("/a", parameters=(parameter("follow.gain", set_by=FILE),)))
+    (one,) = findings(node("/a", parameters=(KNOWN, parameter("follow.gain", set_by=FILE))))
     assert one.severity is Severity.NOTE
     assert "a plug-in that the node loads may declare it" in one.message
     (one,) = findings(
-        node("/a", parameters=(parameter("gain", set_by=FILE),)), unresolved=(Unresolved("", CODE, "a macro", "/a"),)
+        node("/a", parameters=(KNOWN, parameter("gain", set_by=FILE))),
+        unresolved=(Unresolved("", CODE, "a macro", "/a"),),
     )
     assert one.severity is Severity.NOTE
     assert "not all of the code of /a was understood" in one.message
+    (one,) = findings(node("/a", end("pub", "/x"), parameters=(parameter("gain", set_by=FILE),)))
+    assert one.severity is Severity.NOTE
+    assert "no parameter of the code of /a is known" in one.message
+
+
+def test_where_code_has_none_all_that_are_set_are_one_finding():
+    (one,) = findings(node("/a", end("pub", "/x"), parameters=tuple(parameter(name, set_by=FILE) for name in "xyz")))
+    assert "parameters `x` and 2 more are set for /a (src/a.cpp:1), which never declares any." in one.message
 
 
 def test_ros1_asks_for_its_own_parameters_that_no_node_reads():
     a = node(
         "/a",
         parameters=(
+            parameter("/a/known", access="read", proof=CODE),
             parameter("/a/rate", set_by=FILE),
             parameter("/a/map/x", set_by=FILE),
             parameter("/other", set_by=FILE),

@@ -20,7 +20,15 @@ def test_one_that_is_used_or_may_be_is_none():
     )
 
 
+X = end("pub", "/p")
+GROUP = remap("x", "y")
+
+
 def test_a_remapping_of_a_group_needs_one_node_that_it_is_for():
-    assert not findings(node("/a", remaps=(remap("x", "y", used=True),)), node("/b", remaps=(remap("x", "y"),)))
-    (one,) = findings(node("/a", remaps=(remap("x", "y"),)), node("/b", remaps=(remap("x", "y"),)))
+    assert not findings(node("/a", remaps=(remap("x", "y", used=True),)), node("/b", X, remaps=(GROUP,)))
+    (one,) = findings(node("/a", X, remaps=(GROUP,)), node("/b", X, remaps=(GROUP,)))
     assert "/a, /b use no such name" in one.message
+
+
+def test_a_name_mapped_to_itself_and_code_that_says_nothing_are_none():
+    assert not findings(node("/a", X, remaps=(remap("x", "x"),)), node("/b", remaps=(remap("x", "y", 2),)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.configuration import Configuration, Origin
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.source import Package
 from roslens.source.rules.graph.doubt import weighed
@@ -23,6 +23,7 @@ RULE = RuleInfo(
     tool=TOOL,
     scope="configuration",
 )
+_OF_LIBRARIES = frozenset({"tf2_msgs", "tf", "dynamic_reconfigure", "actionlib_msgs", "diagnostic_msgs", "bond"})
 _COUNT = frozenset({"depend", "build", "build_export", "exec", "run"})
 
 
@@ -33,7 +34,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     for node in configuration.nodes:
         for one in node.endpoints:
             owner = one.endpoint.type.partition("/")[0]
-            if one.implicit or one.proof.origin is not Origin.CODE or "/" not in one.endpoint.type:
+            if one.implicit or one.proof.origin is not Origin.CODE or not _is_written(one, owner):
                 continue
             package = _package_of(one.proof.path, surroundings.packages)
             if package is not None and not _depends(package, owner):
@@ -41,6 +42,11 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
                 lacking.setdefault((package.id, owner), []).append(End(node, one))
     for (package_id, owner), used in sorted(lacking.items()):
         yield _told(packages[package_id], owner, min(used, key=lambda end: end.order))
+
+
+def _is_written(one: ConfiguredEndpoint, owner: str) -> bool:
+    """Whether the code names the type: those of broadcasters, updaters and the like are the library's own."""
+    return "/" in one.endpoint.type and one.proof.line > 0 and owner not in _OF_LIBRARIES
 
 
 def _package_of(path: str, packages: tuple[Package, ...]) -> Package | None:

@@ -118,7 +118,17 @@ def by_name(all_ends: Sequence[End]) -> dict[tuple[str, str], list[End]]:
 
 def unknown_nodes(configuration: Configuration) -> list[ConfiguredNode]:
     """Return the nodes of which nobody knows what they make."""
-    return [node for node in configuration.nodes if node.defined is None]
+    return sorted((node for node in configuration.nodes if is_unknown(node)), key=lambda node: (node.name, node.proof))
+
+
+def is_unknown(node: ConfiguredNode) -> bool:
+    """Return whether the code of a node is not there, or was not understood: no node uses nothing of ROS."""
+    if node.defined is None:
+        return True
+    if node.defined.origin is not Origin.CODE:
+        return False
+    says = any(not one.implicit and one.proof.line for one in node.endpoints) or bool(node.timers)
+    return not says and not any(one.access for one in node.parameters)
 
 
 def is_launched(configuration: Configuration) -> bool:

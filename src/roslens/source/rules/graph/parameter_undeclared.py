@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import is_unknown
 from roslens.source.rules.graph.likeness import nearest_name
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -35,18 +36,27 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
         if not _is_understood(node):
             continue
         known = [one.name for one in node.parameters if one.access]
-        for one in node.parameters:
-            if one.set_by is None or one.access or _is_of_every_node(one.name):
-                continue
-            if ros1 and (not one.name.startswith(f"{node.name}/") or _is_read(one.name, read)):
-                continue
-            if not any("*" in name and _fits(one.name, name) for name in known):
-                yield _told(node, one, known, ros1=ros1, is_open=node.name in open_nodes)
+        unknown = [one for one in node.parameters if _is_unknown(one, node, known, read, ros1=ros1)]
+        # Where the code is not known to have any, all of them are one problem.
+        for one in unknown if known else unknown[:1]:
+            yield _told(
+                node, one, known, ros1=ros1, is_open=node.name in open_nodes, more=0 if known else len(unknown) - 1
+            )
+
+
+def _is_unknown(
+    one: ConfiguredParameter, node: ConfiguredNode, known: list[str], read: list[str], *, ros1: bool
+) -> bool:
+    if one.set_by is None or one.access or _is_of_every_node(one.name):
+        return False
+    if ros1 and (not one.name.startswith(f"{node.name}/") or _is_read(one.name, read)):
+        return False
+    return not any("*" in name and _fits(one.name, name) for name in known)
 
 
 def _is_understood(node: ConfiguredNode) -> bool:
     """Whether its code says all parameters that it has; with dynamic_reconfigure a .cfg file says more."""
-    if node.defined is None or node.defined.origin is not Origin.CODE or not node.resolved:
+    if is_unknown(node) or node.defined is None or node.defined.origin is not Origin.CODE or not node.resolved:
         return False
     return not any(end.endpoint.type.startswith("dynamic_reconfigure/") for end in node.endpoints)
 
@@ -66,20 +76,28 @@ def _fits(name: str, pattern: str) -> bool:
     return fnmatchcase(name, pattern)
 
 
-def _told(node: ConfiguredNode, one: ConfiguredParameter, known: list[str], *, ros1: bool, is_open: bool) -> Finding:
+def _told(
+    node: ConfiguredNode, one: ConfiguredParameter, known: list[str], *, ros1: bool, is_open: bool, more: int
+) -> Finding:
     proof = one.set_by
     assert proof is not None  # noqa: S101 - only parameters that are set are told
-    more = ""
+    why = ""
     if is_open:
-        more = f"not all of the code of {node.name} was understood"
+        why = f"not all of the code of {node.name} was understood"
+    elif not known:
+        why = f"no parameter of the code of {node.name} is known"
     elif "." in one.name and not ros1:
-        more = "a plug-in that the node loads may declare it"
-    severity, doubt = weighed(RULE.severity, (proof,), node.conditions, more=more)
+        why = "a plug-in that the node loads may declare it"
+    severity, doubt = weighed(RULE.severity, (proof,), node.conditions, more=why)
     near = nearest_name(one.name, known)
     verb = "reads" if ros1 else "declares"
     advice = f"Did you mean `{near}`?" if near else f"Correct the name or remove it; {_knows(known)}."
     where = f" ({node.defined.place})" if node.defined is not None else ""
-    message = f"parameter `{one.name}` is set for {node.name}{where}, which never {verb} it. {advice}{doubt}"
+    what = f"`{one.name}` and {more} more are" if more else f"`{one.name}` is"
+    message = (
+        f"parameter{'s' if more else ''} {what} set for {node.name}{where}, which never {verb} "
+        f"{'any' if more else 'it'}. {advice}{doubt}"
+    )
     return told(RULE, message, proof, entity=f"parameter:{node.name}:{one.name}", severity=severity, context=proof.path)
 
 

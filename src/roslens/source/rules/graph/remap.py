@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredRemap
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import listed
+from roslens.source.rules.graph.ends import is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -31,7 +31,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     effective: set[tuple[str, str, str]] = set()
     for node in configuration.nodes:
         for one in node.remaps:
-            if one.used or one.uncertain or node.defined is None:
+            if one.used or one.uncertain or one.source == one.target or is_unknown(node):
                 effective.add(_key(one))
             else:
                 held.setdefault(one, []).append(node)

@@ -24,6 +24,7 @@ EXAMPLES = """\
   roslens graph --launch rover_bringup/rover.launch.py --arg navigation:=false
   roslens graph --package rover_base --node base_node --all
   roslens graph --launch rover_bringup/rover.launch.py --format dot | dot -Tsvg > rover.svg
+  roslens graph --launch rover_bringup/rover.launch.py --html rover.html
   roslens graph --diff rover_bringup/rover.launch.py rover_bringup/rover.launch.py:navigation=false
 
 exit codes: as everywhere; with --diff 1 where there is a difference"""
@@ -47,6 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="compare two launch files (FILE[:arg=value,...]) or two files written by --format json",
     )
     parser.add_argument("-o", "--output", metavar="FILE", help="write the result there instead")
+    parser.add_argument("--html", metavar="FILE", help="draw it: one HTML file that needs nothing else")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     add_stream_arguments(parser)
 
@@ -59,6 +61,8 @@ def run(options: argparse.Namespace) -> int:
     """
     from roslens.cli.graph_choice import chosen, require_nodes
 
+    if options.html and (options.diff or options.output or options.format != "text"):
+        raise UsageError("--html with --diff, --format or --output", expected="--html FILE alone")
     if options.diff:
         return _diff(options)
     if options.format == "markdown":
@@ -69,6 +73,8 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("--package with --launch", expected="one of them")
     found = _configurations(open_source(options), options)
     require_nodes(found, options.node)
+    if options.html:
+        return _html(tuple(chosen(one, options.node, implicit=True) for one in found), options)
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
     write(_text(shown, options), options.output)
     return CLEAN
@@ -121,6 +127,18 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
         )
     writer = _writer(options.format)
     return "\n".join(writer(one) for one in configurations)
+
+
+def _html(configurations: tuple[Configuration, ...], options: argparse.Namespace) -> int:
+    from roslens.dashboard.computation.pages import computation_file
+
+    names = [Path(one.title.partition(" ")[0]).name or one.generation for one in configurations]
+    if len(set(names)) < len(names):
+        names = [f"{name}-{one.generation}" for name, one in zip(names, configurations, strict=True)]
+    title = Path(options.path).resolve().name
+    computation_file(dict(zip(names, configurations, strict=True)), Path(options.html), title=title)
+    print(options.html)
+    return CLEAN
 
 
 def _writer(form: str) -> Callable[[Configuration], str]:

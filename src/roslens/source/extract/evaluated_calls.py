@@ -11,6 +11,7 @@ from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Function, Member, Name
 from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, find_method, find_outer
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
 
@@ -98,7 +99,17 @@ class Calls(Expressions):
             return known(engine, None, called)
         for one in (*arguments, *keywords.values()):
             engine.called_outer(one)
+        self._may_set(expression, arguments, name)
         return Unknown(f"result of {name}()")
+
+    def _may_set(self, expression: Call, arguments: list[Any], name: str) -> None:
+        """Texts that are empty when they are given to what is not known may be what it sets."""
+        engine = cast("Evaluation", self)
+        if engine.index.programs[engine.frame.path].language != "cpp":
+            return
+        for written, value in zip(expression.arguments, arguments, strict=False):
+            if isinstance(written, Name | Member) and isinstance(value, Text) and not value:
+                engine.assign(written, unknown(f"a text that {name}() may set"))
 
     def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
         """Return an object of a class outside of the workspace."""
@@ -144,6 +155,8 @@ class Calls(Expressions):
         if known is not None:
             return known(engine, of, called)
         found = plain_method(of, name, arguments)
+        if not isinstance(of, Text | list | dict):
+            self._may_set(expression, arguments, name)
         if isinstance(found, Unknown) and not isinstance(of, list | dict):
             for one in arguments:
                 engine.called_outer(one)

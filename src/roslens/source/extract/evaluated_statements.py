@@ -189,9 +189,7 @@ def _looped(engine: Evaluation, statement: Loop) -> None:
                 return
         return
     if statement.target is not None:
-        assign(
-            engine, statement.target, Unknown(f"each of {expression_text(statement.over)}" if statement.over else "x")
-        )
+        assign(engine, statement.target, _each(over, statement))
     if statement.over is not None and statement.target is None and engine.truth(over) is False:
         return
     block(engine, statement.body)

@@ -92,6 +92,8 @@ def _join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
             names[name] = _one_of(value, before, condition)
         elif isinstance(before, Unknown):
             names[name] = value
+        elif isinstance(before, Text) and value is not None:
+            names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition)
 
 
 def _one_of(value: Any, before: Any, condition: str) -> Any:

@@ -22,7 +22,15 @@ def interface_name(written: str) -> str:
     pieces = [piece for piece in _without_end(name).split(".") if piece]
     if len(pieces) >= 3 and pieces[-2].startswith("_") and pieces[-3] in _MIDDLE:
         pieces = [*pieces[:-2], pieces[-1]]
-    if len(pieces) >= 2 and all(_NAME.fullmatch(piece) for piece in pieces) and pieces[-1][:1].isupper():
+    if len(pieces) >= 5 and pieces[-2] == "Impl":
+        # What an action is made of: ``nav2_msgs::action::Spin::Impl::FeedbackMessage``.
+        pieces = [*pieces[:-3], f"{pieces[-3]}_{pieces[-1]}"]
+    if (
+        len(pieces) >= 2
+        and pieces[-2][:1].islower()
+        and all(_NAME.fullmatch(piece) for piece in pieces)
+        and pieces[-1][:1].isupper()
+    ):
         return "/".join(pieces[-3:] if len(pieces) >= 3 and pieces[-2] in _MIDDLE else pieces[-2:])
     return ""
 
@@ -31,7 +39,8 @@ def included_interface(written: str, program: Program) -> str:
     """Return the type that a name without package means by what a file includes: ``navfn/MakeNavPlan.h``."""
     name, _ = type_name(written.replace(" const", " ").replace("const ", " ").strip())
     last = _without_end(f"x.{name}").removeprefix("x.").rpartition(".")[2]
-    for header, _line in program.includes:
+    for written_header, _line in program.includes:
+        header = written_header.strip('<>"')
         if header.endswith(f"/{last}.h") and header.count("/") == 1:
             return f"{header.partition('/')[0]}/{last}"
     return ""

@@ -31,5 +31,5 @@ def generation_of(index: Index, path: str) -> str:
 
 def _included(program: Program) -> int:
     """Return whether a file includes what is of ROS 2 (1), of ROS 1 (-1), or neither or both."""
-    names = [name for name, _ in program.includes]
+    names = [name.strip('<>"') for name, _ in program.includes]
     return any(_ROS2.match(name) for name in names) - any(_ROS1.match(name) for name in names)

@@ -55,6 +55,8 @@ def endpoint(
     """Record an endpoint of the node that the receiver is."""
     node = node_of(engine, receiver)
     written = below(receiver, as_text(name))
+    if not written:
+        written = unknown("a name that is not set")
     evidence, through = origin(engine, called, name)
     sure = sure_of(written, receiver)
     if sure is not Sure.CERTAIN or written.holes:
@@ -75,7 +77,7 @@ def endpoint(
         through=through,
     )
     for place, known in enumerate(node.endpoints):
-        if known.evidence == fact.evidence and known.role is role and known.name == fact.name:
+        if (known.evidence, known.role, known.name, known.type) == (fact.evidence, role, fact.name, fact.type):
             return Made(node, place)
     node.endpoints.append(fact)
     return Made(node, len(node.endpoints) - 1)
@@ -104,11 +106,9 @@ def origin(engine: Evaluation, called: Called, name: Any) -> tuple[Evidence, tup
 
 def sure_of(name: Text, receiver: Any) -> Sure:
     """Return how sure a name is: certain where it is written, likely where a parameter or guess decides."""
-    if isinstance(receiver, Unknown):
-        return Sure.LIKELY
-    if not name.holes:
-        return Sure.CERTAIN
-    return Sure.LIKELY if name.usual is not None else Sure.POSSIBLE
+    if name.usual is None:
+        return Sure.POSSIBLE
+    return Sure.LIKELY if name.holes or isinstance(receiver, Unknown) else Sure.CERTAIN
 
 
 def how(name: Text) -> str:

@@ -1,7 +1,8 @@
 """What classes, functions and methods of ROS do that are not in the workspace: found by name, one function each.
 
-The words are in :mod:`~roslens.source.extract.vocabulary_ros1`, :mod:`~roslens.source.extract.vocabulary_ros2` and
-:mod:`~roslens.source.extract.vocabulary_shared`; each registers itself by :func:`outer` and :func:`method`.
+The words are in :mod:`~roslens.source.extract.vocabulary_ros1`, :mod:`~roslens.source.extract.vocabulary_ros2`,
+:mod:`~roslens.source.extract.vocabulary_shared` and :mod:`~roslens.source.extract.vocabulary_trees`; each registers
+itself by :func:`outer` and :func:`method`.
 """
 
 from __future__ import annotations
@@ -52,7 +53,7 @@ Word = Function1[["Evaluation", Any, Called], Any]
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
-_MODULES = ("vocabulary_ros2", "vocabulary_ros1", "vocabulary_shared")
+_MODULES = ("vocabulary_ros2", "vocabulary_ros1", "vocabulary_shared", "vocabulary_trees")
 
 
 def outer(*names: str) -> Function1[[Word], Word]:

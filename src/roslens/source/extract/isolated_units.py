@@ -38,7 +38,7 @@ def units_of(index: Index, targets: Iterable[Target]) -> tuple[tuple[NodeFacts, 
     except Exception:  # noqa: BLE001 - which unit it was is found by evaluating them one by one
         found += _one_by_one(index, failures)
     for path, function in sorted(_entries(index, targets)):
-        found += _attempt(lambda: facts_of_module(index, path, function), path, 0, failures)  # noqa: B023 - called at once
+        found += attempt(lambda: facts_of_module(index, path, function), path, 0, failures)  # noqa: B023 - called at once
     order = sorted(found, key=lambda one: (one.path, one.line, one.unit))
     return tuple(one for place, one in enumerate(order) if not place or one != order[place - 1]), tuple(failures)
 
@@ -69,24 +69,25 @@ def _one_by_one(index: Index, failures: list[Failure]) -> Iterator[NodeFacts]:
         def of_class(one: Defined = defined, generation: str = generation, kind: str = kind) -> Iterable[NodeFacts]:
             return facts_of_class(index, one, generation, kind, reached)
 
-        yield from _attempt(of_class, defined.path, defined.what.line, failures)
+        yield from attempt(of_class, defined.path, defined.what.line, failures)
     for name, evidence in registered(index).items():
         found = index.class_of(name, evidence.path, "")
         if found is not None and found.what.qualified_name not in known:
             known.add(found.what.qualified_name)
-            yield from _attempt(plugin(found), found.path, found.what.line, failures)
+            yield from attempt(plugin(found), found.path, found.what.line, failures)
     for path in sorted(index.programs):
         start = facts_of_module if index.programs[path].language == "python" else facts_of_main
 
         def of_file(path: str = path, start: Callable[..., list[NodeFacts]] = start) -> Iterable[NodeFacts]:
             return start(index, path, reached=reached)
 
-        yield from _attempt(of_file, path, 0, failures)
+        yield from attempt(of_file, path, 0, failures)
     for defined in list(unreached(index, reached)):
-        yield from _attempt(plugin(defined), defined.path, defined.what.line, failures)
+        yield from attempt(plugin(defined), defined.path, defined.what.line, failures)
 
 
-def _attempt(unit: Unit, path: str, line: int, failures: list[Failure]) -> list[NodeFacts]:
+def attempt(unit: Unit, path: str, line: int, failures: list[Failure]) -> list[NodeFacts]:
+    """Return the facts of a unit; what breaks it is added to ``failures``."""
     try:
         return list(unit())
     except Exception as error:  # noqa: BLE001 - one unit must not lose the others

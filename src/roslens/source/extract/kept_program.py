@@ -10,25 +10,29 @@ from collections.abc import Iterable
 
 import msgspec
 
-from roslens.model.source import SourceFile
+from roslens.model.source import Language, Role, SourceFile
 from roslens.source.extract.program import Program
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.settings import MacroSettings
 
 _FASTEST = 1
+_CODE = frozenset({Language.C, Language.CPP, Language.PYTHON})
 _encode = msgspec.msgpack.Encoder().encode
 _decode = msgspec.msgpack.Decoder(Program).decode
 
 
+def becomes_nodes(file: SourceFile) -> bool:
+    """Return whether the code of a file may be that of nodes: not that of tests and of launch files."""
+    return file.language in _CODE and file.role is not Role.TEST
+
+
 def program_keys(files: Iterable[SourceFile], macros: MacroSettings) -> dict[str, str]:
-    """Return the keys of the programs of those files that have a syntax, by path.
+    """Return the keys of the programs of those files that may become nodes, by path.
 
     Equal keys mean equal programs, whatever the path.
     """
     ending = f"program:{key_of(analyser_version(), macros)}"
-    return {
-        file.path: f"{file.content_hash}:{file.language.value}:{ending}" for file in files if file.language.parsed_as
-    }
+    return {file.path: f"{file.content_hash}:{file.language.value}:{ending}" for file in files if becomes_nodes(file)}
 
 
 def pack(program: Program) -> bytes:

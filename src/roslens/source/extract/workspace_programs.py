@@ -12,7 +12,7 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location, SourceFile
 from roslens.source.executor import executor_for
-from roslens.source.extract.kept_program import pack, program_keys, unpack
+from roslens.source.extract.kept_program import becomes_nodes, pack, program_keys, unpack
 from roslens.source.extract.program import Program
 from roslens.source.keys import content_hash
 from roslens.source.parsed_file import parse_file
@@ -55,7 +55,7 @@ class WorkspacePrograms(msgspec.Struct, frozen=True):
 def workspace_programs(
     root: str, files: Iterable[SourceFile], macros: MacroSettings, *, cache: Cache, jobs: int, watch: Progress
 ) -> WorkspacePrograms:
-    """Return the programs of those files that have a syntax; what was not known is kept.
+    """Return the programs of those files that may become nodes; what was not known is kept.
 
     Args:
         root: folder that paths start from.
@@ -65,7 +65,7 @@ def workspace_programs(
         jobs: worker processes; 0 means one per processor.
         watch: who watches.
     """
-    parsed = sorted((file for file in files if file.language.parsed_as), key=lambda file: file.path)
+    parsed = sorted(filter(becomes_nodes, files), key=lambda file: file.path)
     keys = program_keys(parsed, macros)
     found = _known(keys, cache)
     cache.touch(keys[path] for path in found)

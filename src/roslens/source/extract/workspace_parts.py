@@ -1,0 +1,236 @@
+"""What a workspace is read as for a graph: programs, builds, interfaces and launch files, each through the cache.
+
+Each part is kept under the hash of all that it depends on, and made when it is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cached_property
+from pathlib import Path
+from typing import Protocol, TypeVar
+
+import msgspec
+
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
+from roslens.source.extract.files import FolderFiles
+from roslens.source.extract.kept_program import becomes_nodes
+from roslens.source.extract.targets import Build, build_of
+from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.workspace_interfaces import INTERFACES, KnownInterface, interfaces_of, ros_generation
+from roslens.source.extract.workspace_programs import WorkspacePrograms, workspace_programs
+from roslens.source.inventory import Inventory
+from roslens.source.keys import analyser_version, key_of
+from roslens.source.progress import Progress, Silent
+from roslens.source.settings import SourceSettings
+from roslens.source.workspace.find import FoundPackage, Workspace
+from roslens.store.cache import Cache
+
+_LAUNCH = frozenset({Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML})
+_UNREAD = frozenset({Language.C, Language.CPP, Language.PYTHON})
+"""Files that builds name but do not read, but for ``setup.py``."""
+
+
+class LaunchFile(msgspec.Struct, frozen=True, order=True):
+    """A launch file: its path, the id of its package, and for which ROS that package is built, 1 or 2."""
+
+    path: str
+    package: str
+    generation: int
+
+
+class Builds(msgspec.Struct, frozen=True, array_like=True):
+    """What the build of each package makes, by name, and what broke the reading of one."""
+
+    builds: dict[str, Build]
+    failures: tuple[Failure, ...]
+    lasting: bool = True
+
+
+class Interfaces(msgspec.Struct, frozen=True, array_like=True):
+    """Interfaces, sorted by name, and what of them could not be read or understood."""
+
+    interfaces: tuple[KnownInterface, ...]
+    failures: tuple[Failure, ...]
+    lasting: bool = True
+
+
+class Lasting(Protocol):
+    """A part of the result; ``lasting`` is whether the next run would find the same."""
+
+    @property
+    def lasting(self) -> bool:
+        """Whether it is kept."""
+
+
+Part = TypeVar("Part", bound=Lasting)
+
+
+class WorkspaceParts:
+    """The parts of a workspace.
+
+    Attributes:
+        root: absolute folder that paths start from.
+        packages: sorted by path.
+        found: packages by name; of two of one name the first, none for files outside of packages.
+        files: those that have a language, of each package by its id.
+        cached: what earlier runs learned.
+    """
+
+    def __init__(
+        self,
+        workspace: Workspace,
+        inventory: Inventory,
+        settings: SourceSettings,
+        *,
+        cache: Cache,
+        jobs: int = 0,
+        progress: Progress | None = None,
+    ) -> None:
+        """Look at packages; nothing is read yet."""
+        self.root = workspace.root
+        self.packages: tuple[Package, ...] = tuple(one.package for one in workspace.packages)
+        self.found: dict[str, FoundPackage] = {}
+        for one in workspace.packages:
+            if one.package.id != OUTSIDE_PACKAGES:
+                self.found.setdefault(one.package.name, one)
+        self.files = inventory.files
+        self.cached = cache
+        self.watch = progress or Silent()
+        self._all = workspace.packages
+        self._macros = settings.macros
+        self._jobs = jobs
+
+    def kept(self, name: str, key: str, kind: type[Part], make: Callable[[], Part]) -> Part:
+        """Return a part from the cache; what is not there is made, and kept if it will last."""
+        full = f"graph:{name}:{key}"
+        if (packed := self.cached.get((full,)).get(full)) is not None:
+            try:
+                part = msgspec.msgpack.decode(packed, type=kind)
+            except msgspec.DecodeError:
+                pass  # What a damaged cache holds is made again.
+            else:
+                self.cached.touch((full,))
+                return part
+        part = make()
+        if part.lasting:
+            self.cached.put({full: msgspec.msgpack.encode(part)})
+        return part
+
+    @property
+    def folders(self) -> dict[str, str]:
+        """Folders of packages by name, below the root; empty of the root itself."""
+        return {name: "" if one.package.path == "." else one.package.path for name, one in self.found.items()}
+
+    @cached_property
+    def reading(self) -> FolderFiles:
+        """The files of the workspace, for what reads them by path."""
+        return FolderFiles(Path(self.root), self.folders)
+
+    @cached_property
+    def owners(self) -> dict[str, str]:
+        """The id of the package of each file."""
+        return {file.path: package for package, files in self.files.items() for file in files}
+
+    def sources(self) -> Iterator[SourceFile]:
+        """Yield the files whose code may become nodes."""
+        for files in self.files.values():
+            yield from filter(becomes_nodes, files)
+
+    @cached_property
+    def programs_key(self) -> str:
+        """A key of what the facts of units depend on: programs and their packages."""
+        files = sorted((file.path, file.content_hash, file.language.value) for file in self.sources())
+        return key_of(analyser_version(), self._macros, files, sorted(self.owners.items()))
+
+    @cached_property
+    def programs(self) -> WorkspacePrograms:
+        """The programs of the workspace."""
+        return workspace_programs(
+            self.root, self.sources(), self._macros, cache=self.cached, jobs=self._jobs, watch=self.watch
+        )
+
+    @cached_property
+    def index(self) -> Index:
+        """What the programs of the workspace define."""
+        return Index(self.programs.programs, self.owners)
+
+    @cached_property
+    def builds(self) -> Builds:
+        """What builds make."""
+        return self.kept("builds", self._builds_key(), Builds, self._builds)
+
+    @cached_property
+    def interfaces(self) -> Interfaces:
+        """The interfaces of packages."""
+        return self.kept("interfaces", self._interfaces_key(), Interfaces, self._interfaces)
+
+    def launch_files(self) -> tuple[LaunchFile, ...]:
+        """Return the launch files, sorted by path."""
+        found = (
+            LaunchFile(file.path, package.id, ros_generation(package))
+            for package in self.packages
+            for file in self.files.get(package.id, ())
+            if file.language in _LAUNCH
+        )
+        return tuple(sorted(found))
+
+    def _builds_key(self) -> str:
+        """Return what builds depend on: which files there are, and the content of those that are no code."""
+        known = {file.path: file for files in self.files.values() for file in files}
+        parts: list[object] = []
+        for found in self._all:
+            parts.append((found.package.name, found.package.path, found.package.build_type))
+            for entry in found.files:
+                file = known.get(entry.path)
+                if file is None:
+                    parts.append((entry.path, entry.size, entry.mtime_ns))
+                elif file.language in _UNREAD and not entry.path.endswith("setup.py"):
+                    parts.append(entry.path)
+                else:
+                    parts.append((entry.path, file.content_hash))
+        return key_of(analyser_version(), parts)
+
+    def _builds(self) -> Builds:
+        self.watch.step("Reading builds", len(self.found))
+        builds: dict[str, Build] = {}
+        failures: list[Failure] = []
+        for name in sorted(self.found):
+            package, paths = self.found[name].package, [file.path for file in self.found[name].files]
+            try:
+                builds[name] = build_of(name, self.folders[name], package.build_type, self.reading, paths)
+            except Exception as error:  # noqa: BLE001 - one package must not lose the others
+                failures.append(_broken_build(package, error))
+                builds[name] = Build()
+            self.watch.advance(item=name)
+        return Builds(builds, tuple(failures))
+
+    def _interfaces_key(self) -> str:
+        files = [
+            (package.id, package.name, ros_generation(package), file.path, file.content_hash)
+            for package in self.packages
+            for file in self.files.get(package.id, ())
+            if file.language in INTERFACES
+        ]
+        return key_of(analyser_version(), files)
+
+    def _interfaces(self) -> Interfaces:
+        found, failures = interfaces_of(self.root, self.files, self.packages)
+        return Interfaces(found, failures, all(one.tool != "read" for one in failures))
+
+
+def _broken_build(package: Package, error: Exception) -> Failure:
+    import traceback
+
+    return Failure(
+        tool="graph",
+        what=f"{type(error).__name__}: {error}",
+        expected="a build whose targets can be read",
+        advice="Please report it with the package: this is a fault of roslens",
+        entity=str(EntityId(EntityKind.PACKAGE, package.id)),
+        package=package.id,
+        partial=True,
+        detail="".join(traceback.format_exception(error)),
+    )

@@ -62,7 +62,8 @@ def test_places_of_installation():
 
 def test_files_that_are_installed():
     found = collected(
-        "install(FILES a.sh DESTINATION d PERMISSIONS OWNER_READ OWNER_EXECUTE)\ninstall(FILES b c DESTINATION e RENAME f)\n"
+        "install(FILES a.sh DESTINATION d PERMISSIONS OWNER_READ OWNER_EXECUTE)\n"
+        "install(FILES b c DESTINATION e RENAME f)\n"
         'install(DIRECTORY g DESTINATION h FILES_MATCHING PATTERN "*.py" PATTERN ".svn" EXCLUDE)'
     )
     assert [(one.kind, one.item.text, one.destination, one.rename, one.only) for one in found.installed] == [
@@ -86,3 +87,8 @@ def test_targets_of_one_name_on_both_sides():
 def test_scripts_of_python_packages():
     found = collected("ament_python_install_package(p SCRIPTS_DESTINATION lib/p)\ncatkin_python_setup()")
     assert (found.script_folder, found.python_setup) == ("lib/p", True)
+
+
+def test_a_name_is_made_once():
+    found = collected("while(1)\nadd_library(a x.c)\nendwhile()")
+    assert len(found.made["a"]) == 1

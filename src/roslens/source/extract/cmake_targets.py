@@ -118,6 +118,10 @@ class Collected:
             run.fail(f"{call.command.name}({name})", call.evidence, f"its name is unknown: {reason_of(name)}")
             return None
         made = Made(name, executable, call.evidence, tuple(dict.fromkeys(run.conditions)))
+        others = self.made.get(name, [])
+        if len(others) >= _MOST_OF_A_NAME or any(other.conditions == made.conditions for other in others):
+            run.fail(f"{call.command.name}({name})", call.evidence, "a target of that name is made already")
+            return None
         self.made.setdefault(name, []).append(made)
         run.targets.add(name)
         return made
@@ -377,6 +381,7 @@ def _without_keywords(values: list[str]) -> list[str]:
     return found
 
 
+_MOST_OF_A_NAME = 20
 _TESTS = (
     "catkin_add_gtest", "catkin_add_gmock", "catkin_add_executable_with_gtest", "catkin_add_executable_with_gmock",
     "ament_add_gtest", "ament_add_gtest_executable", "ament_add_gmock", "ament_add_gmock_executable",

@@ -53,6 +53,10 @@ class Expressions:
             return frame.self if frame.self is not None else Unknown("self")
         if isinstance(frame.self, Obj) and name in frame.self.fields:
             return frame.self.fields[name]
+        if engine.globals:
+            whole = engine.index.global_name(name, frame.path, frame.scope)
+            if whole in engine.globals:
+                return engine.globals[whole]
         found = self.defined(name)
         if found is not None:
             return found

@@ -6,6 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import (
     Assign,
@@ -47,7 +48,7 @@ def initialise(engine: Evaluation, statement: Statement) -> None:
             kind, inside = type_name(declared)
             value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
         elif declared:
-            value = engine.converted(declared, value)
+            value = engine.constructed(declared, value)
         if isinstance(thing, Obj):
             thing.fields[name] = value
 
@@ -113,7 +114,7 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
         if target.name not in engine.frame.names and isinstance(thing, Obj) and _is_field(engine, thing, target.name):
             thing.fields[target.name] = value
         else:
-            engine.frame.names[target.name] = value
+            _assign_name(engine, target.name, value)
     elif isinstance(target, Member):
         of = engine.value(target.of)
         if isinstance(of, Obj):
@@ -126,6 +127,18 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
         items = value if isinstance(value, list) and len(value) == len(target.items) else None
         for place, one in enumerate(target.items):
             assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
+
+
+def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
+    frame = engine.frame
+    whole = "" if name in frame.names else engine.index.global_name(name, frame.path, frame.scope)
+    if not whole:
+        frame.names[name] = value
+    elif engine.conditions:
+        engine.globals.setdefault(whole, engine.value(Name(name)))
+        join(engine.globals, {whole: value}, engine.conditions[-1])
+    else:
+        engine.globals[whole] = value
 
 
 def _is_field(engine: Evaluation, thing: Obj, name: str) -> bool:

@@ -32,6 +32,7 @@ from roslens.source.extract.program import (
     Parameter,
 )
 from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.vocabulary import find_outer
 from roslens.source.extract.workspace_index import Defined, Index, type_arguments, type_name
 
 MOST_STEPS = 150_000
@@ -68,6 +69,7 @@ class Evaluation(Calls):
         self.frame = Frame(node.path, "")
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
+        self.globals: dict[str, Any] = {}
         self._steps = 0
         self._stack: list[tuple[str, int]] = []
         self.constants: dict[tuple[str, str], Any] = {}
@@ -106,6 +108,18 @@ class Evaluation(Calls):
                 self.conditions += with_note
                 self.call(callback, [], {})
                 del self.conditions[len(self.conditions) - len(with_note) :]
+
+    def constructed(self, declared: str, value: Any) -> Any:
+        """Return a member that is initialised with one value: an object of its class made of it, or the value."""
+        name, inside = type_name(declared)
+        if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
+            return self.converted(declared, value)
+        defined = self.index.class_of(name, self.frame.path, self.frame.scope)
+        same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
+        outer = find_outer(self, self.index.meaning(name, self.frame.path, self.frame.scope))
+        if same or isinstance(value, Unknown) or (defined is None and outer is None):
+            return self.converted(declared, value)
+        return self.of_type(name, [value], {}, tuple(type_arguments(inside)))
 
     def assign(self, target: Expression, value: Any) -> None:
         """Put a value where an expression says."""

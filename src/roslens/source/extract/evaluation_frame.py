@@ -67,9 +67,9 @@ class Frame:
 
     def join(self, other: tuple[dict[str, Any], dict[str, Any]], condition: str) -> None:
         """Let hold what either way of a condition came to, ``other`` being that where it is true."""
-        _join(self.names, other[0], condition)
+        join(self.names, other[0], condition)
         if isinstance(self.self, Obj):
-            _join(self.self.fields, other[1], condition)
+            join(self.self.fields, other[1], condition)
 
 
 def _less(one: Any, other: Any) -> bool:
@@ -79,7 +79,8 @@ def _less(one: Any, other: Any) -> bool:
     return isinstance(one, Text) and isinstance(other, Text) and one.usual is None and other.usual is not None
 
 
-def _join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
+def join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
+    """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
     for name, value in other.items():
         before = names.get(name)
         if value == before:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import msgspec
+
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
 from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
@@ -94,6 +96,10 @@ def _queue(value: Any) -> int:
 @method("handle", "advertise", anywhere=True)
 def advertise(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A publisher."""
+    if called.arguments and isinstance(called.arguments[0], Handle):
+        # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
+        thing = called.arguments[0]
+        called = msgspec.structs.replace(called, arguments=called.arguments[1:], written=called.written[1:])
     kind = called.templates[0] if called.templates else Unknown("its type")
     latched = called.argument(2) is True or called.argument(4) is True
     return endpoint(

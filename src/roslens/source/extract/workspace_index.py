@@ -57,6 +57,7 @@ class Index:
         self._methods: dict[str, list[Defined]] = {}
         self._modules: dict[str, list[str]] = {}
         self._aliases: dict[str, str] = {}
+        self._globals: set[str] = set()
         self._changed: dict[str, frozenset[str]] = {}
         self._chains: dict[str, list[Defined]] = {}
         self._outer_bases: dict[str, list[str]] = {}
@@ -76,7 +77,11 @@ class Index:
         self._add_classes(path, program, before)
         self._add_functions(path, program, before)
         for statement in program.body:
-            if isinstance(statement, Assign) and isinstance(statement.target, Name) and statement.value is not None:
+            if not isinstance(statement, Assign) or not isinstance(statement.target, Name):
+                continue
+            if not before:
+                self._globals.add(statement.target.name)
+            if statement.value is not None:
                 self._constants.setdefault(before + statement.target.name, (path, statement.value))
         for alias, meaning in program.imports.items() if not before else ():
             if "." in alias:
@@ -245,6 +250,12 @@ class Index:
             if name in other.macros:
                 return path, other.macros[name]
         return None
+
+    def global_name(self, name: str, path: str, scope: str) -> str:
+        """Return the whole name of a variable of C++ outside of functions; empty where it is none."""
+        if self._is_python(path):
+            return ""
+        return next((one for one in self.named(name, path, scope) if one in self._globals), "")
 
     def declaration(self, qualified_name: str) -> Function | None:
         """Return how a function is declared elsewhere, with the defaults of its parameters."""

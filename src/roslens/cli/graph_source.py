@@ -10,16 +10,24 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
+    from roslens.source.extract.launched import Launch
     from roslens.source.extract.workspace_facts import WorkspaceFacts
     from roslens.source.settings import SourceSettings
 
-_LAUNCH_ENDS = (".launch", ".launch.py", ".launch.xml", ".launch.yaml", ".launch.yml", "_launch.py", ".test", ".xml")
-
 
 class GraphSource:
-    """The workspace below some folder, from which configurations are made."""
+    """The workspace below some folder, from which configurations are made; a context manager."""
 
-    def __init__(self, path: str, settings: SourceSettings, hinted_in: str, environment: Mapping[str, str]) -> None:
+    def __init__(
+        self,
+        path: str,
+        settings: SourceSettings,
+        hinted_in: str,
+        environment: Mapping[str, str],
+        *,
+        cache: Path | None = None,
+        jobs: int = 1,
+    ) -> None:
         """Find the packages of a workspace.
 
         Args:
@@ -27,20 +35,38 @@ class GraphSource:
             settings: how files are told apart, macros, hints.
             hinted_in: the file with the hints.
             environment: variables that conditions of manifests see.
+            cache: the file in which is kept what was learned of files; None keeps nothing.
+            jobs: worker processes; 0 means one per processor.
 
         Raises:
             UsageError: there is no such folder.
         """
+        import time
+
         from roslens.source.extract.workspace_facts import WorkspaceFacts
+        from roslens.source.known_manifests import KnownManifests
         from roslens.source.workspace.find import find_workspace
+        from roslens.store.cache import Cache
 
         self._settings = settings
         self._hinted_in = hinted_in
         self._environment = environment
-        workspace = find_workspace([path], settings.workspace)
+        now_s = time.time()
+        self._cache = Cache.open(cache, now_s=now_s)
+        manifests = KnownManifests(self._cache)
+        workspace = find_workspace([path], settings.workspace, read=manifests.read)
+        manifests.keep()
         self.root = Path(workspace.root)
         self.failures = workspace.failures
-        self.facts: WorkspaceFacts = WorkspaceFacts(workspace, settings)
+        self.facts: WorkspaceFacts = WorkspaceFacts(workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs)
+
+    def __enter__(self) -> GraphSource:
+        """Return the source itself."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close the cache."""
+        self._cache.close()
 
     def launched(self, launch: str, arguments: Mapping[str, str]) -> Configuration:
         """Return what a launch file comes to.
@@ -50,17 +76,26 @@ class GraphSource:
         """
         from roslens.source.extract.assemble import assemble
         from roslens.source.extract.catalogue import known_node
-        from roslens.source.extract.launch_ros1 import evaluate_ros1
-        from roslens.source.extract.launch_ros2 import evaluate_ros2
 
-        path = self._launch_file(launch)
-        evaluate = evaluate_ros1 if self._is_ros1(path) else evaluate_ros2
-        result = evaluate(path, self.facts.files, arguments, None)
+        path, result = self.evaluated(launch, arguments)
         given = "".join(f" {name}:={value}" for name, value in arguments.items())
         return assemble(
             result, self.facts, title=path + given, known=known_node, files=self.facts.files,
             hints=self._settings.graph.hints, hinted_in=self._hinted_in,
         )  # fmt: skip
+
+    def evaluated(self, launch: str, arguments: Mapping[str, str]) -> tuple[str, Launch]:
+        """Return the path of a launch file and what it comes to by itself.
+
+        Raises:
+            UsageError: there is no such file.
+        """
+        from roslens.source.extract.launch_ros1 import evaluate_ros1
+        from roslens.source.extract.launch_ros2 import evaluate_ros2
+
+        path = self._launch_file(launch)
+        evaluate = evaluate_ros1 if self._is_ros1(path) else evaluate_ros2
+        return path, evaluate(path, self.facts.files, arguments, None)
 
     def packages(self, names: Sequence[str]) -> tuple[Configuration, ...]:
         """Return all that the builds of packages make: a configuration for each generation of ROS.
@@ -98,17 +133,18 @@ class GraphSource:
     def launch_files(self) -> Iterator[str]:
         """Yield the launch files of the workspace as PACKAGE/FILE."""
         for package in self.facts.packages:
-            for path in self.facts.paths(package.name):
-                if path.endswith(_LAUNCH_ENDS) and "/launch/" in f"/{path}":
-                    yield f"{package.name}/{path.rpartition('/')[2]}"
+            for path in self.facts.launch_files(package.name):
+                yield f"{package.name}/{path.rpartition('/')[2]}"
 
     def _launch_file(self, launch: str) -> str:
         package, slash, name = launch.partition("/")
         if slash and self.facts.has(package):
-            fit = [path for path in self.facts.paths(package) if path.endswith(f"/{name}")]
+            fit = [path for path in self.facts.launch_files(package) if path.endswith(f"/{name}")]
             if fit:
                 return min(fit, key=lambda path: ("/launch/" not in f"/{path}", len(path), path))
-        for start in (Path(launch), self.root / launch):
+        folder = self.facts.files.package(package) if slash else None
+        inside = [self.root / folder / name] if folder is not None else []
+        for start in (*inside, Path(launch), self.root / launch):
             if start.is_file():
                 resolved = start.resolve()
                 if not resolved.is_relative_to(self.root):

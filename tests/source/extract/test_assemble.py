@@ -118,6 +118,14 @@ def test_a_remapping_of_a_node_with_unresolved_parts_is_uncertain():
     assert node.remaps[0].uncertain
 
 
+@pytest.mark.parametrize("executable", ["talker", "unknown"])
+def test_a_remapping_of_a_node_of_which_nothing_is_known_is_uncertain(executable):
+    launched = Launched(
+        Text.of("pkg"), Text.of(executable), START, remaps=(Remap(Text.of("other"), Text.of("/x"), START),)
+    )
+    assert only(configured(talker(endpoints=()), launched)).remaps[0].uncertain
+
+
 def test_a_parameter_that_is_set_decides_a_name():
     facts = talker(
         endpoints=(end(Role.SUBSCRIPTION, parameter_name("topic", "scan")),),
@@ -349,7 +357,7 @@ def test_a_guess_about_which_node_stays_a_guess():
 def test_further_nodes_of_a_component_take_what_their_container_is_given():
     first = NodeFacts("pkg.Talker", "pkg/src/talker.cpp", 5, "ros2", name=Text.of("a"))
     second = NodeFacts(
-        "pkg.Talker", "pkg/src/map.cpp", 1, "ros2", name=Text.of("costmap"),
+        "pkg.Talker", "pkg/src/map.cpp", 0, "ros2", name=Text.of("costmap"),
         endpoints=(end(Role.PUBLISHER, parameter_name("topic", "map")), end(Role.PUBLISHER, "chatter")),
     )  # fmt: skip
     box = Launched(

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.boundary import CLEAN, FINDINGS
+from roslens.cli.graph_check import add_check_arguments
 from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
 
@@ -26,6 +27,8 @@ EXAMPLES = """\
   roslens graph --launch rover_bringup/rover.launch.py --format dot | dot -Tsvg > rover.svg
   roslens graph --launch rover_bringup/rover.launch.py --html rover.html
   roslens graph --diff rover_bringup/rover.launch.py rover_bringup/rover.launch.py:navigation=false
+
+  roslens graph --launch rover_bringup/rover.launch.py --check --fail-on warning
 
 exit codes: as everywhere; with --diff 1 where there is a difference"""
 
@@ -50,6 +53,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--output", metavar="FILE", help="write the result there instead")
     parser.add_argument("--html", metavar="FILE", help="draw it: one HTML file that needs nothing else")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
+    parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing")
+    add_check_arguments(parser)
     add_stream_arguments(parser)
 
 
@@ -61,6 +67,10 @@ def run(options: argparse.Namespace) -> int:
     """
     from roslens.cli.graph_choice import chosen, require_nodes
 
+    if options.check and (options.diff or options.html):
+        raise UsageError("--check with --diff or --html", expected="one of them")
+    if options.fail_on and not options.check:
+        raise UsageError("--fail-on without --check", expected="both")
     if options.html and (options.diff or options.output or options.format != "text"):
         raise UsageError("--html with --diff, --format or --output", expected="--html FILE alone")
     if options.diff:
@@ -71,7 +81,14 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
     if options.launch and options.package:
         raise UsageError("--package with --launch", expected="one of them")
-    found = _configurations(open_source(options), options)
+    with open_source(options) as source:
+        found = _configurations(source, options)
+        for failure in source.facts.broken:
+            print(f"roslens: {failure.what}; {failure.advice}", file=sys.stderr)
+        if options.check:
+            from roslens.cli.graph_check import check
+
+            return check(source, found, options)
     require_nodes(found, options.node)
     if options.html:
         return _html(tuple(chosen(one, options.node, implicit=True) for one in found), options)
@@ -88,15 +105,26 @@ def open_source(options: argparse.Namespace) -> GraphSource:
 
     from roslens.cli.configuration import find_configuration
     from roslens.cli.graph_source import GraphSource
+    from roslens.cli.workplace import CACHE, FOLDER
     from roslens.source.workspace.conditions import environment_of
     from roslens.source.workspace.find import root_of
 
-    configuration = find_configuration(root_of([options.path]), options.config)
+    if options.jobs is not None and options.jobs < 0:
+        raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
+    root = root_of([options.path])
+    configuration = find_configuration(root, options.config)
     settings = configuration.source
     seen = {**environment_of(os.environ), **settings.workspace.environment}
     workspace = msgspec.structs.replace(settings.workspace, environment=seen)
     settings = msgspec.structs.replace(settings, workspace=workspace)
-    source = GraphSource(options.path, settings, Path(configuration.path).name, dict(os.environ))
+    source = GraphSource(
+        options.path,
+        settings,
+        Path(configuration.path).name,
+        dict(os.environ),
+        cache=None if options.no_cache else root / FOLDER / CACHE,
+        jobs=configuration.jobs if options.jobs is None else options.jobs,
+    )
     for failure in source.failures:
         # What is wrong with manifests is told by `check`; a workspace without packages has no graph.
         if options.verbose or not source.facts.packages:
@@ -193,7 +221,8 @@ def _side(text: str, options: argparse.Namespace) -> Configuration:
         return configurations[0]
     launch, _, rest = text.partition(":")
     arguments = dict(pair.partition("=")[::2] for pair in rest.split(",") if pair)
-    return open_source(options).launched(launch, arguments)
+    with open_source(options) as source:
+        return source.launched(launch, arguments)
 
 
 def write(text: str, output: str | None) -> None:

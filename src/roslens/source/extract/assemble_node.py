@@ -226,7 +226,8 @@ class _Node:
 
     def _remaps(self) -> list[ConfiguredRemap]:
         # Code that is unknown, or not understood everywhere, may have the name that a remapping is for.
-        open_ = bool(self.facts.unresolved) or self.origin is not Origin.CODE
+        facts = self.facts
+        open_ = bool(facts.unresolved) or not facts.endpoints or self.origin is not Origin.CODE
         found = []
         for number, one in enumerate(self.rules):
             if one.special:

@@ -50,9 +50,11 @@ class KnownUnits:
         self._programs: dict[tuple[str, str], list[NodeFacts]] = {}
         self._classes: dict[str, list[NodeFacts]] = {}
         for one in facts:
-            unit = "" if one.unit in ("main", "<module>") else one.unit
-            self._programs.setdefault((one.path, unit), []).append(one)
+            self._programs.setdefault((one.path, one.unit), []).append(one)
             self._classes.setdefault(one.unit.replace("::", "."), []).append(one)
+        for found in self._classes.values():
+            # The node that the class itself is comes first; further ones it makes have less to show.
+            found.sort(key=lambda one: (one.line == 0, not one.endpoints))
 
     def has(self, package: str) -> bool:
         """Return whether the workspace has a package of that name."""
@@ -64,7 +66,10 @@ class KnownUnits:
 
     def program(self, path: str, function: str = "") -> Sequence[NodeFacts]:
         """Return the nodes that a file becomes when it is started."""
-        return self._programs.get((path, function), ())
+        for unit in (function,) if function else ("<module>", "main"):
+            if found := self._programs.get((path, unit)):
+                return found
+        return ()
 
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""

@@ -1,138 +1,138 @@
 """The code of a workspace as units from which configurations are assembled; evaluated when it is asked for.
 
 Programs of all packages are read once, since a node may be made of classes of other packages. What is evaluated is only
-what a configuration starts.
+what a configuration starts. Programs, builds and what units come to are kept in the cache.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Callable, Sequence
 
-from roslens.model.source import OUTSIDE_PACKAGES, Language, Package
-from roslens.source.extract.files import FolderFiles
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.model.source import Package
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target
-from roslens.source.extract.node_units import facts_of_class, facts_of_main, facts_of_module, node_classes
-from roslens.source.extract.program import Program
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.workspace_parts import WorkspaceParts
+from roslens.source.inventory import take_inventory
+from roslens.source.keys import key_of
+from roslens.source.progress import Progress
 from roslens.source.settings import SourceSettings
-from roslens.source.workspace.find import FoundPackage, Workspace
-from roslens.source.workspace.languages import classify, header_language
+from roslens.source.workspace.find import Workspace
+from roslens.store.cache import Cache
 
-_PARSED = frozenset({Language.C, Language.CPP, Language.PYTHON})
-_MOST_BYTES = 2_000_000
+
+class _Kept(msgspec.Struct, frozen=True, array_like=True):
+    nodes: tuple[NodeFacts, ...]
+    lasting: bool = True
 
 
 class WorkspaceFacts:
-    """The nodes that code of a workspace becomes, see :class:`~roslens.source.extract.assemble_units.Units`."""
+    """The nodes that code of a workspace becomes, see :class:`~roslens.source.extract.assemble_units.Units`.
 
-    def __init__(self, workspace: Workspace, settings: SourceSettings) -> None:
-        """Look at the packages of a workspace; nothing is read yet.
+    Attributes:
+        files: that may be read.
+        failures: what could not be read.
+        broken: units whose evaluation broke; it grows as they are asked for.
+    """
+
+    def __init__(
+        self,
+        workspace: Workspace,
+        settings: SourceSettings,
+        *,
+        cache: Cache,
+        now_s: float,
+        jobs: int = 0,
+        progress: Progress | None = None,
+    ) -> None:
+        """Look at the packages of a workspace; no program is read yet.
 
         Args:
             workspace: its packages and files.
             settings: how files are told apart, and macros.
+            cache: what earlier runs learned.
+            now_s: the time, in seconds since 1970.
+            jobs: worker processes; 0 means one per processor, 1 none.
+            progress: who watches.
         """
-        self._settings = settings
-        self._root = Path(workspace.root)
-        self._found = {one.package.name: one for one in reversed(workspace.packages) if _named(one)}
-        self._packages = workspace.packages
-        folders = {name: "" if one.package.path == "." else one.package.path for name, one in self._found.items()}
-        self.files = FolderFiles(self._root, folders)
-        self.unresolved: list[Unresolved] = []
-        self._targets: dict[str, tuple[Target, ...]] = {}
-        self._index: Index | None = None
+        inventory = take_inventory(workspace, settings.workspace, cache.stats(now_s=now_s))
+        if inventory.learned:
+            cache.put_stats(inventory.learned, now_s=now_s)
+        self._parts = WorkspaceParts(workspace, inventory, settings, cache=cache, jobs=jobs, progress=progress)
+        self.files = self._parts.reading
+        self.failures = inventory.failures
+        self.broken: list[Failure] = []
         self._facts: dict[tuple[str, str], tuple[NodeFacts, ...]] = {}
-        self._classes: dict[str, tuple[NodeFacts, ...]] = {}
 
     @property
     def packages(self) -> tuple[Package, ...]:
         """The packages of the workspace, sorted by name."""
-        return tuple(self._found[name].package for name in sorted(self._found))
+        return tuple(self._parts.found[name].package for name in sorted(self._parts.found))
+
+    @property
+    def unresolved(self) -> tuple[Unresolved, ...]:
+        """What of builds could not be evaluated."""
+        return tuple(one for build in self._parts.builds.builds.values() for one in build.unresolved)
 
     def paths(self, package: str) -> tuple[str, ...]:
         """Return the files of a package."""
-        found = self._found.get(package)
+        found = self._parts.found.get(package)
         return () if found is None else tuple(file.path for file in found.files)
+
+    def launch_files(self, package: str) -> tuple[str, ...]:
+        """Return the launch files of a package."""
+        found = self._parts.found.get(package)
+        return tuple(one.path for one in self._parts.launch_files() if found and one.package == found.package.id)
 
     def has(self, package: str) -> bool:
         """Return whether the workspace has a package of that name."""
-        return package in self._found
+        return package in self._parts.found
 
     def targets(self, package: str) -> Sequence[Target]:
         """Return what the build of a package makes."""
-        if package not in self._found:
-            return ()
-        if package not in self._targets:
-            from roslens.source.extract.targets import targets_of
-
-            about = self._found[package].package
-            folder = "" if about.path == "." else about.path
-            targets, unresolved = targets_of(package, folder, about.build_type, self.files, self.paths(package))
-            self._targets[package] = targets
-            self.unresolved += unresolved
-        return self._targets[package]
+        build = self._parts.builds.builds.get(package)
+        return () if build is None else build.targets
 
     def program(self, path: str, function: str = "") -> Sequence[NodeFacts]:
         """Return the nodes that a file becomes when it is started."""
-        key = (path, function)
-        if key not in self._facts:
-            program = self.index.programs.get(path)
-            if program is None:
-                self._facts[key] = ()
-            elif program.language == "python":
-                self._facts[key] = tuple(facts_of_module(self.index, path, function))
-            else:
-                self._facts[key] = tuple(facts_of_main(self.index, path))
-        return self._facts[key]
+        return self._once(("program " + path, function), lambda: self._of_program(path, function))
 
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""
-        if name not in self._classes:
-            self._classes[name] = tuple(
-                one
-                for defined, generation, kind in node_classes(self.index)
-                if self.index.key(defined) == name
-                for one in facts_of_class(self.index, defined, generation, kind)
-            )
-        return self._classes[name]
+        return self._once(("class", name), lambda: self._of_class(name))
 
-    @property
-    def index(self) -> Index:
-        """What the programs of the workspace define."""
-        if self._index is None:
-            self._index = Index(self._programs())
-        return self._index
+    def _once(self, what: tuple[str, str], make: Callable[[], tuple[NodeFacts, ...]]) -> tuple[NodeFacts, ...]:
+        if what not in self._facts:
+            key = key_of(self._parts.programs_key, what)
+            self._facts[what] = self._parts.kept("unit", key, _Kept, lambda: self._kept(what[1], make)).nodes
+        return self._facts[what]
 
-    def _programs(self) -> Mapping[str, Program]:
-        from roslens.source.parsed_file import parse_file
+    def _kept(self, where: str, make: Callable[[], tuple[NodeFacts, ...]]) -> _Kept:
+        from roslens.source.extract.isolated_units import attempt
 
-        programs: dict[str, Program] = {}
-        for found in self._packages:
-            headers = header_language(file.path for file in found.files)
-            for file in found.files:
-                language = self._language(file.path, file.size, headers)
-                if language is not None and (content := self.files.content(file.path)) is not None:
-                    programs[file.path] = parse_file(content, language, self._settings.macros).program()
-        return programs
+        nodes = tuple(attempt(lambda: list(make()), where, 0, self.broken))
+        return _Kept(nodes, self._parts.programs.lasting and not self.broken)
 
-    def _language(self, path: str, size: int, headers: Language) -> Language | None:
-        """Return the language of a file that may have to do with nodes; tests have not."""
-        from roslens.model.source import Role
-        from roslens.source.workspace.languages import language_by_name
+    def _of_program(self, path: str, function: str) -> tuple[NodeFacts, ...]:
+        from roslens.source.extract.node_units import facts_of_main, facts_of_module
 
-        named = language_by_name(path)
-        if (named is not None and named not in _PARSED) or size > _MOST_BYTES:
-            return None
-        content = self.files.content(path)
-        if content is None:
-            return None
-        found = classify(path, content, self._settings.workspace)
-        if found.language not in _PARSED or found.role is Role.TEST:
-            return None
-        return headers if path.endswith(".h") and found.language is not Language.PYTHON else found.language
+        index = self._parts.index
+        program = index.programs.get(path)
+        if program is None:
+            return ()
+        if program.language == "python":
+            return tuple(facts_of_module(index, path, function))
+        return tuple(facts_of_main(index, path))
 
+    def _of_class(self, name: str) -> tuple[NodeFacts, ...]:
+        from roslens.source.extract.node_units import facts_of_class, node_classes
 
-def _named(found: FoundPackage) -> bool:
-    return found.package.id != OUTSIDE_PACKAGES
+        index = self._parts.index
+        return tuple(
+            one
+            for defined, generation, kind in node_classes(index)
+            if index.key(defined) == name
+            for one in facts_of_class(index, defined, generation, kind)
+        )

@@ -36,8 +36,12 @@ class Values:
         self._rules = rules
         self.set: dict[str, Setting] = {}
         self.used: set[Rule] = set()
+        node = place.node.pattern
+        meant: dict[str, bool] = {"": True}
         for one in settings:
-            if not one.node or node_pattern_matches(one.node, place.node.pattern):
+            if one.node not in meant:
+                meant[one.node] = node_pattern_matches(one.node, node)
+            if meant[one.node]:
                 name = self._setting_name(one)
                 self.set.pop(name, None)
                 self.set[name] = one

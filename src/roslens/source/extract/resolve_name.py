@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 
 import msgspec
 
@@ -157,8 +158,12 @@ def node_pattern_matches(pattern: str, node: str) -> bool:
     """
     if pattern == node:
         return True
-    if "*" not in pattern:
-        return False
+    return "*" in pattern and _node_pattern(pattern).fullmatch(node) is not None
+
+
+@lru_cache(maxsize=4096)
+def _node_pattern(pattern: str) -> re.Pattern[str]:
+    """Return the expression of a key, made once: each setting of a file is held against each node."""
     pieces = re.split(r"(/\*\*|/\*)", pattern)
     forms = {"/**": r"(?:/\w+)*", "/*": r"(?:/\w+)"}
-    return re.fullmatch("".join(forms.get(piece) or re.escape(piece) for piece in pieces), node) is not None
+    return re.compile("".join(forms.get(piece) or re.escape(piece) for piece in pieces))

@@ -150,3 +150,23 @@ def test_only_what_can_be_true_is_inside(change, quantities):
     changed = msgspec.structs.replace(tally, **dict([change]))
     if connection.envelope.takes(changed, Round()):
         assert plausible_tally(changed) is changed
+
+
+def test_what_follows_a_window_that_is_over_is_looked_at():
+    rules = {"expect": [{"id": "rate", "name": "/a", "quantity": "rate", "range": "15..30"}]}
+    monitor = Monitor(reference(rules), start=0.0)
+    *before, (end, tally) = list(traffic([(20.0, 100, 0.01, 0)] * 3, "/p"))
+    for until, one in before:
+        monitor.add_tally(one)
+        monitor.tick(until)
+    (connection,) = monitor._world.connections.values()
+    assert connection.envelope is not None
+    # Somebody looked at the window when all in it was too old, and the frame that came then had been held up.
+    windows = connection.envelope.windows
+    for window in windows:
+        window.settle(end)
+        window.settle(end + 60)
+        assert not window.buckets
+    assert not connection.envelope.takes(tally, Round())
+    monitor.add_tally(tally)
+    assert all(window.buckets for window in windows)

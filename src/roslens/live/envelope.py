@@ -99,6 +99,9 @@ class Envelope:
             finite += _within(series, self.processing) if series.least >= 0 else inf
         if finite - finite != 0 or (self.loss is not None and not self._loss_within(tally.lost, count)):
             return False
+        for window in windows:
+            if not window.buckets:  # all of it is over, as after frames that came late
+                return False
         if now is not self.round:
             self.notice()
             self.round = now

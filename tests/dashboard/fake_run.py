@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import importlib.util
 import random
 import statistics
@@ -256,6 +257,8 @@ class FakeRun:
         ]
         self._extra = findings // max(1, packages)
         self.store = Store.open(None)
+        # Sites outlive the run they are of; Python 3.13 warns of a database that nobody closes.
+        atexit.register(self.store.close)
         made_up = _made_up_configurations()
         self.configurations = {"rover": made_up.large() if packages > 100 else made_up.robot()}
         self.about = {"rover": made_up.robot_findings()}

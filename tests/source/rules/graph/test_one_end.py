@@ -93,3 +93,9 @@ def test_parts_of_an_action_are_not_told_beside_it():
 def test_how_the_code_gives_the_name_is_told():
     (one,) = findings(node("/a", end("sub", "/robot/scan", given="scan"), proof=launched()))
     assert one.message.endswith("It is given as `scan`.")
+
+
+def test_a_candidate_outweighs_nodes_that_are_not_known():
+    nodes = node("/a", end("sub", "/scan_row")), node("/b", end("pub", "/scan_raw")), node("/driver", known=False)
+    (one,) = findings(*nodes)
+    assert one.severity is Severity.WARNING

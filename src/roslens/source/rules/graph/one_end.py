@@ -135,7 +135,8 @@ def _told(key: tuple[str, str], of_name: list[End], candidate: _Candidate | None
         RULE.severity if waits or candidate is not None else Severity.NOTE,
         (end.one.proof,),
         end.conditions,
-        more=_more_doubt(end, view),
+        # A name that is nearly the same says more than that somebody unknown might be there.
+        more=_more_doubt(end, view) if candidate is None else "",
     )
     said = listed([f"{one.told} {WORDS[one.role]}" for one in of_name])
     missing = {"topic": ("publishes", "subscribes to"), "service": ("serves", "calls"), "action": ("serves", "calls")}

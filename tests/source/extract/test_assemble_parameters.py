@@ -1,0 +1,72 @@
+from roslens.source.extract.assemble_parameters import Values, doubt, parameters_of, set_outside
+from roslens.source.extract.launched import Setting
+from roslens.source.extract.node_facts import Evidence, ParameterFact, Sure
+from roslens.source.extract.resolve_name import Place
+from roslens.source.extract.text import Hole, Text, unknown
+
+CODE = Evidence("a.cpp", 3)
+YAML = Evidence("a.yaml", 5)
+ROS2 = Place(Text.of("/ns"), Text.of("/ns/node"), "ros2")
+ROS1 = Place(Text.of("/ns"), Text.of("/ns/node"), "ros1")
+
+
+def setting(name: str, value: str | Text, node: str = "") -> Setting:
+    return Setting(Text.of(name), value if isinstance(value, Text) else Text.of(value), YAML, "string", node)
+
+
+def hole(name: str, default: str | None = None) -> Text:
+    return Text((Hole(f"parameter {name}", name, default),))
+
+
+def test_the_last_setting_for_the_node_holds():
+    values = Values(ROS2, (setting("a", "1"), setting("a", "2", "/ns/node"), setting("a", "3", "/other")))
+    assert values.fill(hole("a")).text.known == "2"
+
+
+def test_a_value_a_default_and_neither():
+    values = Values(ROS2, (setting("a", "1"),))
+    assert (values.fill(hole("a", "0")).text.known, values.fill(hole("a", "0")).sure) == ("1", Sure.CERTAIN)
+    assert (values.fill(hole("b", "0")).text.known, values.fill(hole("b", "0")).sure) == ("0", Sure.LIKELY)
+    assert (values.fill(hole("c")).text.pattern, values.fill(hole("c")).sure) == ("*", Sure.POSSIBLE)
+
+
+def test_a_value_that_is_unknown_itself_says_why():
+    filled = Values(ROS2, (setting("a", unknown("environment X")),)).fill(hole("a", "0"))
+    assert filled.text.holes[0].reason == "environment X"
+    assert filled.sure is Sure.POSSIBLE
+
+
+def test_names_of_the_node_are_known():
+    def filled(reason: str, place: Place):
+        return Values(place, ()).fill(Text((Hole(reason, default="~"),))).text.known
+
+    assert filled("name of the node", ROS2) == "node"
+    assert filled("full name of the node", ROS2) == filled("name of the node", ROS1) == "/ns/node"
+    assert filled("namespace of the node", ROS2) == "/ns"
+
+
+def test_parameters_of_ros1_are_compared_by_resolved_name():
+    values = Values(ROS1, (setting("/ns/node/a", "1"), setting("~b", "2"), setting("/use_sim_time", "true")))
+    assert values.fill(hole("~a")).text.known == "1"
+    assert values.fill(hole("~/b")).text.known == "2"
+    assert values.is_true("/use_sim_time")
+    assert not values.is_true("/other")
+
+
+def test_several_places_that_name_a_parameter_are_one():
+    facts = (
+        ParameterFact(Text.of("a"), Evidence("a.cpp", 9), "read"),
+        ParameterFact(Text.of("a"), CODE, "declared", "int", Text.of("1"), "0..9"),
+    )
+    (one,) = parameters_of(facts, Values(ROS2, ()))
+    assert (one.access, one.type, one.default, one.value, one.range) == ("declared", "int", "1", "1", "0..9")
+
+
+def test_doubt_is_that_of_the_least_sure():
+    assert doubt(Sure.CERTAIN, Sure.POSSIBLE, Sure.LIKELY) is Sure.POSSIBLE
+    assert doubt() is Sure.CERTAIN
+
+
+def test_outside_of_nodes_the_last_setting_holds():
+    found = list(set_outside((setting("/b", "1"), setting("/a", "2"), setting("/b", "3"))))
+    assert [(one.name, one.value) for one in found] == [("/a", "2"), ("/b", "3")]

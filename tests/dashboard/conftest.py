@@ -47,6 +47,12 @@ def large_site() -> Site:
     return _fake_run().FakeRun(packages=1000, findings=50_000, sources=False).site()
 
 
+@pytest.fixture(scope="session")
+def made_up() -> ModuleType:
+    """Configurations made up for the computation graph: ``robot()``, its findings, and ``large()``."""
+    return _fake_run()._made_up_configurations()
+
+
 class Client:
     """Asks an application without a network."""
 

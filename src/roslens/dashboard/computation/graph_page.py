@@ -22,7 +22,7 @@ def build(book: Book, request: Request) -> View | None:
     if system is None:
         return None
     query = request.query
-    left = Left(presets_of(query.get("noise")), query.all("hide"))
+    left = Left(presets_of(",".join(query.all("noise"))), query.all("hide"))
     graph = book.graph(system, left)
     wanted = query.get("topics")
     as_lines = graph.many if wanted not in {"lines", "marks"} else wanted == "lines"

@@ -1,0 +1,208 @@
+"""The computation graph as readers use it: filters, focus, search, panel, keys, and the address that keeps it all."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Locator, Page, expect
+
+from roslens.dashboard.computation.pages import computation_file
+
+Visit = Callable[..., Page]
+MADE_UP = Path(__file__).parents[1] / "dashboard/made_up_configurations.py"
+
+
+def element(page: Page, name: str) -> Locator:
+    """Return an element of the picture by its whole name."""
+    return page.locator("section.current .nodes .node, main:not(.paged) .nodes .node").filter(
+        has=page.locator(f"title:text-is('{name}')")
+    )
+
+
+def shown(page: Page) -> set[str]:
+    """Return the names of the elements that can be seen."""
+    found = page.locator(".nodes .node:not([hidden]) > title").all_text_contents()
+    return set(found)
+
+
+@pytest.fixture(scope="session")
+def made_up() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("made_up_configurations", MADE_UP)
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_noise_is_left_out_and_comes_back(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    assert "/scan" in shown(page)
+    assert "/rosout" not in shown(page)
+    page.get_by_label("/rosout", exact=True).uncheck()
+    page.get_by_label("what every node has").uncheck()
+    assert "/rosout" in shown(page)
+    expect(page).to_have_url(re.compile("noise=events%2Cparameters"))
+    page.reload()
+    assert "/rosout" in shown(page)
+    page.get_by_label("/tf", exact=True).check()
+    assert "/tf" not in shown(page)
+
+
+def test_names_are_left_out_by_pattern(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    page.get_by_label("Names to leave out").fill("/left,/sc*")
+    page.get_by_label("Names to leave out").press("Enter")
+    assert not {"/left/camera", "/left/image_raw", "/scan"} & shown(page)
+    assert "/right/camera" in shown(page)
+
+
+def test_topics_become_lines_and_marks_again(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    marks = page.locator(".wires path").count()
+    page.get_by_label("Topics", exact=True).select_option("lines")
+    expect(page).to_have_url(re.compile("topics=lines"))
+    assert "/scan" not in shown(page)
+    assert page.locator(".wires path title").filter(has_text="/scan").count() == 1
+    page.get_by_label("Topics", exact=True).select_option("marks")
+    assert page.locator(".wires path").count() == marks
+    assert "/scan" in shown(page)
+
+
+def test_a_selection_tells_its_ends_and_their_lines(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    element(page, "/scan").click()
+    panel = page.locator("#graph-selected")
+    expect(panel).to_contain_text("Who publishes (1)")
+    expect(panel).to_contain_text("src/rover/lidar.cpp:44")
+    expect(panel).to_contain_text("best effort, volatile, keep last 5")
+    assert page.locator(".links .gives").count() == 1
+    assert page.locator(".links .takes").count() == 1
+    expect(page).to_have_url(re.compile("select=topic%2Fscan"))
+    panel.get_by_role("button", name="/navigation/planner").click()
+    expect(panel).to_contain_text("Publishes (3)")
+    page.keyboard.press("o")
+    expect(page).to_have_url(re.compile("/nodes/rover/navigation/planner"))
+
+
+def test_focus_shows_what_is_near_with_inputs_on_the_left(visit: Visit) -> None:
+    page = visit("/computation/rover?focus=node/odometry")
+    assert shown(page) == {"/odometry", "/cmd_vel", "/odometry/reset", "/odom", "/tf"}
+    left, middle, right = (element(page, name).bounding_box() or {} for name in ("/cmd_vel", "/odometry", "/odom"))
+    assert left["x"] < middle["x"] < right["x"]
+    page.get_by_role("button", name="One step more").click()
+    assert "/navigation/planner" in shown(page)
+    page.locator("#graph-canvas").focus()
+    page.keyboard.press("Escape")
+    page.keyboard.press("Escape")
+    expect(page.locator("#graph-crumbs")).to_be_hidden()
+    assert "/lidar" in shown(page)
+
+
+def test_what_is_searched_for_stands_out(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    page.get_by_label("Find", exact=True).fill("camera")
+    expect(page.locator(".node.found")).to_have_count(4)
+    page.get_by_label("Find", exact=True).press("Enter")
+    expect(page).to_have_url(re.compile("find=camera"))
+    expect(page.locator(".node.selected")).to_have_count(1)
+
+
+def test_by_keys_alone(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    page.locator("#graph-canvas").focus()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Enter")
+    expect(page.locator(".node.selected")).to_have_count(1)
+    page.keyboard.press("f")
+    expect(page.locator("#graph-crumbs")).to_be_visible()
+    page.keyboard.press("t")
+    expect(page.get_by_role("heading", name="Endpoints")).to_be_visible()
+    page.keyboard.press("t")
+    expect(page.locator("#graph-svg")).to_be_visible()
+
+
+def test_without_scripts_picture_and_tables_stand(visit: Visit) -> None:
+    page = visit("/computation/rover", java_script_enabled=False)
+    expect(page.locator("#graph-svg")).to_be_visible()
+    expect(page.get_by_role("heading", name="Endpoints")).to_be_visible()
+    expect(page.locator("#endpoints tbody tr").first).to_be_visible()
+    page.get_by_label("/tf", exact=True).check()
+    page.get_by_role("button", name="Apply").click()
+    assert "/tf" not in shown(page)
+    assert "/rosout" not in shown(page)
+
+
+@pytest.mark.parametrize("path", ["/computation/rover", "/nodes/rover/navigation/planner", "/topics/rover/topic/scan"])
+@pytest.mark.parametrize("width", [360, 800])
+def test_narrow_pages_do_not_scroll_sideways(visit: Visit, path: str, width: int) -> None:
+    page = visit(path, viewport={"width": width, "height": 700})
+    assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
+
+
+@pytest.fixture(scope="session")
+def one_file(made_up: Any, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("computation") / "large.html"
+    computation_file({"large": made_up.large(), "rover": made_up.robot()}, path)
+    return path
+
+
+def open_file(browser: Browser, path: Path, fragment: str = "") -> tuple[Page, list[str]]:
+    page = browser.new_context(viewport={"width": 1280, "height": 800}).new_page()
+    problems: list[str] = []
+    page.on("pageerror", lambda error: problems.append(str(error)))
+    page.on(
+        "request", lambda request: None if request.url.startswith(("file:", "data:")) else problems.append(request.url)
+    )
+    page.goto(path.as_uri() + fragment)
+    return page, problems
+
+
+def test_a_large_system_in_one_file_starts_quickly_and_readably(browser: Browser, one_file: Path) -> None:
+    page, problems = open_file(browser, one_file)
+    expect(page.locator("section.current .nodes .node:not([hidden])")).to_have_count(80)
+    # Names touch neither each other nor the boxes of other nodes.
+    boxes = page.locator("section.current .nodes .node:not([hidden])").evaluate_all(
+        """found => found.map(one => [one.querySelector(".outline"), one.querySelector("text")].map(part =>
+        part.checkVisibility() ? (({left, right, top, bottom}) => [left, right, top, bottom])(
+        part.getBoundingClientRect()) : null))"""
+    )
+    names = [(number, text) for number, (_, text) in enumerate(boxes) if text]
+    assert len(names) > 20
+    for number, name in names:
+        for other, parts in enumerate(boxes):
+            if other == number:
+                continue
+            for part in parts:
+                apart = (
+                    not part
+                    or part[1] <= name[0]
+                    or name[1] <= part[0]
+                    or part[3] <= name[2] + 1
+                    or name[3] <= part[2] + 1
+                )
+                assert apart, (number, other)
+    page.goto(one_file.as_uri() + "#computation/rover")
+    expect(page.locator("section.current .nodes .node:not([hidden])")).to_have_count(22)
+    page.locator("section.current .nodes").get_by_text("detector", exact=True).click()
+    expect(page.locator("section.current .panel")).to_contain_text('camera == "true"')
+    assert not problems
+    page.context.close()
+
+
+def test_pages_of_one_file_lead_to_each_other(browser: Browser, one_file: Path) -> None:
+    page, problems = open_file(browser, one_file, "#topics/rover/topic/scan")
+    page.get_by_role("link", name="/navigation/planner").click()
+    expect(page.locator("section.current h1")).to_have_text("/navigation/planner")
+    expect(page.locator('[data-nav="computation/rover"]')).to_have_attribute("aria-current", "page")
+    page.get_by_role("link", name="Show on the graph").locator("visible=true").click()
+    expect(page.locator("section.current .panel h2")).to_have_text("/navigation/planner")
+    assert not problems
+    page.context.close()

@@ -1,0 +1,79 @@
+"""What is drawn of a configuration, and how long that takes."""
+
+from __future__ import annotations
+
+import time
+from types import ModuleType
+
+import pytest
+
+from roslens.dashboard.computation.picture import LONGEST, Left, Line, computation_graph, label_of, style_of, visible_of
+from roslens.dashboard.computation.system import Element, Kind, System
+
+
+@pytest.fixture(scope="module")
+def system(made_up: ModuleType) -> System:
+    return System("rover", made_up.robot())
+
+
+def names(system: System, numbers: set[int]) -> set[str]:
+    return {system.elements[number].name for number in numbers}
+
+
+def test_noise_is_left_out_until_asked_for(system: System) -> None:
+    shown = names(system, visible_of(system, Left()))
+    assert {"/scan", "/tf", "/navigation/debug/costs", "/lidar"} <= shown
+    assert not {"/rosout", "/parameter_events", "/lidar/set_parameters"} & shown
+    everything = visible_of(system, Left(frozenset()))
+    assert everything == set(range(len(system.elements)))
+
+
+def test_presets_and_patterns_leave_out_what_they_say(system: System) -> None:
+    before = names(system, visible_of(system, Left()))
+    tf = names(system, visible_of(system, Left(Left().presets | {"tf"})))
+    assert before - tf == {"/tf"}
+    left = names(system, visible_of(system, Left(patterns=("/left",))))
+    assert before - left == {"/left/camera", "/left/image_raw", "/left/camera_info"}
+
+
+def test_lines_stand_for_the_topics_between_two_nodes(system: System) -> None:
+    graph = computation_graph(system)
+    found = {
+        (graph.marks[flow.source].name, graph.marks[flow.target].name): {graph.marks[one].name for one in flow.by}
+        for flow in graph.flows
+    }
+    assert found["/odometry", "/navigation/planner"] == {"/odom", "/tf"}
+    assert found["/navigation/planner", "/odometry"] == {"/cmd_vel", "/odometry/reset"}
+    assert set(graph.lines.places) == {number for number, mark in enumerate(graph.marks) if mark.kind == "node"}
+
+
+def test_every_visible_element_has_a_place_and_every_wire_between_them_a_path(system: System) -> None:
+    graph = computation_graph(system)
+    assert set(graph.topics.places) == visible_of(system, Left())
+    drawn = {graph.wires[number] for number, _ in graph.topics.lines}
+    assert drawn == {
+        wire for wire in graph.wires if {wire.source, wire.target} <= set(graph.topics.places) and not wire.implicit
+    }
+    assert not graph.many
+
+
+def test_labels_say_the_end_of_a_long_name() -> None:
+    element = Element(Kind.TOPIC, "/a/" + "x" * 40 + "/image", "k", "/a")
+    label = label_of(element)
+    assert len(label) == LONGEST
+    assert label.endswith("/image")
+    assert label_of(Element(Kind.TOPIC, "/a/image", "k", "/a")) == "image"
+
+
+def test_styles() -> None:
+    assert style_of(Line(0, 1)) == ""
+    assert style_of(Line(0, 1, conditional=True, resolved=False, sure="likely")) == "conditional unresolved likely"
+
+
+def test_a_large_system_takes_less_than_a_second(made_up: ModuleType) -> None:
+    large = made_up.large()
+    begun = time.process_time()
+    graph = computation_graph(System("large", large))
+    took = time.process_time() - begun
+    assert graph.many
+    assert took < 1.0, f"{took:.2f} s"

@@ -1,0 +1,77 @@
+"""From a configuration to elements and wires."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import msgspec
+import pytest
+
+from roslens.dashboard.computation.system import Kind, System, namespace_of, relative, systems_of
+from roslens.model.configuration import Configuration
+
+
+@pytest.fixture(scope="module")
+def system(made_up: ModuleType) -> System:
+    return System("rover", made_up.robot(), made_up.robot_findings())
+
+
+def named(system: System, name: str) -> int:
+    return next(number for number, element in enumerate(system.elements) if element.name == name)
+
+
+def test_messages_and_requests_flow_from_who_gives_them(system: System) -> None:
+    wires = {(system.elements[wire.source].name, system.elements[wire.target].name) for wire in system.wires}
+    assert ("/lidar", "/scan") in wires
+    assert ("/scan", "/navigation/planner") in wires
+    assert ("/navigation/planner", "/odometry/reset") in wires
+    assert ("/odometry/reset", "/odometry") in wires
+    assert ("/mission", "/navigation/navigate") in wires
+    assert ("/navigation/navigate", "/navigation/planner") in wires
+    assert (
+        len(system.ends)
+        == sum(len(node.endpoints) for node in system.nodes)
+        == sum(len(w.endpoints) for w in system.wires)
+    )
+
+
+def test_an_element_says_how_sure_it_is(system: System) -> None:
+    objects = system.elements[named(system, "/navigation/*/objects")]
+    assert (objects.sure, objects.resolved, objects.conditional) == ("possible", False, True)
+    assert system.elements[named(system, "/odometry/reset")].sure == "likely"
+    assert system.elements[named(system, "/navigation/detector")].conditional
+    assert system.elements[named(system, "/navigation/debug/costs")].resolved
+    assert system.elements[named(system, "/scan")].severity == "error"
+    assert [one.rule for one in system.findings_on(system.elements[named(system, "/mission")])] == ["graph.clock"]
+
+
+def test_what_every_node_has_is_told_apart(system: System) -> None:
+    assert "implicit" in system.elements[named(system, "/rosout")].noise
+    assert "implicit" not in system.elements[named(system, "/tf")].noise
+
+
+def test_an_element_stands_in_the_innermost_namespace_with_nodes(system: System) -> None:
+    lanes = {element.name: element.lane for element in system.elements}
+    assert lanes["/left/image_raw"] == "/left"
+    assert lanes["/navigation/debug/costs"] == "/navigation"
+    assert lanes["/odometry/reset"] == "/"
+
+
+def test_nodes_of_one_name_have_pages_of_their_own(made_up: ModuleType) -> None:
+    robot = made_up.robot()
+    doubled = msgspec.structs.replace(robot, nodes=(robot.nodes[0], robot.nodes[0]))
+    found = [element.key for element in System("x", doubled).elements if element.kind is Kind.NODE]
+    assert found == ["node/container", "node/container~2"]
+
+
+def test_slugs_fit_an_address_and_differ() -> None:
+    empty = Configuration("", "ros2")
+    found = systems_of({"a b/c": empty, "a-b-c": empty, "\N{SNOWMAN}": empty})
+    assert list(found) == ["a-b-c", "a-b-c-2", "system"]
+
+
+def test_names() -> None:
+    assert namespace_of("/a/b") == "/a"
+    assert namespace_of("/a") == "/"
+    assert relative("/a/b/c", "/a") == "b/c"
+    assert relative("/a", "/") == "a"

@@ -1,5 +1,4 @@
 import statistics
-import time
 from pathlib import Path
 
 import pytest
@@ -67,15 +66,28 @@ def test_loads_and_faults_show_in_what_is_heard(kind):
         assert robot.listen("base", 1.0, topics=["/scan", "/camera/image"]).rates["/camera/image"] > 5
 
 
+def soon_near(measure, wanted, within, tries=6):
+    """What was measured last: as soon as it is near what is wanted, or in the last of a few tries on a busy machine."""
+    for _ in range(tries):
+        found = measure()
+        if abs(found - wanted) <= within:
+            break
+    return found
+
+
 @pytest.mark.slow
 @pytest.mark.table
 @pytest.mark.skipif(library() is None, reason="faketime is not installed: apt-get install faketime")
 def test_a_clock_offset_moves_the_stamps_of_a_host(kind):
     with Bed(HOSTS) as bed, kind(bed, faked_clocks=["base"]) as robot:
+
+        def age():
+            return statistics.median(robot.stamp_ages("brain", "/odom", 1.0))
+
+        # Faketime reads the offset once a second, and nodes come late on a busy machine.
+        before = soon_near(age, 0.0, 0.02)
         with shifted(bed["base"], -0.25):
-            time.sleep(1.1)  # faketime reads the offset once a second
-            shifted_ages = robot.stamp_ages("brain", "/odom", 1.0)
-        time.sleep(1.1)
-        ages = robot.stamp_ages("brain", "/odom", 1.0)
-        assert robot.listen("brain", 1.0, topics=["/odom"]).rates["/odom"] == pytest.approx(50, rel=0.1)
-    assert statistics.median(shifted_ages) - statistics.median(ages) == pytest.approx(0.25, abs=0.03)
+            assert soon_near(age, before + 0.25, 0.03) - before == pytest.approx(0.25, abs=0.03)
+        assert soon_near(age, before, 0.03) == pytest.approx(before, abs=0.03)
+        rate = soon_near(lambda: robot.listen("brain", 1.0, topics=["/odom"]).rates["/odom"], 50, 5)
+        assert rate == pytest.approx(50, rel=0.1)

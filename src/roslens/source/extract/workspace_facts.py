@@ -116,7 +116,8 @@ class WorkspaceFacts:
         return _Kept(nodes, self._parts.programs.lasting and not self.broken)
 
     def _of_program(self, path: str, function: str) -> tuple[NodeFacts, ...]:
-        from roslens.source.extract.node_units import facts_of_main, facts_of_module
+        from roslens.source.extract.assemble_program import classes_made, joined_facts
+        from roslens.source.extract.node_units import facts_of_main, facts_of_module, node_classes
 
         index = self._parts.index
         program = index.programs.get(path)
@@ -124,7 +125,13 @@ class WorkspaceFacts:
             return ()
         if program.language == "python":
             return tuple(facts_of_module(index, path, function))
-        return tuple(facts_of_main(index, path))
+        main = facts_of_main(index, path)
+        made = list(classes_made(index, path, [one for one, _, _ in node_classes(index)]))
+        if len(made) != 1 or len(main) > 1:
+            # Which of several nodes is of which class nobody can tell from here; the main function tells of all.
+            return tuple(main) or tuple(one for name in made for one in self.of_class(name))
+        found = self.of_class(made[0])
+        return (joined_facts(main[0] if main else None, found[0]), *found[1:]) if found else tuple(main)
 
     def _of_class(self, name: str) -> tuple[NodeFacts, ...]:
         from roslens.source.extract.node_units import facts_of_class, node_classes

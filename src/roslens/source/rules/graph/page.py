@@ -11,8 +11,8 @@ _HEAD = """\
 # Rules of the computation graph
 
 What does not fit together once launch files and code are joined: names, types, quality of service, parameters.
-`roslens graph --launch FILE --check` tells it, `roslens explain graph.qos` shows a rule. This page is made from `src/roslens/source/rules/graph/`; `make docs` writes
-it anew.
+`roslens graph --launch FILE --check` tells it, `roslens explain graph.qos` shows a rule. This page is made from
+`src/roslens/source/rules/graph/`; `make docs` writes it anew.
 
 - A finding stands at the line that shows it, and names the other end with its place.
 - One problem is one finding, however many pairs of ends have it.

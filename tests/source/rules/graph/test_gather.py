@@ -29,6 +29,7 @@ def test_names_by_which_something_is_started_or_loaded():
 def test_ros1_starts_what_lies_in_the_sources():
     found = gathered("ros1", paths={"other": ("other/scripts/run.py",)})
     assert found.installed["other"] == ("run.py",)
+    assert "tool" in found.installed["robot"]
 
 
 def test_a_build_that_is_not_understood_says_nothing():

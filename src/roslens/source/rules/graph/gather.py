@@ -69,7 +69,8 @@ def _names(targets: Sequence[Target], paths: Sequence[str], generation: str) -> 
     """Return the names by which something of a package is started or loaded."""
     names = set()
     for one in targets:
-        if one.installed:
+        # What catkin builds is found in its development space too, installed or not.
+        if one.installed or generation == "ros1":
             names |= {one.name, one.entry, one.name.rpartition("/")[2]}
     if generation == "ros1":
         # roslaunch also finds what lies anywhere in the sources of a package.

@@ -161,7 +161,9 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     if holds is not None:
         block(engine, statement.then if holds else statement.otherwise)
         return
-    written = expression_text(statement.condition).strip("`()")
+    written = expression_text(statement.condition).strip("`")
+    if written.startswith("(") and written.endswith(")"):
+        written = written[1:-1]
     before = engine.frame.snapshot()
     if written == "no exception":
         block(engine, statement.then)

@@ -25,12 +25,7 @@ from roslens.source.extract.evaluated_statements import assign, block, initialis
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.program import (
-    Call,
-    Expression,
-    Function,
-    Parameter,
-)
+from roslens.source.extract.program import Assign, Call, Expression, Function, Member, Parameter
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import find_outer
 from roslens.source.extract.workspace_index import Defined, Index, type_arguments, type_name
@@ -199,7 +194,11 @@ class Evaluation(Calls):
     def prepare(self, thing: Obj) -> None:
         """Give an object the members that its classes declare."""
         for one in reversed(self.index.chain(thing.defined)) if thing.defined is not None else ():
+            initialised = self._initialised(one)
             for field in getattr(one.what, "fields", ()):
+                if field.name in initialised:
+                    thing.fields[field.name] = Unknown(field.name)
+                    continue
                 outer, self.frame = self.frame, Frame(one.path, one.what.qualified_name, thing)
                 self.frame.templates.update(thing.templates)
                 try:
@@ -212,6 +211,15 @@ class Evaluation(Calls):
                         thing.fields[field.name] = not_set if isinstance(value, Text) else value
                 finally:
                     self.frame = outer
+
+    def _initialised(self, defined: Defined) -> set[str]:
+        """Return the members that constructors of a class of C++ initialise: they are not made twice."""
+        return {
+            statement.target.name
+            for method in self.index.methods(defined, defined.what.name)
+            for statement in getattr(method.what, "initialisers", ())
+            if isinstance(statement, Assign) and isinstance(statement.target, Member)
+        }
 
     def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
         """Evaluate the constructor of one class of an object."""

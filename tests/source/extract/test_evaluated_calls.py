@@ -1,0 +1,59 @@
+def test_the_name_is_said_by_the_caller(node_of):
+    facts = node_of(
+        'make("left");\nmake("right");',
+        "void make(const std::string & name) { pubs_.push_back(create_publisher<std_msgs::msg::String>(name, 1)); }",
+    )
+    assert [str(one.name) for one in facts.endpoints] == ["left", "right"]
+    assert [one.evidence.line for one in facts.endpoints] == [5, 6]
+    assert {place.line for one in facts.endpoints for place in one.through} == {8}
+
+
+def test_overloads_by_the_number_of_arguments(node_of):
+    before = (
+        'std::string named(const std::string & a) { return a + "_one"; }\n'
+        'std::string named(const std::string & a, const std::string & b) { return a + "_" + b; }'
+    )
+    body = 'a_ = create_publisher<std_msgs::msg::String>(named("x"), 1);\n'
+    body += 'b_ = create_publisher<std_msgs::msg::String>(named("x", "two"), 1);'
+    assert [one.name.known for one in node_of(body, before=before).endpoints] in (["x_one", "x_two"], [None, None])
+
+
+def test_a_text_that_something_unknown_may_set_is_not_empty(node_of):
+    body = "std::string topic;\nfill(topic);\npub_ = create_publisher<std_msgs::msg::String>(topic, 1);"
+    (one,) = node_of(body).endpoints
+    assert str(one.name) == "{a text that fill() may set}"
+
+
+def test_templates_are_handed_on(node_of):
+    members = "template<typename T> void make(const std::string & name) { pub_ = create_publisher<T>(name, 1); }"
+    (one,) = node_of('make<std_msgs::msg::String>("a");', members).endpoints
+    assert one.type.known == "std_msgs/msg/String"
+
+
+def test_bound_callbacks(node_of):
+    body = (
+        'sub_ = create_subscription<std_msgs::msg::String>("in", 1, std::bind(&A::heard, this, std::placeholders::_1));'
+    )
+    members = (
+        'void heard(std_msgs::msg::String::SharedPtr m) { pub_ = create_publisher<std_msgs::msg::String>("out", 1); }'
+    )
+    facts = node_of(body, members)
+    assert [(str(one.name), one.callback) for one in facts.endpoints] == [("in", "A.heard"), ("out", "")]
+
+
+def test_super_of_python(units, names):
+    text = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+class Base(Node):
+    def __init__(self, name, topic):
+        super().__init__(name)
+        self.pub = self.create_publisher(String, topic, 10)
+class Derived(Base):
+    def __init__(self):
+        super().__init__('derived', 'chatter')
+"""
+    found = {one.unit: one for one in units(a_py=text)}
+    assert found["Derived"].name.known == "derived"
+    assert names(found["Derived"]) == [("publisher", "chatter")]

@@ -1,0 +1,62 @@
+PUB = "pub_ = create_publisher<std_msgs::msg::String>({}, 1);"
+
+
+def test_both_ways_of_an_unknown_condition(node_of):
+    body = "if (ask()) {\n" + PUB.format('"a"') + "\n} else {\n" + PUB.format('"b"') + "\n}"
+    facts = node_of(body)
+    assert [(str(one.name), one.conditions) for one in facts.endpoints] == [("a", ("ask()",)), ("b", ("not ask()",))]
+
+
+def test_what_is_known_is_followed_alone(node_of):
+    body = "bool yes = true;\nif (yes) {" + PUB.format('"a"') + "} else {" + PUB.format('"b"') + "}"
+    (one,) = node_of(body).endpoints
+    assert (one.name.known, one.conditions) == ("a", ())
+
+
+def test_one_text_or_another(node_of):
+    body = 'std::string t = "a";\nif (ask()) { t = "b"; }\n' + PUB.format("t")
+    (one,) = node_of(body).endpoints
+    assert (one.name.known, one.name.usual, one.evidence.sure.value) == (None, "a", "likely")
+
+
+def test_a_function_that_returns_this_or_that(node_of):
+    members = 'std::string which() { if (ask()) { return "a"; } return "b"; }'
+    (one,) = node_of(PUB.format("which()"), members).endpoints
+    assert one.name.known is None
+    assert one.evidence.sure.value != "certain"
+
+
+def test_what_may_not_have_happened_because_of_an_exception(node_of):
+    body = "bool set = false;\ntry { read(); set = true; } catch (const std::exception & e) { log(e); }\n"
+    body += "if (set) {" + PUB.format('"a"') + "} else {" + PUB.format('"b"') + "}"
+    assert [str(one.name) for one in node_of(body).endpoints] == ["a", "b"]
+
+
+def test_loops_over_what_is_known_and_over_a_parameter(node_of):
+    body = 'for (const std::string & one : {"a", "b"}) {' + PUB.format("one") + "}\n"
+    body += 'auto names = declare_parameter<std::vector<std::string>>("names");\n'
+    body += "for (const auto & name : names) {" + PUB.format('"~/" + name') + "}"
+    facts = node_of(body)
+    assert [str(one.name) for one in facts.endpoints] == ["a", "b", "~/{each of parameter names}"]
+    assert facts.endpoints[2].name.holes[0].parameter == "names"
+
+
+def test_variables_outside_of_functions(main_of):
+    before = "std::string g_topic;\nros::NodeHandle * g_node;\nros::Publisher pub;\n"
+    before += "void make() { pub = g_node->advertise<std_msgs::String>(g_topic, 1); }"
+    facts = main_of('ros::NodeHandle p("~"); g_node = &p; g_topic = "out"; make();', before)
+    assert [str(one.name) for one in facts.endpoints] == ["~/out"]
+
+
+def test_members_are_initialised_with_one_value(units):
+    text = """
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+class Helper { public: Helper(const std::string & t) { ros::NodeHandle n; pub_ = n.advertise<std_msgs::String>(t, 1); }
+  ros::Publisher pub_; };
+class A { public: A() : private_("~"), helper_("helped") { pub_ = private_.advertise<std_msgs::String>("own", 1); }
+  ros::NodeHandle private_; Helper helper_; ros::Publisher pub_; };
+int main(int argc, char ** argv) { ros::init(argc, argv, "a"); A a; }
+"""
+    facts = next(one for one in units(a_cpp=text) if one.unit == "main")
+    assert [str(one.name) for one in facts.endpoints] == ["helped", "~/own"]

@@ -1,0 +1,46 @@
+import pytest
+
+from roslens.source.extract.cpp_program import program_of_cpp
+from roslens.source.extract.interface_name import included_interface, interface_name, of_generation
+from roslens.source.syntax.macros import load_macros
+
+
+@pytest.mark.parametrize(
+    ("written", "name"),
+    [
+        ("std_msgs::String", "std_msgs/String"),
+        ("std_msgs::msg::String", "std_msgs/msg/String"),
+        ("const std_msgs::String::ConstPtr &", "std_msgs/String"),
+        ("std_msgs::StringConstPtr", "std_msgs/String"),
+        ("std_msgs::msg::String::SharedPtr", "std_msgs/msg/String"),
+        ("const std::shared_ptr<std_srvs::srv::Trigger::Request>", "std_srvs/srv/Trigger"),
+        ("std_msgs.msg.String", "std_msgs/msg/String"),
+        ("std_msgs.msg._String.String", "std_msgs/msg/String"),
+        ("nav2_msgs::action::Spin::Impl::FeedbackMessage", "nav2_msgs/action/Spin_FeedbackMessage"),
+        ("Impl::Message", ""),
+        ("MessageT", ""),
+        ("", ""),
+        ("int", ""),
+    ],
+)
+def test_names_of_types(written, name):
+    assert interface_name(written) == name
+
+
+@pytest.mark.parametrize(
+    ("name", "generation", "kind", "form"),
+    [
+        ("std_msgs/msg/String", "ros1", "msg", "std_msgs/String"),
+        ("std_msgs/String", "ros2", "msg", "std_msgs/msg/String"),
+        ("std_srvs/Empty", "ros2", "srv", "std_srvs/srv/Empty"),
+        ("std_msgs/String", "ros1", "msg", "std_msgs/String"),
+    ],
+)
+def test_the_form_of_a_generation(name, generation, kind, form):
+    assert of_generation(name, generation, kind) == form
+
+
+def test_a_type_by_the_header_that_is_included():
+    program = program_of_cpp(b'#include <navfn/MakeNavPlan.h>\n#include "a/b/Other.h"\n', load_macros())
+    assert included_interface("MakeNavPlan::Request &", program) == "navfn/MakeNavPlan"
+    assert included_interface("Other", program) == ""

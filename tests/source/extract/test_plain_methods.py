@@ -1,0 +1,51 @@
+import pytest
+
+from roslens.source.extract.abstract_value import Unknown
+from roslens.source.extract.plain_methods import formatted, hashable, plain_method
+from roslens.source.extract.text import Text
+
+
+@pytest.mark.parametrize(
+    ("of", "name", "arguments", "result"),
+    [
+        (Text.of("a"), "c_str", [], Text.of("a")),
+        (Text.of("a"), "append", [Text.of("b")], Text.of("ab")),
+        (Text.of(""), "empty", [], True),
+        (Text.of("abc"), "size", [], 3),
+        (Text.of("{}-{}"), "format", [Text.of("a"), 2], Text.of("a-2")),
+        (Text.of("/"), "join", [[Text.of("a"), Text.of("b")]], Text.of("a/b")),
+        ([1, 2], "front", [], 1),
+        ([1, 2], "back", [], 2),
+        ([], "empty", [], True),
+        ({Text.of("k"): 1}, "get", [Text.of("k")], 1),
+        ({Text.of("k"): 1}, "at", [Text.of("k")], 1),
+        ({"k": 1}, "items", [], [["k", 1]]),
+        ({"k": 1}, "keys", [], ["k"]),
+        ({"k": 1}, "values", [], [1]),
+    ],
+)
+def test_what_they_give(of, name, arguments, result):
+    assert plain_method(of, name, arguments) == result
+
+
+def test_what_is_not_known_says_so():
+    assert plain_method(Text.of("a"), "substr", [0]) == Unknown("substr of a text")
+    assert plain_method([], "find", []) == Unknown("find of a list")
+    assert plain_method({}, "merge", []) == Unknown("merge()")
+    assert plain_method(Unknown("why"), "anything", []) == Unknown("why")
+    assert plain_method(3, "anything", []) == Unknown("result of anything()")
+
+
+def test_lists_grow():
+    values = [1]
+    assert plain_method(values, "push_back", [2]) is None
+    assert values == [1, 2]
+
+
+def test_values_that_are_missing_are_holes():
+    assert str(formatted(Text.of("%s/%s"), [Text.of("a")])) == "a/{a value that is missing}"
+
+
+def test_what_cannot_be_a_key_is_its_text():
+    assert hashable([1]) == "[1]"
+    assert hashable(Text.of("a")) == Text.of("a")

@@ -70,3 +70,14 @@ def test_doubt_is_that_of_the_least_sure():
 def test_outside_of_nodes_the_last_setting_holds():
     found = list(set_outside((setting("/b", "1"), setting("/a", "2"), setting("/b", "3"))))
     assert [(one.name, one.value) for one in found] == [("/a", "2"), ("/b", "3")]
+
+
+def test_a_list_stands_for_each_of_its_elements():
+    each = Text.of(Hole("each of nodes", "nodes", "[x]"), "/state")
+    values = Values(ROS2, (setting("nodes", "[a, 'b']"),))
+    assert [one.known for one in values.each(each)] == ["a/state", "b/state"]
+    (default,) = Values(ROS2, ()).each(each)
+    assert (default.usual, Values(ROS2, ()).fill(default).sure) == ("x/state", Sure.LIKELY)
+    (empty,) = Values(ROS2, (setting("nodes", "[]"),)).each(each)
+    assert empty.pattern == "*/state"
+    assert values.each(hole("other")) == (hole("other"),)

@@ -47,3 +47,11 @@ def test_a_name_that_main_does_not_know_is_that_of_the_class():
     main = NodeFacts("main", "a.cpp", 9, "ros2")
     of_class = NodeFacts("robot.Talker", "a.cpp", 4, "ros2", name=Text.of("talker"))
     assert joined_facts(main, of_class).name.known == "talker"
+
+
+def test_a_name_of_which_main_knows_nothing_is_that_of_the_class():
+    main = NodeFacts(
+        "main", "a.cpp", 9, "ros2", endpoints=(end(3, unknown("an argument")), end(7, unknown("an argument")))
+    )
+    of_class = NodeFacts("robot.Talker", "a.cpp", 4, "ros2", endpoints=(end(3, unknown("t", parameter="t")),))
+    assert [one.name.holes[0].parameter for one in joined_facts(main, of_class).endpoints] == ["", "t"]

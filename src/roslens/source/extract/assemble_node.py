@@ -135,7 +135,11 @@ class _Node:
     def configured(self) -> ConfiguredNode:
         facts, launched = self.facts, self.given.launched
         named = self.hint.names if self.hint else {}
-        endpoints = [self._endpoint(_renamed(one, named)) for one in facts.endpoints]
+        endpoints = [
+            self._endpoint(msgspec.structs.replace(one, name=name))
+            for one in (_renamed(fact, named) for fact in facts.endpoints)
+            for name in self.values.each(one.name)
+        ]
         if self.hint:
             told = hinted(self.hint, self.given.generation, self.given.hinted_in, self.hint_key)
             endpoints += [self._endpoint(one, Origin.HINT) for one in told]

@@ -16,6 +16,7 @@ from roslens.source.extract.text import Hole, Text
 _NAME_OF_NODE = "name of the node"
 _FULL_NAME_OF_NODE = "full name of the node"
 _NAMESPACE_OF_NODE = "namespace of the node"
+_MOST_ITEMS = 100
 _ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
 
 
@@ -61,6 +62,26 @@ class Values:
     def value(self, name: Text) -> Setting | None:
         """Return what sets a parameter."""
         return self.set.get(self.key(name))
+
+    def each(self, text: Text) -> tuple[Text, ...]:
+        """Return a text for each element where a parameter in it is a list, with the element in its place."""
+        for place, part in enumerate(text.parts):
+            items = self._items(part) if isinstance(part, Hole) and part.parameter else None
+            if items is not None and isinstance(part, Hole):
+                none = Hole(f"{part.reason}, which is empty")
+                return tuple(Text.of(*text.parts[:place], one, *text.parts[place + 1 :]) for one in items or [none])
+        return (text,)
+
+    def _items(self, hole: Hole) -> list[str | Hole] | None:
+        """Return the elements of a list that a parameter is; None where it is none."""
+        found = self.value(Text.of(hole.parameter))
+        value = hole.default if found is None else found.value.known
+        if value is None or not (value.startswith("[") and value.endswith("]")):
+            return None
+        names = [one.strip().strip("\"'") for one in value[1:-1].split(",")][:_MOST_ITEMS]
+        where = f"default of {hole.reason}" if found is None else f"{hole.reason}, set in {_place_of(found)}"
+        # A hole that its value fills keeps the doubt of a default.
+        return [Hole(where, default=one) if found is None else one for one in names if one]
 
     def fill(self, text: Text) -> Filled:
         """Return a text with the values of parameters, else their defaults, in place of holes."""

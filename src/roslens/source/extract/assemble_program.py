@@ -72,9 +72,15 @@ def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
 
 
 def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tuple[EndpointFact, ...]:
-    """Return endpoints of both; where both tell of one, what the main function tells, which knows arguments."""
-    known = {_place(one.evidence) for one in first}
-    return (*first, *(one for one in second if _place(one.evidence) not in known))
+    """Return endpoints of both; of one that both tell what the main function tells, if it knows what decides its name."""
+    better = {_place(one.evidence) for one in second if not _vague(one)}
+    kept = [one for one in first if not _vague(one) or _place(one.evidence) not in better]
+    told = {_place(one.evidence) for one in kept}
+    return (*kept, *(one for one in second if _place(one.evidence) not in told))
+
+
+def _vague(fact: EndpointFact) -> bool:
+    return any(hole.default is None and not hole.parameter for hole in fact.name.holes)
 
 
 def _place(evidence: Evidence) -> tuple[str, int, int]:

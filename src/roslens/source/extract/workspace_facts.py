@@ -127,11 +127,13 @@ class WorkspaceFacts:
             return tuple(facts_of_module(index, path, function))
         main = facts_of_main(index, path)
         made = list(classes_made(index, path, [one for one, _, _ in node_classes(index)]))
-        if len(made) != 1 or len(main) > 1:
+        if len(made) != 1:
             # Which of several nodes is of which class nobody can tell from here; the main function tells of all.
             return tuple(main) or tuple(one for name in made for one in self.of_class(name))
         found = self.of_class(made[0])
-        return (joined_facts(main[0] if main else None, found[0]), *found[1:]) if found else tuple(main)
+        if not found or (len(main) > 1 and main[0].name != found[0].name):
+            return tuple(main)
+        return (joined_facts(main[0] if main else None, found[0]), *(main[1:] or found[1:]))
 
     def _of_class(self, name: str) -> tuple[NodeFacts, ...]:
         from roslens.source.extract.node_units import facts_of_class, node_classes

@@ -72,7 +72,7 @@ def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
 
 
 def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tuple[EndpointFact, ...]:
-    """Return endpoints of both; of one that both tell what the main function tells, if it knows what decides its name."""
+    """Return endpoints of both; of one that both tell what main tells, if it knows what decides its name."""
     better = {_place(one.evidence) for one in second if not _vague(one)}
     kept = [one for one in first if not _vague(one) or _place(one.evidence) not in better]
     told = {_place(one.evidence) for one in kept}

@@ -1,0 +1,64 @@
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.graph_source import GraphSource, arguments_of
+from roslens.model.errors import UsageError
+from roslens.source.settings import SourceSettings
+
+EXAMPLE = str(Path(__file__).parents[2] / "examples" / "workspace")
+
+
+def source(path: str = EXAMPLE) -> GraphSource:
+    return GraphSource(path, SourceSettings(), "roslens.toml", {})
+
+
+def test_arguments_are_names_and_values():
+    assert arguments_of(["a:=b", "c:=", "d:=e:=f"]) == {"a": "b", "c": "", "d": "e:=f"}
+    with pytest.raises(UsageError, match="name:=value"):
+        arguments_of([":=b"])
+
+
+def test_launch_files_are_named_by_package():
+    with source() as found:
+        assert "rover_bringup/rover.launch.py" in list(found.launch_files())
+
+
+def test_a_launch_file_may_be_named_by_package_or_by_path():
+    path = "src/rover/rover_bringup/launch/rover.launch.py"
+    with source() as found:
+        titles = [
+            found.launched(name, {}).title
+            for name in (
+                "rover_bringup/rover.launch.py",
+                "rover_bringup/launch/rover.launch.py",
+                path,
+                f"{EXAMPLE}/{path}",
+            )
+        ]
+        assert titles == [path] * 4
+        assert found.launched(path, {"device": "/dev/x"}).title == f"{path} device:=/dev/x"
+
+
+def test_what_is_outside_of_the_workspace_is_refused(tmp_path):
+    outside = tmp_path / "a.launch.py"
+    outside.write_text("")
+    with source() as found, pytest.raises(UsageError, match="outside of the workspace"):
+        found.launched(str(outside), {})
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "generation"),
+    [
+        ("a.launch", '<launch><node pkg="a" type="b" name="c"/></launch>', "ros1"),
+        ("a.launch", '<launch><node pkg="a" exec="b"/></launch>', "ros2"),
+        ("a.launch.xml", '<launch><node pkg="a" exec="b"/></launch>', "ros2"),
+        ("a.launch.xml", '<launch><node pkg="a" type="b" name="c"/></launch>', "ros1"),
+        ("a.launch.yaml", "launch: []", "ros2"),
+        ("a.launch.py", "", "ros2"),
+    ],
+)
+def test_the_generation_of_a_launch_file_is_told_by_its_content(tmp_path, name, content, generation):
+    (tmp_path / name).write_text(content)
+    with source(str(tmp_path)) as found:
+        assert found.launched(name, {}).generation == generation

@@ -77,6 +77,9 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
         thing.templates.update(zip(names, (engine.template(one) for one in call.templates), strict=False))
     if base is None:
         name = engine.index.meaning(written, engine.frame.path, engine.frame.scope)
+        # The name of a base is known in a class without its scope.
+        bases = engine.index.outer_bases(thing.defined) if thing.defined is not None else []
+        name = next((one for one in bases if one.rpartition(".")[2] == name), name)
         engine.construct_outer(thing, name, arguments, keywords)
     else:
         engine.construct_as(thing, base, arguments, keywords)
@@ -149,6 +152,10 @@ def _is_field(engine: Evaluation, thing: Obj, name: str) -> bool:
 
 def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
     engine.value(statement.expression)
+    called = statement.expression.function if isinstance(statement.expression, Call) else None
+    if called == Name("throw") and len(engine.conditions) > engine.frame.depth:
+        # Elsewhere a condition that is taken for true may be none: nothing is left out for its sake.
+        engine.frame.returned = True
 
 
 def _returned(engine: Evaluation, statement: Return) -> None:
@@ -175,9 +182,13 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     after = engine.frame.snapshot()
     engine.frame.restore(before)
     engine.frame.returned = engine.frame.stopped = False
-    returned = _noted(engine, otherwise, statement.otherwise) and returned
-    engine.frame.join(after, written)
-    engine.frame.returned = returned
+    left = _noted(engine, otherwise, statement.otherwise)
+    # A way that leaves the function has no say in what holds after it.
+    if left and not returned:
+        engine.frame.restore(after)
+    elif left is returned:
+        engine.frame.join(after, written)
+    engine.frame.returned = returned and left
 
 
 def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> bool:

@@ -1,0 +1,82 @@
+import pytest
+
+
+@pytest.mark.parametrize(
+    ("statement", "told"),
+    [
+        ('auto p = nh.advertise<std_msgs::String>("a", 5, true);', ("publisher", "a", "std_msgs/String", 5, True)),
+        ('auto s = nh.subscribe("a", 7, heard);', ("subscription", "a", "std_msgs/String", 7, False)),
+        ('auto s = nh.advertiseService("a", serve);', ("service_server", "a", "std_srvs/Empty", -1, False)),
+        ('auto c = nh.serviceClient<std_srvs::Empty>("a");', ("service_client", "a", "std_srvs/Empty", -1, False)),
+        ('ros::service::call<std_srvs::Empty>("a", x);', ("service_client", "a", "std_srvs/Empty", -1, False)),
+        ('ros::topic::waitForMessage<std_msgs::String>("a");', ("subscription", "a", "std_msgs/String", -1, False)),
+    ],
+)
+def test_endpoints_of_roscpp(main_of, statement, told):
+    before = "void heard(const std_msgs::String::ConstPtr & m) {}\n"
+    before += "bool serve(std_srvs::Empty::Request & q, std_srvs::Empty::Response & a) { return true; }"
+    facts = main_of(statement, before)
+    assert [(e.role.value, str(e.name), e.type.known, e.queue, e.latched) for e in facts.endpoints] == [told]
+    assert facts.name.known == "a"
+
+
+def test_handles_below_handles(main_of):
+    body = 'ros::NodeHandle p("~"), q(p, "b"), r("/c/");\n'
+    body += 'for (auto h : {p, q, r}) { auto s = h.advertise<std_msgs::String>("x", 1); }'
+    assert [str(one.name) for one in main_of(body).endpoints] == ["~/x", "~/b/x", "/c/x"]
+
+
+def test_parameters_of_roscpp(main_of):
+    body = 'std::string t, u; nh.param<std::string>("t", t, "x"); nh.getParam("u", u); nh.setParam("w", 1);\n'
+    facts = main_of(body + "auto p = nh.advertise<std_msgs::String>(t + u, 1);")
+    assert [(str(one.name), one.access) for one in facts.parameters] == [("t", "read"), ("u", "read"), ("w", "written")]
+    assert str(facts.endpoints[0].name) == "{parameter t}{parameter u}"
+
+
+def test_a_name_with_a_random_end(units):
+    text = (
+        '#include <ros/ros.h>\nint main(int c, char ** v) { ros::init(c, v, "a", ros::init_options::AnonymousName); }'
+    )
+    (facts,) = units(a_cpp=text)
+    assert str(facts.name) == "a_{random end}"
+
+
+def test_a_nodelet(units):
+    text = """
+#include <nodelet/nodelet.h>
+#include <std_msgs/String.h>
+class N : public nodelet::Nodelet { void onInit() {
+  pub_ = getPrivateNodeHandle().advertise<std_msgs::String>("a", 1);
+  sub_ = getNodeHandle().subscribe<std_msgs::String>("b", 1, &N::heard, this); }
+  void heard(const std_msgs::String::ConstPtr & m) { pub_.publish(*m); } ros::Publisher pub_; };
+PLUGINLIB_EXPORT_CLASS(N, nodelet::Nodelet)
+"""
+    (facts,) = units(a_cpp=text)
+    assert facts.kind == "nodelet"
+    assert [(str(one.name), [site.line for site in one.sites]) for one in facts.endpoints] == [("~/a", [7]), ("b", [])]
+
+
+def test_rospy(units):
+    text = """
+import rospy
+from std_msgs.msg import String
+from std_srvs.srv import Empty
+rospy.init_node('n', anonymous=True)
+rospy.Publisher('a', String, queue_size=3, latch=True)
+rospy.Subscriber('b', String, lambda m: None, queue_size=2)
+rospy.Service('c', Empty, print)
+rospy.ServiceProxy('d', Empty)
+rospy.wait_for_message('e', String)
+rospy.Timer(rospy.Duration(0.5), print)
+rospy.Publisher(rospy.get_param('~t', 'x'), String, queue_size=1)
+"""
+    (facts,) = units(a_py=text)
+    assert [(e.role.value, str(e.name), e.type.known, e.queue) for e in facts.endpoints] == [
+        ("publisher", "a", "std_msgs/String", 3),
+        ("subscription", "b", "std_msgs/String", 2),
+        ("service_server", "c", "std_srvs/Empty", -1),
+        ("service_client", "d", "std_srvs/Empty", -1),
+        ("subscription", "e", "std_msgs/String", -1),
+        ("publisher", "{parameter ~t}", "std_msgs/String", 1),
+    ]
+    assert [one.period_s for one in facts.timers] == [0.5]

@@ -1,0 +1,78 @@
+import pytest
+
+from roslens.source.extract.workspace_index import assigned_names, dotted, type_arguments, type_name
+
+
+@pytest.mark.parametrize(
+    ("written", "name", "inside"),
+    [
+        ("int", "int", ""),
+        ("const std::string &", "std.string", ""),
+        ("std::shared_ptr<a::B>", "a.B", ""),
+        ("a::B::SharedPtr", "a.B", ""),
+        ("a::B<c::D>::SharedPtr", "a.B", "c::D"),
+        ("std::unique_ptr<a::B<c::D>>", "a.B", "c::D"),
+        ("std::vector<a::B>", "std.vector", "a::B"),
+        ("", "", ""),
+    ],
+)
+def test_the_class_of_a_declared_type(written, name, inside):
+    assert type_name(written) == (name, inside)
+
+
+def test_template_arguments_one_by_one():
+    assert type_arguments("a::B<c, d>, e, f(g, h)") == ["a::B<c, d>", "e", "f(g, h)"]
+    assert type_arguments("") == []
+
+
+def test_names_with_dots():
+    assert dotted("a::B<c::D>::E &") == "a.B.E"
+
+
+CPP = """
+#include <std_msgs/String.h>
+namespace n {
+const std::string TOPIC = "t";
+std::string g_set;
+class A { public: void f() { x_ = 1; if (y) { z_ = 2; } } static constexpr int K = 3; };
+class B : public A, public outer::C { void f(); };
+void free() {}
+}
+"""
+
+
+def test_what_names_mean(index_of):
+    index = index_of(a_cpp=CPP)
+    assert index.class_of("A", "pkg/a.cpp", "n").what.qualified_name == "n.A"
+    assert index.class_of("A", "other.cpp", "").what.qualified_name == "n.A"
+    assert index.class_of("m.A", "other.cpp", "") is None
+    assert [one.what.name for one in index.functions_of("free", "pkg/a.cpp", "n")] == ["free"]
+    assert index.constant("TOPIC", "pkg/a.cpp", "n.A")[1].value == "t"
+    assert index.global_name("g_set", "pkg/a.cpp", "n.f") == "n.g_set"
+    assert index.global_name("other", "pkg/a.cpp", "n.f") == ""
+
+
+def test_classes_with_their_bases(index_of):
+    index = index_of(a_cpp=CPP)
+    derived = index.class_of("n.B", "pkg/a.cpp", "")
+    assert [one.what.name for one in index.chain(derived)] == ["B", "A"]
+    assert index.outer_bases(derived) == ["outer.C"]
+    assert [one.what.name for one in index.methods(index.chain(derived)[1], "f")] == ["f"]
+
+
+def test_members_that_methods_assign(index_of):
+    text = "class A:\n  def __init__(self):\n    self.a = 1\n  def f(self):\n    if x:\n      self.b = 2\n"
+    index = index_of(a_py=text)
+    defined = index.class_of("A", "pkg/a.py", "")
+    assert index.changed(defined) == {"b"}
+    (method,) = index.methods(defined, "f")
+    assert assigned_names(method.what.body) == {"b"}
+
+
+def test_modules_of_python_are_found_by_the_end_of_their_path(index_of):
+    index = index_of(a_py="class A:\n    pass\n", b_py="from pkg.a import A\n")
+    assert index.class_of("A", "pkg/b.py", "").path == "pkg/a.py"
+
+
+def test_packages_are_first_folders_where_nothing_else_is_said(index_of):
+    assert index_of(a_cpp="").package("pkg/a.cpp") == "pkg"

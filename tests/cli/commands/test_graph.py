@@ -152,7 +152,7 @@ def test_what_cannot_be_is_told(workspace, capsys, arguments, message):
 
 
 def test_the_example_has_nodes_of_both_generations(capsys):
-    found = document(capsys, EXAMPLE)
+    found = document(capsys, EXAMPLE, "--no-cache")
     assert [one["generation"] for one in found] == ["ros1", "ros2"]
     names = {node["name"]: node for one in found for node in one["nodes"]}
     battery = names["/battery_monitor"]

@@ -16,6 +16,7 @@ from roslens.source.rules.graph import (
     global_name,
     node_name,
     one_end,
+    parameter_elsewhere,
     parameter_file,
     parameter_type,
     parameter_undeclared,
@@ -32,8 +33,9 @@ from roslens.source.rules.graph.surroundings import Surroundings
 Found = Callable[[Configuration, Surroundings], Iterator[Finding]]
 
 _MODULES = (
-    qos, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_file, node_name,
-    command_topic, transform, dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
+    qos, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_file, parameter_elsewhere,
+    node_name, command_topic, transform, dependency, executable, argument, sim_time, queue, deadlock, global_name,
+    private_data,
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""

@@ -129,6 +129,17 @@ def test_by_keys_alone(visit: Visit) -> None:
     expect(page.locator("#graph-svg")).to_be_visible()
 
 
+def test_tables_follow_the_filters(visit: Visit) -> None:
+    page = visit("/computation/rover?table=1")
+    rows = page.locator("#endpoints tbody tr:visible")
+    expect(rows.filter(has_text="/scan")).to_have_count(2)
+    expect(rows.filter(has_text="/rosout")).to_have_count(0)
+    page.get_by_label("Names to leave out").fill("/scan")
+    page.get_by_label("Names to leave out").press("Enter")
+    expect(rows.filter(has_text="/scan")).to_have_count(0)
+    expect(page.locator("#endpoints .count")).to_have_text(re.compile(r"\d+ of \d+ shown"))
+
+
 def test_without_scripts_picture_and_tables_stand(visit: Visit) -> None:
     page = visit("/computation/rover", java_script_enabled=False)
     expect(page.locator("#graph-svg")).to_be_visible()

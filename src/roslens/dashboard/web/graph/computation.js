@@ -30,17 +30,47 @@ const SHAPE = {
 class ComputationView extends Stage {
   constructor(root, data) {
     super(root, data, "elements");
+    data.wires.forEach((wire, place) => (wire.ends = data.ends[place]));
     this.scene = Object.fromEntries(["boxes", "wires", "titles"].map((name) => [name, this.svg.querySelector(`.${name}`)]));
     this.shown = [];
     this.drawnAs = null;
-    const rows = (name) => new Map([...(root.querySelectorAll(`[id$="${name}"] tbody tr[data-id]`) || [])].map((row) => [Number(row.dataset.id), row]));
-    this.rows = { nodes: rows("nodes"), endpoints: rows("endpoints") };
     this.start();
     const find = this.form.elements.find;
     find.addEventListener("input", settled(() => this.find(find.value), 120));
     find.addEventListener("keydown", (event) => event.key === "Enter" && this.nextFound());
     onKey("l", () => (this.root.checkVisibility() ? this.openLine() : false));
-    this.find(find.value, false);
+    if (find.value) this.find(find.value, false);
+  }
+
+  /** Rows of a table by the number of their node or endpoint, read when they are first asked for. */
+  get rows() {
+    const of = (name) => new Map([...this.root.querySelectorAll(`.table[id$="${name}"] tbody tr[data-id]`)].map((row) => [Number(row.dataset.id), row]));
+    this.read ||= { nodes: of("nodes"), endpoints: of("endpoints") };
+    return this.read;
+  }
+
+  showStart() {
+    this.placed = true;
+    super.showStart();
+  }
+
+  showTable(shown, remember = true) {
+    super.showTable(shown, remember);
+    this.fillTables();
+  }
+
+  /** The tables show what the filters and the focus leave. */
+  fillTables() {
+    if (!this.visible || !this.root.classList.contains("as-table")) return;
+    const ends = new Set(this.joined.filter((wire) => this.visible.has(wire.source) || this.visible.has(wire.target)).flatMap((wire) => wire.ends));
+    const tables = [[this.rows.nodes, this.visible], [this.rows.endpoints, ends]];
+    for (const [rows, kept] of tables) {
+      if (!rows.size) continue;
+      for (const [number, row] of rows) row.hidden = !kept.has(number);
+      const shown = [...rows.keys()].filter((number) => kept.has(number)).length;
+      const [first] = rows.values();
+      first.closest(".table").querySelector(".count").textContent = shown < rows.size ? `${figure(shown)} of ${figure(rows.size)} shown` : figure(shown);
+    }
   }
 
   readAddress(now) {
@@ -89,6 +119,7 @@ class ComputationView extends Stage {
     this.visible = this.focus < 0 ? ends : around(nodes, this.dependents, this.focus, this.hops);
     this.lines = all.filter((one) => this.visible.has(one.source) && this.visible.has(one.target));
     this.draw();
+    this.fillTables();
     this.showCrumbs();
   }
 
@@ -186,7 +217,7 @@ class ComputationView extends Stage {
   }
 
   nameNodes() {
-    if (!this.camera) return;
+    if (!this.placed) return;
     const near = this.selected < 0 ? [] : [this.selected, ...this.neighbours(this.selected)];
     const weight = (number) => (this.graph.nodes[number].kind === "node" ? 1000 : 0) + this.graph.nodes[number].needs.length + this.dependents[number].length;
     const rest = this.selected < 0 ? [...this.visible].sort((a, b) => weight(b) - weight(a)) : [];
@@ -270,11 +301,11 @@ class ComputationView extends Stage {
   /** The endpoints of a node or at a topic, by what they do, from the rows of the table. */
   endsOf(number, isNode) {
     const groups = new Map();
-    this.graph.wires.forEach((wire, place) => {
+    this.graph.wires.forEach((wire) => {
       if (wire.source !== number && wire.target !== number) return;
       if (wire.implicit && this.settings.noise.includes("implicit")) return;
       const other = wire.source === number ? wire.target : wire.source;
-      for (const end of this.graph.ends[place]) {
+      for (const end of wire.ends) {
         const row = this.rows.endpoints.get(end);
         const does = row ? row.cells[1].textContent.trim() : "";
         groups.set(does, [...(groups.get(does) || []), this.endItem(other, row)]);

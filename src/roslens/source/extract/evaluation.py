@@ -30,7 +30,7 @@ from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import find_outer
 from roslens.source.extract.workspace_index import Defined, Index, type_arguments, type_name
 
-MOST_STEPS = 150_000
+MOST_STEPS = 60_000
 MOST_DEPTH = 14
 MOST_TURNS = 64
 _STOPPED = object()

@@ -143,6 +143,30 @@ def test_nothing_is_parsed_twice(robot: Path, tmp_path: Path, lowered: list[str]
     assert lowered == []
 
 
+@pytest.mark.parametrize("programs", [False, True])
+def test_after_a_run_that_kept_programs_nothing_is_parsed(
+    robot: Path, tmp_path: Path, lowered: list[str], programs: bool
+):
+    from roslens.source.pipeline import Clock, analyse
+    from roslens.store.runs import Store
+
+    cache = tmp_path / "cache.sqlite"
+    with Cache.open(cache) as opened, Store.open(tmp_path / "store.sqlite") as store:
+        analyse(
+            [robot],
+            SourceSettings(),
+            store=store,
+            cache=opened,
+            clock=Clock("", LATER_S),
+            base=robot,
+            jobs=1,
+            programs=programs,
+        )
+    found = extracted(robot, cache)
+    assert bool(lowered) is not programs
+    assert found == extracted(robot)
+
+
 def test_a_changed_file_changes_what_it_must(robot: Path, tmp_path: Path, lowered: list[str]):
     cache = tmp_path / "cache.sqlite"
     before = extracted(robot, cache)

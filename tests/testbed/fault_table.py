@@ -128,8 +128,7 @@ CASES = (
     ),
     Case(
         "5 % loss on the sensor's link", lambda w: faults.loss(w.bed, "sensor", 5),
-        {"ros1": frozenset({(SCAN, "age"), (SCAN, "age_max")}),
-         "ros2": frozenset({(SCAN, "loss")})}, 8.0,
+        {"ros1": frozenset({("host:sensor", "resent")}), "ros2": frozenset({(SCAN, "loss")})}, 8.0,
     ),
     # The time is asked for every 2 s, told every second; faketime looks at its file once a second.
     Case(

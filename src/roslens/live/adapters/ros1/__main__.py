@@ -34,6 +34,8 @@ DEFAULT_MASTER = "http://localhost:11311"
 PARAMETERS_WAIT_S = 10.0
 """The longest the parameter server may take to tell all."""
 _SETTLE_S = 0.25
+HEARD_S = 0.1
+"""How long what nodes tell of themselves waits to be told on."""
 """A node that registers is told of at its first registration; so much later it has made the others."""
 
 
@@ -170,7 +172,7 @@ def _turn(period: float, observation: Observation, ear: Ear, speaker: Speaker, w
             due = max(begun + period, time.monotonic() + period / 10)
             continue
         with suppress(queue.Empty):
-            what, name, uris = wakes.get(timeout=left)
+            what, name, uris = wakes.get(timeout=min(left, HEARD_S))
             if what == "ended":
                 frame = observation.ended([name])
                 if frame:
@@ -178,6 +180,8 @@ def _turn(period: float, observation: Observation, ear: Ear, speaker: Speaker, w
             else:
                 moved |= observation.moved(name, uris)
                 due = min(due, time.monotonic() + _SETTLE_S)
+        if time.monotonic() < due and (said := ear.heard()):
+            speaker.say(said)
 
 
 def main(words: list[str]) -> int:

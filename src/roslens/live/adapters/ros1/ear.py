@@ -61,12 +61,21 @@ class Ear:
         self._rounds += 1
         sources = list(self._sources())
         self._listening.want(sources)
-        taken = self._listening.take()
-        events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
         told = any(source.use is Use.STATISTICS for source in sources)
+        events = list(frame.events)
         if self._statistics and not told and self._rounds == SILENT_ROUNDS:
             # No failure: ROS 1 as it comes publishes none, and a watch of it is not incomplete for that.
             events.append(Event(frame.time, Change.CHANGED, f"host:{frame.sender.partition('/')[0]}", _UNTOLD))
+        return self._with_heard(msgspec.structs.replace(frame, events=events))
+
+    def heard(self) -> Frame | None:
+        """Return the frame of what was heard since; None where nothing was."""
+        frame = self._with_heard(self._observation.between())
+        return frame if frame.tallies or frame.events or frame.failures or frame.shed else None
+
+    def _with_heard(self, frame: Frame) -> Frame:
+        taken = self._listening.take()
+        events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
         return msgspec.structs.replace(
             frame,
             events=[*frame.events, *events],

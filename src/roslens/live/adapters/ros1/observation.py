@@ -115,6 +115,10 @@ class Observation:
             events.insert(0, Event(now, Change.CHANGED, f"host:{self._hostname}", step.news))
         return self._frame(now, tallies, [*events, *set_since], graph, fresh)
 
+    def between(self) -> Frame:
+        """Return a frame with nothing in it, for what is heard between two rounds."""
+        return self._frame(self._clock(), [], [], None, [])
+
     def ended(self, names: Iterable[str]) -> Frame | None:
         """Ask only nodes that seem to have ended; None where that was not so."""
         contacts = [self._contacts[name] for name in sorted(set(names)) if name in self._contacts]

@@ -18,6 +18,7 @@ def test_the_graph_of_a_launch_file_is_one_file(tmp_path: Path, capsys: pytest.C
     text = out.read_text(encoding="utf-8")
     assert 'id="computation/rover.launch.py"' in text
     assert "/rover_follower" in text
+    assert 'class="element-findings"' in text
 
 
 def test_packages_of_both_generations_are_two_graphs(tmp_path: Path) -> None:

@@ -89,9 +89,9 @@ def run(options: argparse.Namespace) -> int:
             from roslens.cli.graph_check import check
 
             return check(source, found, options)
-    require_nodes(found, options.node)
-    if options.html:
-        return _html(tuple(chosen(one, options.node, implicit=True) for one in found), options)
+        require_nodes(found, options.node)
+        if options.html:
+            return _html(source, found, options)
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
     write(_text(shown, options), options.output)
     return CLEAN
@@ -157,14 +157,20 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
     return "\n".join(writer(one) for one in configurations)
 
 
-def _html(configurations: tuple[Configuration, ...], options: argparse.Namespace) -> int:
+def _html(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> int:
+    from roslens.cli.configuration import find_configuration
+    from roslens.cli.graph_check import findings_of
+    from roslens.cli.graph_choice import chosen
     from roslens.dashboard.computation.pages import computation_file
+    from roslens.source.workspace.find import root_of
 
-    names = [Path(one.title.partition(" ")[0]).name or one.generation for one in configurations]
+    settings = find_configuration(root_of([options.path]), options.config)
+    names = [Path(one.title.partition(" ")[0]).name or one.generation for one in found]
     if len(set(names)) < len(names):
-        names = [f"{name}-{one.generation}" for name, one in zip(names, configurations, strict=True)]
-    title = Path(options.path).resolve().name
-    computation_file(dict(zip(names, configurations, strict=True)), Path(options.html), title=title)
+        names = [f"{name}-{one.generation}" for name, one in zip(names, found, strict=True)]
+    shown = {name: chosen(one, options.node, implicit=True) for name, one in zip(names, found, strict=True)}
+    findings = {name: findings_of(source, one, options, settings) for name, one in zip(names, found, strict=True)}
+    computation_file(shown, Path(options.html), findings, title=Path(options.path).resolve().name)
     print(options.html)
     return CLEAN
 

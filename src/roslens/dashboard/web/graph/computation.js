@@ -13,6 +13,7 @@ const split = (text) => (text || "").split(",").map((part) => part.trim()).filte
 const same = (a, b) => a.length === b.length && a.every((one, place) => one === b[place]);
 const counted = (count, what) => `${figure(count)} ${what}${count === 1 ? "" : "s"}`;
 const MOST = 40;
+const SEVERITIES = ["error", "warning", "note"];
 
 const SHAPE = {
   across: (node) => node.w / 2,
@@ -256,7 +257,7 @@ class ComputationView extends Stage {
   }
 
   describeAll() {
-    const among = this.found?.length ? this.found : [...this.visible].filter((number) => this.graph.nodes[number].severity);
+    const among = this.found?.length ? this.found : [...this.visible].filter((number) => this.graph.nodes[number].severity).sort((a, b) => SEVERITIES.indexOf(this.graph.nodes[a].severity) - SEVERITIES.indexOf(this.graph.nodes[b].severity));
     const nodes = [...this.visible].filter((number) => this.graph.nodes[number].kind === "node").length;
     const heading = this.canvas.classList.contains("graph-find") ? `Found (${figure(this.found.length)})` : "With findings";
     return [

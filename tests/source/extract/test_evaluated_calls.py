@@ -57,3 +57,20 @@ class Derived(Base):
     found = {one.unit: one for one in units(a_py=text)}
     assert found["Derived"].name.known == "derived"
     assert names(found["Derived"]) == [("publisher", "chatter")]
+
+
+def test_an_alias_of_a_class_with_its_template_arguments(main_of):
+    before = "namespace n { typedef actionlib::SimpleActionServer<demo::GoAction> Server; }\nusing n::Server;"
+    (one,) = main_of('auto s = new n::Server(nh, "go", run, false);', before).endpoints
+    assert (one.role.value, str(one.name)) == ("action_server", "go")
+
+
+def test_an_alias_in_the_class_that_uses_it(units):
+    text = """
+#include <ros/ros.h>
+class A { typedef actionlib::SimpleActionServer<demo::GoAction> Server; Server * server_;
+public: A() { server_ = new Server(ros::NodeHandle(), "go", run, false); } };
+int main(int argc, char ** argv) { ros::init(argc, argv, "a"); A a; }
+"""
+    facts = next(one for one in units(a_cpp=text) if one.unit == "main")
+    assert [(str(one.name), one.type.known) for one in facts.endpoints] == [("go", "demo/Go")]

@@ -85,6 +85,9 @@ class Calls(Expressions):
         found = engine.function(name, len(arguments) + len(keywords)) or self.defined(name)
         if isinstance(found, Callable | Class):
             return self._apply(found, expression, arguments, keywords, templates)
+        alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
+        if "<" in alias:
+            templates = tuple(self.template(one) for one in type_arguments(type_name(alias)[1]))
         meaning = engine.index.meaning(name, engine.frame.path, engine.frame.scope)
         return self.outer(meaning, expression, arguments, keywords, templates)
 

@@ -343,6 +343,10 @@ class Evaluation(Calls):
         if not name or name in _PLAIN:
             return self.plain(name, arguments)
         name = self.frame.templates.get(name, name)
+        alias = "" if templates else self.index.alias(name, self.frame.path, self.frame.scope)
+        if "<" in alias:
+            name, inside = type_name(alias)
+            templates = tuple(self.template(one) for one in type_arguments(inside))
         defined = self.index.class_of(name, self.frame.path, self.frame.scope)
         if defined is not None:
             return self.construct(defined, arguments, keywords, templates)

@@ -57,6 +57,7 @@ class Index:
         self._methods: dict[str, list[Defined]] = {}
         self._modules: dict[str, list[str]] = {}
         self._aliases: dict[str, str] = {}
+        self._header_aliases: dict[tuple[str, str], set[str]] = {}
         self._globals: set[str] = set()
         self._changed: dict[str, frozenset[str]] = {}
         self._chains: dict[str, list[Defined]] = {}
@@ -84,6 +85,8 @@ class Index:
             if statement.value is not None:
                 self._constants.setdefault(before + statement.target.name, (path, statement.value))
         for alias, meaning in program.imports.items() if not before else ():
+            if "." not in alias and path.endswith((".h", ".hpp", ".hh", ".hxx")):
+                self._header_aliases.setdefault((self.package(path), alias), set()).add(meaning)
             if "." in alias:
                 # What a class or namespace names otherwise holds in all files that are in it.
                 self._aliases.setdefault(alias, meaning)
@@ -166,14 +169,24 @@ class Index:
 
     def meaning(self, name: str, path: str, scope: str) -> str:
         """Return a name with its aliases of the file resolved, as far as they go."""
-        program = self.programs.get(path)
+        whole = self.alias(name, path, scope)
+        if whole:
+            return dotted(whole)
         head, dot, rest = name.partition(".")
+        found = self.alias(head, path, scope)
+        return dotted(found) + dot + rest if found and dotted(found) != name else name
+
+    def alias(self, name: str, path: str, scope: str) -> str:
+        """Return what a name without scope is an alias of, as written; empty where it is none."""
+        program = self.programs.get(path)
         for prefix in _prefixes(scope) if program else ():
-            full = f"{prefix}.{head}" if prefix else head
+            full = f"{prefix}.{name}" if prefix else name
             found = (program.imports.get(full) if program else None) or self._aliases.get(full)
             if found is not None and dotted(found) != name:
-                return dotted(found) + dot + rest
-        return name
+                return found
+        # Headers of a package are included by its files, as a rule.
+        meanings = self._header_aliases.get((self.package(path), name), set())
+        return next(iter(meanings)) if len(meanings) == 1 else ""
 
     def class_of(self, name: str, path: str, scope: str) -> Defined | None:
         """Return the class that a name means; by its last part alone where that is the only one of its kind."""

@@ -46,7 +46,8 @@ class Node(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     """A node and where it runs.
 
     ``proofs`` name what shows that the node lives in process ``pid`` on ``host`` (``counters``, ``address``, ``gid``,
-    ``processes``, ``api``, ``command line``, ``memory map``, ``started``); ``pid`` 0 is unknown. ``lifecycle`` is the state of a managed node.
+    ``processes``, ``api``, ``command line``, ``memory map``, ``started``); ``pid`` 0 is unknown.
+    ``lifecycle`` is the state of a managed node.
     """
 
     name: str

@@ -29,7 +29,8 @@ testbed: .venv/stamp
 
 test: lint parts
 	$(BIN)/pytest -n auto -m "not slow and not browser"
-	$(BIN)/pytest -m "(slow or browser) and not table"
+	$(BIN)/pytest -n auto -m "browser and not slow"
+	$(BIN)/pytest -m "slow and not table"
 
 # Speed, size and long fuzzing alone; wants an otherwise idle machine.
 slow: lint parts

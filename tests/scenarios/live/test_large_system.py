@@ -10,7 +10,7 @@ import socket
 import subprocess
 import sys
 import time
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -62,7 +62,12 @@ def running(*command, environment):
     try:
         yield process
     finally:
-        os.killpg(process.pid, signal.SIGKILL)
+        # Asked first: roscore starts its master in a session of its own, which nobody else ends.
+        os.killpg(process.pid, signal.SIGINT)
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(10)
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
         process.wait(20)
         process.stdout.close()
 

@@ -162,3 +162,13 @@ def test_the_example_has_nodes_of_both_generations(capsys):
         ("subscription", "/motor_status", "rover_msgs/msg/MotorStatus"),
     }
     assert "/docking" in names
+
+
+@pytest.mark.parametrize("more", [[], ["--check"]])
+def test_what_could_not_be_read_at_all_is_no_clean_graph(tmp_path, more):
+    assert main(["graph", str(tmp_path), *more, "--no-cache"]) == 3
+    package = tmp_path / "p" / "launch"
+    package.mkdir(parents=True)
+    (tmp_path / "p" / "package.xml").write_text('<package format="3"><name>p</name></package>')
+    (package / "a.launch.py").write_text("def generate_launch_description(")
+    assert main(["graph", str(tmp_path), "--launch", "p/a.launch.py", *more, "--no-cache"]) == 3

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.boundary import CLEAN, FINDINGS
+from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.graph_check import add_check_arguments
 from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
@@ -88,13 +88,20 @@ def run(options: argparse.Namespace) -> int:
         if options.check:
             from roslens.cli.graph_check import check
 
-            return check(source, found, options)
+            return check(source, found, options) or _complete(source, found)
         require_nodes(found, options.node)
         if options.html:
-            return _html(source, found, options)
+            _html(source, found, options)
+            return _complete(source, found)
+        code = _complete(source, found)
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
     write(_text(shown, options), options.output)
-    return CLEAN
+    return code
+
+
+def _complete(source: GraphSource, found: tuple[Configuration, ...]) -> int:
+    """Return the exit code that says whether there is a graph at all: none that could be read is not a clean one."""
+    return CLEAN if any(one.nodes for one in found) and not source.facts.broken else NOT_ANALYSED
 
 
 def open_source(options: argparse.Namespace) -> GraphSource:
@@ -157,7 +164,7 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
     return "\n".join(writer(one) for one in configurations)
 
 
-def _html(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> int:
+def _html(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
     from roslens.cli.configuration import find_configuration
     from roslens.cli.graph_check import findings_of
     from roslens.cli.graph_choice import chosen
@@ -172,7 +179,6 @@ def _html(source: GraphSource, found: tuple[Configuration, ...], options: argpar
     findings = {name: findings_of(source, one, options, settings) for name, one in zip(names, found, strict=True)}
     computation_file(shown, Path(options.html), findings, title=Path(options.path).resolve().name)
     print(options.html)
-    return CLEAN
 
 
 def _writer(form: str) -> Callable[[Configuration], str]:

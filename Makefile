@@ -27,6 +27,7 @@ demo-ros2: .venv/stamp
 testbed: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m testbed $(ARGS)
 
+test: export ROSLENS_SAME_EXAMPLES = 1
 test: lint parts
 	$(BIN)/pytest -n auto -m "not slow and not browser"
 	$(BIN)/pytest -n auto -m "browser and not slow"

@@ -9,6 +9,7 @@ import time
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pace import turned_s
 
 from roslens.judge.pattern import Pattern
 
@@ -191,7 +192,7 @@ def test_hostile_names_take_no_longer_than_their_length(text: str):
     started = time.process_time()
     assert not pattern.matches("/" + "a" * 10_000 + "c")
     assert pattern.matches("/" + "a" * 10_000 + "b")
-    assert time.process_time() - started < 1.0
+    assert turned_s(started) < 1.0
 
 
 def test_many_different_names_do_not_fill_the_memory():

@@ -24,7 +24,7 @@ def test_statistics_become_a_tally():
     tally = read_statistics(packed(times=(*PERIOD, *AGE)), 1000.0, "vm")
     assert (tally.topic, tally.publisher, tally.subscriber) == ("/chat", "/talker", "/listener")
     assert (tally.start, tally.end, tally.count, tally.bytes, tally.lost) == (997.5, 1000.0, 50, 1500, 1)
-    assert tally.period.count == 49
+    assert tally.period.count == 50
     assert tally.period.mean == pytest.approx(0.05)
     assert tally.period.deviation == pytest.approx(0.01)
     assert tally.period.greatest == pytest.approx(0.08)
@@ -38,6 +38,12 @@ def test_a_topic_without_a_header_has_no_age_and_no_loss():
     tally = read_statistics(packed(times=PERIOD), 1000.0)
     assert tally.age == NOTHING
     assert tally.lost == -1
+
+
+def test_the_time_before_a_single_message_is_known():
+    tally = read_statistics(packed(window=(100, 0, 100, 200_000_000), counts=(1, 0, 30), times=PERIOD), 1000.0)
+    assert (tally.count, tally.period.count) == (1, 1)
+    assert tally.period.mean == pytest.approx(0.05)
 
 
 def test_an_age_may_be_negative_since_clocks_differ():

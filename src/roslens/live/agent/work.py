@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import select
 import socket
+import time
 from collections.abc import Callable, Iterable
 
 import msgspec
@@ -26,7 +27,8 @@ ASK_TIME_EVERY_S = 0.5
 COUNT_EVERY_S = 0.15
 """An alarm may come 0.2 s after its window: counting, the line and the monitor share that."""
 COUNT_SHARE = 0.01
-"""Nodes of many processes are counted less often, so that it takes no more than this share of a core."""
+"""Nodes of many processes are counted less often, so that it takes no more than this share of a core. Its CPU time
+counts: where others keep the host busy, that an agent waits for its turn is no reason to tell late besides."""
 COUNT_AT_LEAST_EVERY_S = 1.0
 _PIECE = 65_536
 
@@ -48,10 +50,12 @@ class Agent:
         say: Callable[[str], None] = lambda _: None,
         counters: Counters | None = None,
         identities: Callable[[], tuple[str, ...]] = tuple,
+        spent: Callable[[], float] = time.thread_time,
     ) -> None:
         """Work for the monitor at ``address``; ``wall`` is the clock of the host, ``steady`` one that never jumps.
 
-        ``counters`` reads what the nodes of the host count, ``identities`` is what identifiers made here begin with.
+        ``counters`` reads what the nodes of the host count, ``identities`` is what identifiers made here begin with,
+        ``spent`` the CPU time that the agent has taken.
 
         Raises:
             LinkError: the key is too short.
@@ -68,6 +72,7 @@ class Agent:
         self._say = say
         self._counters = counters
         self._identities = identities
+        self._spent = spent
         self._outbox = Outbox()
         self._offset = ClockOffset()
         self._sequence = 0
@@ -140,11 +145,11 @@ class Agent:
 
     def _count(self, counters: Counters) -> None:
         """Tell what nodes counted, of each place in a frame of its own."""
-        wall, begun = self._wall(), self._steady()
+        wall, begun = self._wall(), self._spent()
         for place, tallies in counters.read(wall):
             if tallies:
                 self._tell(tallies=tallies, counted_at=place)
-        took = self._steady() - begun
+        took = self._spent() - begun
         self._count_every_s = min(max(COUNT_EVERY_S, took / COUNT_SHARE), COUNT_AT_LEAST_EVERY_S)
 
     def _graph(self) -> Graph:

@@ -43,6 +43,10 @@ def test_every_setting_is_in_the_template(tmp_path: Path):
         ("options = 3", ":1:1", "[options.<plug-in>]"),
         ('gate_roles = ["mine"]', ":1:1", "mine"),
         ("[counting]\nduplicate_lines = 'x'\n", ":2:1", "int"),
+        ('[graph.configurations.a]\nlaunch = "b"\nargument = {}\n', ":3:1", "Did you mean 'arguments'"),
+        ("[graph.configurations.a]\narguments = {}\n", ":1:1", "`launch`"),
+        ('[graph.configurations.a]\nlaunch = "b"\narguments = { c = [1] }\n', ":1:1", "int"),
+        ('[graph.hints."/a"]\npublish = []\n', ":2:1", "Did you mean 'publishes'"),
     ],
 )
 def test_errors_say_where_what_and_what_instead(tmp_path: Path, text: str, place: str, says: str):

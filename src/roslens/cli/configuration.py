@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import difflib
 import re
+import typing
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -152,10 +153,22 @@ class _Reader:
         if not isinstance(table, dict):
             raise DocumentError(f"{name} = {table!r}", where=self._where((name,)), expected=f"a table [{name}]")
         fields = {field.name: field.type for field in msgspec.structs.fields(kind)}
-        for key in table:
+        for key, value in table.items():
             if key not in fields:
                 raise self._unknown((name, key), tuple(fields))
+            self._check_entries((name, key), value, fields[key])
         return kind(**{key: self._value((name, key), value, fields[key]) for key, value in table.items()})
+
+    def _check_entries(self, keys: tuple[str, ...], table: object, kind: Any) -> None:
+        """Tell which key of which entry is unknown where a table holds tables by name."""
+        inside = typing.get_args(kind)
+        if not isinstance(table, dict) or len(inside) != 2 or not hasattr(inside[1], "__struct_fields__"):
+            return
+        for name, entry in table.items():
+            for key in entry if isinstance(entry, dict) else ():
+                if key not in inside[1].__struct_fields__:
+                    raise self._unknown((*keys, name, key), inside[1].__struct_fields__)
+            self._value((*keys, name), entry, inside[1])
 
     def _options(self, options: object) -> dict[str, dict[str, object]]:
         if not isinstance(options, dict) or not all(isinstance(table, dict) for table in options.values()):

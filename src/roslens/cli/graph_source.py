@@ -7,11 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.model.errors import UsageError
+from roslens.model.source import Role
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
     from roslens.source.extract.launched import Launch
     from roslens.source.extract.workspace_facts import WorkspaceFacts
+    from roslens.source.progress import Progress
     from roslens.source.settings import SourceSettings
 
 
@@ -27,6 +29,7 @@ class GraphSource:
         *,
         cache: Path | None = None,
         jobs: int = 1,
+        progress: Progress | None = None,
     ) -> None:
         """Find the packages of a workspace.
 
@@ -37,6 +40,7 @@ class GraphSource:
             environment: variables that conditions of manifests see.
             cache: the file in which is kept what was learned of files; None keeps nothing.
             jobs: worker processes; 0 means one per processor.
+            progress: who watches files being read.
 
         Raises:
             UsageError: there is no such folder.
@@ -51,6 +55,7 @@ class GraphSource:
         self._settings = settings
         self._hinted_in = hinted_in
         self._environment = environment
+        self._evaluated: dict[tuple[str, tuple[tuple[str, str], ...]], Launch] = {}
         now_s = time.time()
         self._cache = Cache.open(cache, now_s=now_s)
         manifests = KnownManifests(self._cache)
@@ -58,7 +63,9 @@ class GraphSource:
         manifests.keep()
         self.root = Path(workspace.root)
         self.failures = workspace.failures
-        self.facts: WorkspaceFacts = WorkspaceFacts(workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs)
+        self.facts: WorkspaceFacts = WorkspaceFacts(
+            workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs, progress=progress
+        )
 
     def __enter__(self) -> GraphSource:
         """Return the source itself."""
@@ -94,8 +101,11 @@ class GraphSource:
         from roslens.source.extract.launch_ros2 import evaluate_ros2
 
         path = self._launch_file(launch)
-        evaluate = evaluate_ros1 if self._is_ros1(path) else evaluate_ros2
-        return path, evaluate(path, self.facts.files, arguments, None)
+        key = (path, tuple(sorted(arguments.items())))
+        if key not in self._evaluated:
+            evaluate = evaluate_ros1 if self._is_ros1(path) else evaluate_ros2
+            self._evaluated[key] = evaluate(path, self.facts.files, arguments, None)
+        return path, self._evaluated[key]
 
     def packages(self, names: Sequence[str]) -> tuple[Configuration, ...]:
         """Return all that the builds of packages make: a configuration for each generation of ROS.
@@ -129,6 +139,18 @@ class GraphSource:
             )  # fmt: skip
             found.append(made)
         return tuple(one for one in found if one.nodes)
+
+    def first_launch_files(self) -> tuple[str, ...]:
+        """Return the paths of the launch files that start something and that no other of the users' own includes."""
+        found: dict[str, int] = {}
+        included: set[str] = set()
+        for package in self.facts.packages:
+            for path in self.facts.launch_files(package.name):
+                if self.facts.role(path) is Role.OWN:
+                    launch = self.evaluated(f"{self.root}/{path}", {})[1]
+                    found[path] = len(launch.nodes)
+                    included |= {other for other in launch.included if other != path}
+        return tuple(sorted(path for path, nodes in found.items() if nodes and path not in included))
 
     def launch_files(self) -> Iterator[str]:
         """Yield the launch files of the workspace as PACKAGE/FILE."""

@@ -7,12 +7,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from roslens.cli.graph_configurations import Assembled
     from roslens.dashboard.site import Site
     from roslens.store.read import RunView
 
 
-def site_of(view: RunView) -> Site:
-    """Return the site that shows ``view``: its quantities, the thresholds of every model, its sources."""
+def site_of(view: RunView, shown: Assembled | None = None) -> Site:
+    """Return the site that shows ``view``: its quantities, the thresholds of every model, its sources.
+
+    Args:
+        view: the run.
+        shown: configurations whose computation graphs are shown.
+    """
     from roslens.dashboard.site import Site
     from roslens.judge.quality_model import builtin_models, load_model
     from roslens.model.errors import DocumentError
@@ -25,7 +31,14 @@ def site_of(view: RunView) -> Site:
         except DocumentError:
             # A model that needs a plug-in which did not run has nothing to say about this run.
             continue
-    return Site(view, quantities=quantities, models=tuple(models), read_source=source_reader(Path(view.header.root)))
+    return Site(
+        view,
+        quantities=quantities,
+        models=tuple(models),
+        read_source=source_reader(Path(view.header.root)),
+        configurations=shown.configurations if shown else None,
+        about=shown.findings if shown else None,
+    )
 
 
 def source_reader(root: Path) -> Callable[[str], bytes | None]:

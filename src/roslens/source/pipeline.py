@@ -28,6 +28,7 @@ from roslens.source.workspace.find import FoundPackage, Workspace, find_workspac
 
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
+    from roslens.model.finding import RuleInfo
     from roslens.model.quantity import Quantity
     from roslens.model.source import SourceFile
     from roslens.plugins.discovery import Discovered
@@ -53,6 +54,20 @@ class Clock(msgspec.Struct, frozen=True):
     elapsed_s: Callable[[], float] = lambda: 0.0
 
 
+class Beyond(msgspec.Struct, frozen=True):
+    """A further look at the workspace as a whole, taken when a run is made, after its packages were measured.
+
+    Attributes:
+        key: of what shapes it besides files and settings.
+        rules: that its findings may name.
+        look: returns what belongs to no package.
+    """
+
+    key: str
+    rules: tuple[RuleInfo, ...]
+    look: Callable[[], Outcome]
+
+
 class Answer(msgspec.Struct, frozen=True):
     """Which run answers the question, whether it had to be made, and how many packages were measured for it."""
 
@@ -74,6 +89,7 @@ def analyse(
     progress: Progress | None = None,
     log: Path | None = None,
     programs: bool = False,
+    beyond: Beyond | None = None,
 ) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 
@@ -88,6 +104,7 @@ def analyse(
         progress: who watches.
         log: where output of plug-ins and tracebacks go.
         programs: whether files are also kept as the programs from which a graph is extracted, from the same parse.
+        beyond: a look at all of it that is part of the run.
 
     Raises:
         UsageError: a path does not exist, or an option of a plug-in is wrong.
@@ -112,7 +129,7 @@ def analyse(
         found.package.id: key_of(shaping, found.package, inventory.files[found.package.id])
         for found in workspace.packages
     }
-    key = key_of(units, workspace.failures, inventory.failures, plugins.failures)
+    key = key_of(units, workspace.failures, inventory.failures, plugins.failures, *([beyond.key] if beyond else ()))
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
     if gone := known.keys() - {file.path for found in workspace.packages for file in found.files}:
@@ -120,7 +137,10 @@ def analyse(
     if (before := store.run_with(key)) is not None:
         return Answer(before, fresh=False, measured=0, packages=len(units))
     return _run(
-        _Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log, programs), store, cache, watch
+        _Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log, programs, beyond),
+        store,
+        cache,
+        watch,
     )
 
 
@@ -136,6 +156,7 @@ class _Run(msgspec.Struct, frozen=True):
     jobs: int
     log: Path | None
     programs: bool
+    beyond: Beyond | None
 
 
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
@@ -190,6 +211,8 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         for found in run.workspace.packages:
             if found.package.id not in fresh:
                 writer.reuse(run.units[found.package.id])
+        if run.beyond is not None:
+            rest.append(run.beyond.look())
         whole = _workspace_result(run, stage, models, rest)
         number = writer.complete(whole, msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3)))
     store.prune(KEPT_RUNS)
@@ -271,7 +294,9 @@ def _workspace_result(
     failures: list[Failure] = [
         failure for failure in (*run.workspace.failures, *run.inventory.failures) if not failure.package
     ]
-    rules = {rule.id: rule for rule in (*stage.rules, *(rule for model in models for rule in rules_of(model)))}
+    further = run.beyond.rules if run.beyond else ()
+    judging = (rule for model in models for rule in rules_of(model))
+    rules = {rule.id: rule for rule in (*stage.rules, *further, *judging)}
     return WorkspaceResult(
         package_values=measure_workspace([found.package for found in run.workspace.packages]),
         findings=tuple(finding for outcome in rest for finding in outcome.findings),

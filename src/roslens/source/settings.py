@@ -56,9 +56,28 @@ class NodeHint(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_f
     names: dict[str, str] = {}
 
 
-class GraphSettings(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What completes the computation graph: ``hints`` by resolved name of a node, or ``package/executable``."""
+class DeclaredConfiguration(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
+    """A system that runs together: a launch file (``package/file`` or a path) and its arguments."""
 
+    launch: str
+    arguments: dict[str, str | bool | int | float] = {}
+
+    def given(self) -> dict[str, str]:
+        """Return the arguments as a launch file sees them: as text."""
+        return {
+            name: str(value).lower() if isinstance(value, bool) else str(value)
+            for name, value in self.arguments.items()
+        }
+
+
+class GraphSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What is known of the computation graph besides code.
+
+    ``configurations`` are the systems whose graphs are checked and shown, by the name that they are shown under.
+    ``hints`` complete nodes, by resolved name of a node or ``package/executable``.
+    """
+
+    configurations: dict[str, DeclaredConfiguration] = {}
     hints: dict[str, NodeHint] = {}
 
 

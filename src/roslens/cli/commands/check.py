@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.check_graph import add_graph_argument, graph_look
 from roslens.cli.streams import add_stream_arguments, progress_for, wants_color, width_of
 from roslens.cli.workplace import CACHE, FOLDER, STORE
 
@@ -25,7 +26,8 @@ EXAMPLES = """\
   roslens check
   roslens check ~/robot_ws/src --model ros --model his
   roslens check --format json -o report.json
-  roslens check --tag 'complexity and not test' --fail-on warning"""
+  roslens check --tag 'complexity and not test' --fail-on warning
+  roslens check --graph                  also what does not fit together once the launch files are started"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -57,6 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     parser.add_argument("--no-cache", action="store_true", help="read every file again")
     parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")
+    add_graph_argument(parser)
     add_stream_arguments(parser)
 
 
@@ -90,9 +93,11 @@ def run(options: argparse.Namespace) -> int:
     utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
     clock = Clock(utc, now, lambda: time.monotonic() - begun)
     progress = progress_for(options)
+    kept = None if options.no_cache else folder / CACHE
+    beyond = graph_look(options, configuration, settings, root, kept, progress)
     with ExitStack() as opened:
         store = opened.enter_context(Store.open(None if options.no_store else folder / STORE))
-        cache = opened.enter_context(Cache.open(None if options.no_cache else folder / CACHE))
+        cache = opened.enter_context(Cache.open(kept))
         try:
             outcome = analyse(
                 options.paths,
@@ -104,6 +109,8 @@ def run(options: argparse.Namespace) -> int:
                 jobs=configuration.jobs if options.jobs is None else options.jobs,
                 progress=progress,
                 log=None if options.no_store else folder / "log",
+                programs=beyond is not None and kept is not None,
+                beyond=beyond,
             )
         finally:
             progress.finish()

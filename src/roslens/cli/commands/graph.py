@@ -166,8 +166,9 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
 
 def _html(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
     from roslens.cli.configuration import find_configuration
-    from roslens.cli.graph_check import findings_of
     from roslens.cli.graph_choice import chosen
+    from roslens.cli.graph_findings import findings_of
+    from roslens.cli.graph_source import arguments_of
     from roslens.dashboard.computation.pages import computation_file
     from roslens.source.workspace.find import root_of
 
@@ -176,7 +177,11 @@ def _html(source: GraphSource, found: tuple[Configuration, ...], options: argpar
     if len(set(names)) < len(names):
         names = [f"{name}-{one.generation}" for name, one in zip(names, found, strict=True)]
     shown = {name: chosen(one, options.node, implicit=True) for name, one in zip(names, found, strict=True)}
-    findings = {name: findings_of(source, one, options, settings) for name, one in zip(names, found, strict=True)}
+    given = arguments_of(options.arg)
+    findings = {
+        name: findings_of(source, one, settings.source, options.launch or "", given)
+        for name, one in zip(names, found, strict=True)
+    }
     computation_file(shown, Path(options.html), findings, title=Path(options.path).resolve().name)
     print(options.html)
 

@@ -62,6 +62,12 @@ blank = []
 # Macros that stand for a whole statement or declaration without a semicolon.
 statement = []
 
+# Systems that run together, by name: `roslens check` looks for what does not fit together in them, and pages show them.
+# [graph.configurations.robot]
+# launch = "my_bringup/robot.launch.py"
+# arguments = { simulation = false }
+[graph.configurations]
+
 # What code cannot tell of a node, for `roslens graph`; by its name, or by package/executable:
 # [graph.hints."/driver"]
 # publishes = ["odom nav_msgs/msg/Odometry 10"]

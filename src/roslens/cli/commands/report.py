@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from roslens.cli.shown_graphs import add_shown_argument
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace import add_workspace_argument
 
@@ -21,6 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     where.add_argument("-o", "--output", metavar="DIR", default="roslens-report", help="folder (default: %(default)s)")
     where.add_argument("--single-file", metavar="FILE", help="one self-contained HTML file")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    add_shown_argument(parser)
     add_stream_arguments(parser)
 
 
@@ -31,12 +33,12 @@ def run(options: argparse.Namespace) -> int:
         UsageError: there is no run, or the folder holds something else.
         StoreError: the store cannot be read.
     """
-    from roslens.cli.site import site_of
+    from roslens.cli.shown_graphs import site_with_graphs
     from roslens.cli.workplace import open_store
 
     progress = progress_for(options)
     with open_store(options.path) as store:
-        site = site_of(store.view(options.number))
+        site = site_with_graphs(store.view(options.number), options, progress)
         try:
             if options.single_file:
                 from roslens.dashboard.single_file import single_file

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.model.source import Package
+from roslens.model.source import Package, Role
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target
 from roslens.source.extract.workspace_parts import WorkspaceParts
@@ -85,6 +85,11 @@ class WorkspaceFacts:
         """Return the launch files of a package."""
         found = self._parts.found.get(package)
         return tuple(one.path for one in self._parts.launch_files() if found and one.package == found.package.id)
+
+    def role(self, path: str) -> Role:
+        """Return whose code a file is; own where the workspace does not have it."""
+        files = self._parts.files.get(self._parts.owners.get(path, ""), ())
+        return next((file.role for file in files if file.path == path), Role.OWN)
 
     def has(self, package: str) -> bool:
         """Return whether the workspace has a package of that name."""

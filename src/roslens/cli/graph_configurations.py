@@ -1,0 +1,112 @@
+"""The configurations of a workspace that pages show and that a check looks at: those declared, or what is launched."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.model.configuration import Configuration
+from roslens.model.errors import RoslensError
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding
+
+if TYPE_CHECKING:
+    from roslens.cli.graph_source import GraphSource
+    from roslens.source.progress import Progress
+    from roslens.source.settings import SourceSettings
+
+MOST = 8
+"""As many launch files are shown where nobody declares which ones matter: those that start most nodes."""
+
+
+class Named(msgspec.Struct, frozen=True):
+    """A configuration by the name that it is shown under: a launch file with arguments."""
+
+    name: str
+    launch: str
+    arguments: dict[str, str] = {}
+
+
+class Assembled(msgspec.Struct, frozen=True):
+    """Configurations by name, what the rules of the graph find in each, and what could not be assembled."""
+
+    configurations: dict[str, Configuration]
+    findings: dict[str, tuple[Finding, ...]]
+    failures: tuple[Failure, ...] = ()
+
+    def all_findings(self) -> tuple[Finding, ...]:
+        """Return the findings of all configurations, sorted by place; what several have in common once."""
+        every = {finding for found in self.findings.values() for finding in found}
+        return tuple(sorted(every, key=lambda one: (one.path, one.line, one.column, one.rule, one.entity, one.message)))
+
+
+def named_configurations(source: GraphSource, settings: SourceSettings) -> tuple[Named, ...]:
+    """Return what ``roslens.toml`` declares, or else each launch file that no other includes."""
+    if declared := settings.graph.configurations:
+        return tuple(Named(name, one.launch, one.given()) for name, one in declared.items())
+    paths = source.first_launch_files()
+    often = Counter(path.rpartition("/")[2] for path in paths)
+    return tuple(
+        Named(path if often[name := path.rpartition("/")[2]] > 1 else name, f"{source.root}/{path}") for path in paths
+    )
+
+
+def largest(source: GraphSource, named: Sequence[Named], most: int = MOST) -> tuple[Named, ...]:
+    """Return those that start most nodes, in their order."""
+    sizes = {one.name: len(source.evaluated(one.launch, one.arguments)[1].nodes) for one in named}
+    kept = set(sorted(sizes, key=lambda name: (-sizes[name], name))[:most])
+    return tuple(one for one in named if one.name in kept)
+
+
+def assembled(
+    source: GraphSource, settings: SourceSettings, named: Sequence[Named], progress: Progress | None = None
+) -> Assembled:
+    """Assemble configurations and look at them; one that cannot be assembled is a failure and the others stay."""
+    from roslens.cli.graph_findings import findings_of
+    from roslens.source.progress import Silent
+
+    watch = progress or Silent()
+    watch.step("Looking at configurations", len(named))
+    configurations: dict[str, Configuration] = {}
+    findings: dict[str, tuple[Finding, ...]] = {}
+    failures: list[Failure] = []
+    for one in named:
+        try:
+            made = source.launched(one.launch, one.arguments)
+            found = findings_of(source, made, settings, one.launch, one.arguments)
+        except Exception as error:  # noqa: BLE001 - one configuration must not lose the others
+            failures.append(_failure(one, error))
+        else:
+            configurations[one.name], findings[one.name] = made, tuple(found)
+            if not made.nodes:
+                failures.append(_empty(one, made))
+        watch.advance(item=one.name)
+    return Assembled(configurations, findings, (*failures, *source.facts.broken))
+
+
+def _failure(one: Named, error: Exception) -> Failure:
+    what = f'configuration "{one.name}": '
+    if isinstance(error, RoslensError):
+        return Failure("graph", what + error.what, expected=error.expected, advice=error.advice)
+    import traceback
+
+    return Failure(
+        "graph",
+        f"{what}{type(error).__name__}: {error}",
+        expected="a launch file that can be evaluated",
+        advice="Please report it with the file: this is a fault of roslens",
+        detail="".join(traceback.format_exception(error)),
+    )
+
+
+def _empty(one: Named, made: Configuration) -> Failure:
+    reasons = [f"{reason.proof.place}: {reason.reason}" for reason in made.unresolved[:1]]
+    return Failure(
+        "graph",
+        f'configuration "{one.name}" starts no node that could be read',
+        expected="a launch file that starts at least one",
+        advice="; ".join(reasons) or f"Look at it with `roslens graph --launch {one.launch}`",
+    )

@@ -8,7 +8,7 @@
 
 // How long a message may be late before it counts as lost. A reliable connection that sends again hands messages over
 // in order, so whoever takes them sees no gap; what comes late of others was overtaken on its way or between threads.
-#define SETTLE_NS INT64_C(200000000)
+#define SETTLE_NS INT64_C(150000000)
 
 // A publisher that jumps farther begins anew: nobody loses that many messages between two.
 #define FARTHEST_JUMP (UINT64_C(1) << 30)

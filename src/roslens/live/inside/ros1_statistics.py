@@ -20,7 +20,7 @@ from typing import Any
 from .when_imported import when_imported
 
 TOPIC = "/statistics"
-PERIOD_S = 0.2
+PERIOD_S = 0.15
 SWITCH = "ROSLENS_ROS1_STATISTICS"
 """Environment variable that keeps rospy's own logger where it is ``0``."""
 _LEFT_OUT = ("/clock", TOPIC)

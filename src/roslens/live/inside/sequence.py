@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 
-SETTLE_NS = 200_000_000
+SETTLE_NS = 150_000_000
 """How long a message may be late before it counts as lost. A reliable connection that sends again hands messages over
 in order, so whoever takes them sees no gap; what comes late of others was overtaken on its way or between threads."""
 MOST_GAPS = 256

@@ -68,6 +68,7 @@ class Listening:
         host: on which we stand.
         limits: of the tap.
         wait_s: the longest that opening may take.
+        told: called in another thread when nodes told of themselves, once until that is taken.
     """
 
     def __init__(
@@ -78,12 +79,15 @@ class Listening:
         host: str,
         limits: Limits | None = None,
         wait_s: float = 1.0,
+        told: Callable[[], None] = lambda: None,
     ) -> None:
         self._caller = caller
         self._resolver = resolver
         self._clock = clock
         self._host = host
         self._wait_s = wait_s
+        self._tell = told
+        self._untaken = False
         self._lock = threading.Lock()
         self._budget = Budget(limits or Limits(), time.monotonic())
         self._streams: dict[Source, Stream] = {}
@@ -121,6 +125,7 @@ class Listening:
         """Return what came since the last time."""
         with self._lock:
             taken, self._done = self._done, Taken()
+            self._untaken = False
             now = self._clock()
             for source in sorted(self._streams):
                 stream = self._streams[source]
@@ -222,6 +227,9 @@ class Listening:
             self._fail(f"{source.topic} of {source.publisher}: {error}", "a stream of messages", "", source.publisher)
             self._drop(source)
             return 0, 0
+        if found.messages and source.use is Use.STATISTICS and not self._untaken:
+            self._untaken = True
+            self._tell()
         if not found.open:
             self._drop(source)
         return (found.messages, found.bytes) if source.use is Use.TAP else (0, 0)

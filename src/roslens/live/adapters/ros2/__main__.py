@@ -40,6 +40,8 @@ LOOK_S = 1.0
 """How often the graph is looked at where nothing tells of its changes."""
 MEET_S = 0.5
 """How long the first graph waits: who was there before is met in that time, and did not appear."""
+COUNT_EVERY_S = 0.15
+"""An alarm may come 0.2 s after its window: counting, the line and the monitor share that."""
 _LARGEST_DOMAIN = 232
 
 
@@ -47,7 +49,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     """Read the command line."""
     parser = argparse.ArgumentParser(prog="python -m roslens.live.adapters.ros2", description=__doc__)
     parser.add_argument("--domain", type=int, metavar="N", help="domain id (default: that of the environment)")
-    parser.add_argument("--period", type=_period, default=0.2, metavar="S", help="seconds between frames")
+    parser.add_argument("--period", type=_period, default=COUNT_EVERY_S, metavar="S", help="seconds between frames")
     parser.add_argument("--tap", action="append", default=[], metavar="PATTERN", help="subscribe to these topics too")
     parser.add_argument("--tap-budget", type=_percent, default=10.0, metavar="PERCENT", help="of a core for --tap")
     parser.add_argument("--diagnostics", action="store_true", help="publish what is asked on standard input")

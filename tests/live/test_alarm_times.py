@@ -34,7 +34,7 @@ SETTLE_S = SETTLE_NS * 1e-9
 
 
 class Way(NamedTuple):
-    """How news of a connection comes: counted in stretches of ``every`` seconds, told ``after``; ROS 1 without times."""
+    """How news of a connection comes: counted every so many seconds, told so much later; ROS 1 tells no instants."""
 
     every: float
     after: float

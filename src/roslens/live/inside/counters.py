@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import fcntl
-import mmap
-import os
 import struct
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import msgspec
 
 from roslens.live.inside import slots
-from roslens.live.inside.snapshot import Snapshot, difference, lost_by, snapshot, text_at
+from roslens.live.inside.opened_file import CutOffError, OpenedFile, open_file
+from roslens.live.inside.snapshot import Snapshot, difference, lost_by
 from roslens.model.failure import Failure
 from roslens.model.tally import Observer, Tally
 
-_FIRST_TOKEN = slots.HEADER_BYTES // 8
 _LOOK_S = 0.9
 """How long what changes rarely need not be looked at again."""
 _BRISK_S = 60.0
@@ -36,15 +33,6 @@ class Counted(NamedTuple):
     gid: str
     tally: Tally
     answers: str
-
-
-def _header(raw: mmap.mmap) -> tuple[Any, ...]:
-    if len(raw) < slots.HEADER_BYTES:
-        raise ValueError(f"{len(raw)} bytes, expected at least {slots.HEADER_BYTES}")
-    header = slots.HEADER.unpack_from(raw)
-    if header[:3] != (slots.MAGIC, slots.VERSION, slots.SLOT_BYTES):
-        raise ValueError(f"magic {header[0]!r}, version {header[1]}, slots of {header[2]} bytes")
-    return header
 
 
 class _Known:
@@ -71,66 +59,6 @@ class _Known:
             self.due = min(self.due, of.last * 1e-9 + _UNUSUAL * total / count if count else now)
 
 
-class _File:
-    """One counter file, open for reading."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        # Who reads for other users follows no links of theirs, and waits for no pipe.
-        self._handle = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NOFOLLOW | os.O_NONBLOCK)
-        try:
-            size = os.fstat(self._handle).st_size
-            self._map = mmap.mmap(self._handle, size, prot=mmap.PROT_READ)
-            header = _header(self._map)
-        except BaseException:
-            os.close(self._handle)
-            raise
-        self._view = memoryview(self._map)
-        self._most: int = min(header[3], (size - slots.HEADER_BYTES) // slots.SLOT_BYTES)
-        self._tokens = self._view[: slots.HEADER_BYTES + self._most * slots.SLOT_BYTES].cast("q")
-        self.pid: int = header[5]
-        self.started: float = header[6] * 1e-9
-        self.host = text_at(header[9], 0)
-        self.known: list[_Known] = []
-        self.told = ""
-
-    @property
-    def ended(self) -> bool:
-        """Whether the process that wrote the file is gone."""
-        try:
-            fcntl.flock(self._handle, fcntl.LOCK_SH | fcntl.LOCK_NB)
-        except OSError:
-            return False
-        fcntl.flock(self._handle, fcntl.LOCK_UN)
-        return True
-
-    def tokens(self) -> list[int]:
-        """Return of each slot in use the number that it has until somebody writes it."""
-        used: int = struct.unpack_from("=I", self._map, slots.USED_AT)[0]
-        end = _FIRST_TOKEN + min(used, self._most) * slots.WORDS
-        return self._tokens[_FIRST_TOKEN : end : slots.WORDS].tolist()
-
-    def slot(self, number: int, before: Snapshot | None) -> Snapshot | None:
-        """Copy a slot, of which the last copy is ``before``."""
-        at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
-        return snapshot(self._view[at : at + slots.SLOT_BYTES], before)
-
-    def trouble(self) -> str:
-        """Return in words what keeps the hook from counting; empty if nothing does."""
-        header = slots.HEADER.unpack_from(self._map)
-        state = text_at(header[10], 0)
-        if "not counting" in state or "stopped" in state:
-            return state
-        return f"{header[8]} endpoints found no slot of {header[3]}" if header[8] else ""
-
-    def close(self) -> None:
-        """Let go of the file."""
-        self._tokens.release()
-        self._view.release()
-        self._map.close()
-        os.close(self._handle)
-
-
 class Called(NamedTuple):
     """What was counted of a service: its process, which of the four kinds of a service, and how many and how long."""
 
@@ -153,7 +81,7 @@ class CounterReader:
     def __init__(self, folder: str, *, tidy: bool = True) -> None:
         self._folder = Path(folder)
         self._tidy = tidy
-        self._files: dict[str, _File] = {}
+        self._files: dict[str, OpenedFile] = {}
         self._refused: set[str] = set()
         self._last: float | None = None
         self._looked = float("-inf")
@@ -168,9 +96,15 @@ class CounterReader:
         thorough = not 0 <= now - self._looked < _LOOK_S
         for name, file in list(self._files.items()):
             ended = thorough and file.ended
-            self._of(file, now, found, new=name in fresh)
-            if thorough:
-                self._watch(file)
+            try:
+                self._of(file, now, found, new=name in fresh)
+                if thorough:
+                    self._watch(file)
+            except CutOffError as error:
+                self._refuse(name, error)
+                del self._files[name]
+                file.close()
+                continue
             if ended:
                 self._forget(name, file)
         if thorough:
@@ -209,23 +143,26 @@ class CounterReader:
         fresh = set()
         for name in sorted(names - self._files.keys() - self._refused):
             try:
-                self._files[name] = _File(self._folder / name)
+                self._files[name] = open_file(self._folder / name)
                 fresh.add(name)
             except FileNotFoundError:
                 continue
             except (OSError, ValueError, struct.error) as error:
-                self._refused.add(name)
-                self._failures.append(
-                    Failure(
-                        "inside",
-                        f"{self._folder / name} cannot be read: {error}",
-                        expected=f"a counter file of version {slots.VERSION}",
-                        advice="Run nodes and monitor with the same version of roslens, or remove the file",
-                    )
-                )
+                self._refuse(name, error)
         return fresh
 
-    def _of(self, file: _File, now: float, found: list[Counted], *, new: bool) -> None:
+    def _refuse(self, name: str, error: Exception) -> None:
+        self._refused.add(name)
+        self._failures.append(
+            Failure(
+                "inside",
+                f"{self._folder / name} cannot be read: {error}",
+                expected=f"a counter file of version {slots.VERSION}",
+                advice="Run nodes and monitor with the same version of roslens, or remove the file",
+            )
+        )
+
+    def _of(self, file: OpenedFile, now: float, found: list[Counted], *, new: bool) -> None:
         begun = max(file.started, self._last or 0.0)
         tokens = file.tokens()
         while len(file.known) < len(tokens):
@@ -272,7 +209,7 @@ class CounterReader:
         else:
             found.append(Counted(pid, _gid(after), tally, after.other))
 
-    def _watch(self, file: _File) -> None:
+    def _watch(self, file: OpenedFile) -> None:
         trouble = file.trouble()
         if trouble and trouble != file.told:
             file.told = trouble
@@ -285,7 +222,7 @@ class CounterReader:
                 )
             )
 
-    def _forget(self, name: str, file: _File) -> None:
+    def _forget(self, name: str, file: OpenedFile) -> None:
         del self._files[name]
         file.close()
         if not self._tidy:

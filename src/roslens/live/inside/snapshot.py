@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from typing import NamedTuple
+from typing import NamedTuple, SupportsBytes
 
 from roslens.live.inside import slots
 from roslens.live.inside.sequence import SETTLE_NS
@@ -36,7 +36,7 @@ class Snapshot(NamedTuple):
     banks: bytes
 
 
-def snapshot(words: memoryview, before: Snapshot | None = None) -> Snapshot | None:
+def snapshot(words: memoryview | SupportsBytes, before: Snapshot | None = None) -> Snapshot | None:
     """Copy a slot; None if it is being written whenever it is looked at.
 
     Two copies must agree, which also holds on processors that reorder what another one writes. Names are taken from

@@ -4,13 +4,15 @@ sudo PYTHONPATH=tests .venv/bin/python -m testbed.fault_table [ros1|ros2] [FAULT
 """
 
 import contextlib
+import os
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
-from testbed import clock, faults, robot_ros1, robot_ros2
+from testbed import clock, facts, faults, robot_ros1, robot_ros2
+from testbed.facts import Fact
 from testbed.faults import Fault, in_force
 from testbed.machine import BedError
 from testbed.robot_ros1 import Ros1Robot
@@ -22,8 +24,11 @@ FAKED = "sensor"  # no node there receives: timed waits of Python 3.11 never end
 ALARM_LIMIT = 15.0
 HELD = 2.0
 MISFIT = "gets nothing of what"
+LATE = 0.2
+"""Seconds after its window within which an alarm has to come."""
 
 SCAN = "connection:/lidar > /scan > /planner"
+RESENT = ("host:sensor", "resent")
 NODES = ("/odometry", "/lidar", "/camera", "/planner")
 
 
@@ -35,20 +40,37 @@ class Case:
         name: Of the row.
         begin: Makes the fault in the watched robot.
         right: By generation, entity and quantity of which one has to be told first.
+        allowed: Seconds from the beginning to the alarm at most, on a machine with other things to do.
+        window: Seconds over which is judged what is told of it, or from one sample to the next; 0 of what is told at
+            once. By generation where they differ.
         says: A failure with these words has to be told, where no verdict is about such a fault.
-        allowed: Seconds until the alarm at most: one window or one sample, one frame, 0.2 s.
+        fact: Finds out when the fault is there for anybody to see; None where that is when it begins.
+        also: Entity and quantity of what tells the same fault, where it is told.
     """
 
     name: str
     begin: Callable[[Watched], AbstractContextManager[Fault]]
     right: dict[str, frozenset[Key]]
     allowed: float
+    window: float | dict[str, float] = 1.0
     says: str = ""
+    fact: Callable[[Watched, Fault], Fact] | None = None
+    also: frozenset[Key] = frozenset()
+
+    def window_of(self, generation: str) -> float:
+        """Return the window of a generation."""
+        return self.window[generation] if isinstance(self.window, dict) else self.window
 
 
 @dataclass(frozen=True)
 class Row:
-    """What came of a case; times in seconds, None for what was not told."""
+    """What came of a case; times in seconds, None for what was not told.
+
+    Attributes:
+        alarm: From just before the fault began.
+        over: From its fact to the alarm, less the window.
+        load: Processes of the machine that ran or wanted to, as a mean over the last minute.
+    """
 
     name: str
     generation: str
@@ -58,6 +80,9 @@ class Row:
     consequences: tuple[str, ...]
     others: tuple[str, ...]
     allowed: float
+    window: float = 0.0
+    over: float | None = None
+    load: float = 0.0
 
     @property
     def right(self) -> bool:
@@ -120,36 +145,40 @@ def _load(node: str, **load: float) -> Callable[[Watched], AbstractContextManage
 
 
 CASES = (
-    # A window of 1 s, told once a second.
     Case("rate of the lidar drops, 25 to 10 Hz", _load("lidar", delay=0.1), _both(("topic:/scan", "rate")), 2.2),
     Case(
         "sensor's link is 20 ms slower", lambda w: faults.delay(w.bed, "sensor", 20),
         {"ros1": frozenset({(SCAN, "age")}), "ros2": frozenset({(SCAN, "latency")})}, 2.2,
     ),
+    # TCP: over the last 5 s, for 1 s, sampled every second.
     Case(
         "5 % loss on the sensor's link", lambda w: faults.loss(w.bed, "sensor", 5),
-        {"ros1": frozenset({("host:sensor", "resent")}), "ros2": frozenset({(SCAN, "loss")})}, 8.0,
+        {"ros1": frozenset({RESENT}), "ros2": frozenset({(SCAN, "loss")})}, 8.0, {"ros1": 6.0, "ros2": 1.0},
+        fact=facts.scan_missing, also=frozenset({RESENT}),
     ),
-    # The time is asked for every 2 s, told every second; faketime looks at its file once a second.
+    # The time is asked for twice a second, told every second; faketime looks at its file once a second.
     Case(
         "clock of the sensor host is 250 ms ahead", lambda w: clock.shifted(w.bed[FAKED], 0.25),
-        _both((f"host:{FAKED}", "clock_offset")), 4.2,
+        _both((f"host:{FAKED}", "clock_offset")), 4.2, 2.5,
     ),
     # Sampled every second.
     Case("camera burns a CPU", _load("camera", burn=0.95), _both(("node:/camera", "cpu")), 3.2),
-    Case("camera leaks 60 MB/s", _load("camera", leak=60), _both(("node:/camera", "memory")), 5.0),
+    Case("camera leaks 60 MB/s", _load("camera", leak=60), _both(("node:/camera", "memory")), 5.0,
+         fact=facts.camera_grown),
     Case("disk of the sensor host is full", lambda w: faults.full_disk(w.bed["sensor"]),
          _both(("host:sensor", "disk_free")), 1.2),
     Case("lidar freezes", lambda w: faults.frozen(w.robot.processes["lidar"]), _both(("topic:/scan", "rate")), 2.2),
+    # Told when it happens.
     Case("lidar crashes", lambda w: faults.killed(w.robot.processes["lidar"]),
-         _both(("node:/lidar", "presence")), 0.5),
-    Case("lidar crashes and restarts", _crash_and_restart, _both(("node:/lidar", "presence")), 0.5),
+         _both(("node:/lidar", "presence")), 0.5, 0.0),
+    Case("lidar crashes and restarts", _crash_and_restart, _both(("node:/lidar", "presence")), 0.5, 0.0),
     Case("subscription asks for more than is offered", lambda w: _misfit(w, "reliable"),
-         {"ros2": frozenset()}, 5.0, MISFIT),
-    Case("subscription of another type", lambda w: _misfit(w, "type"), {"ros2": frozenset()}, 5.0, MISFIT),
-    # Counted from before it is asked to end, which takes it seconds.
+         {"ros2": frozenset()}, 5.0, 0.0, MISFIT, facts.subscribed("misfit-reliable")),
+    Case("subscription of another type", lambda w: _misfit(w, "type"), {"ros2": frozenset()}, 5.0, 0.0, MISFIT,
+         facts.subscribed("misfit-type")),
+    # Counted from before it is asked to end, which takes it seconds; looked at every second.
     Case("ROS master restarts", _master_restart,
-         {"ros1": frozenset((f"node:{node}", "presence") for node in NODES)}, 6.0),
+         {"ros1": frozenset((f"node:{node}", "presence") for node in NODES)}, 6.0, fact=facts.master_answers),
 )  # fmt: skip
 
 
@@ -167,8 +196,12 @@ def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:
     began = time.time()
     with case.begin(watched) as fault:
         until = time.monotonic() + ALARM_LIMIT
+        fact = case.fact(watched, fault) if case.fact else lambda: began
+        since: float | None = None
         while time.monotonic() < until and (alarm := _alarm(watched, right, case.says, first, failed)) is None:
+            since = since or fact()
             time.sleep(STEP)
+        load = os.getloadavg()[0]
         time.sleep(HELD)
     assert fault.ended is not None
     ok: float | None = None
@@ -176,16 +209,18 @@ def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:
         watched.wait_until_ok(needed)
         ended = max((one.time for one in watched.told[first:] if one.key in watched.alarmed), default=fault.ended)
         ok = max(ended - fault.ended, 0.0)
-    bad = [one for one in watched.told[first:] if one.bad and one.key not in right]
+    bad = [one for one in watched.told[first:] if one.bad and one.key not in right | case.also]
     entities = {entity for entity, _ in right}
     # A fault that is mended by the time it is told may have no cause left: only what is told of it counts.
     following = [one for one in bad if one.cause in entities or one.entity in entities]
     others = [one for one in bad if one not in following]
     if alarm is None:
-        return Row(case.name, watched.generation, "", None, ok, (), _texts(others, began), case.allowed)
+        return Row(case.name, watched.generation, "", None, ok, (), _texts(others, began), case.allowed, load=load)
+    window = case.window_of(watched.generation)
+    over = max(alarm[0] - (since or began) - window, 0.0)
     return Row(
         case.name, watched.generation, alarm[1], max(alarm[0] - began, 0.0), ok,
-        _texts(following, began), _texts(others, began), case.allowed,
+        _texts(following, began), _texts(others, began), case.allowed, window, over, load,
     )  # fmt: skip
 
 
@@ -232,13 +267,15 @@ def line(row: Row) -> str:
     if row.alarm is None or MISFIT in row.told:
         ok = "-"  # nothing was bad that could become ok
     told = f"`{row.told}`" if row.told else ""
-    cells = [row.name, row.generation.upper().replace("ROS", "ROS "), told, alarm, ok]
-    return "| " + " | ".join([*cells, ", ".join(row.consequences), ", ".join(row.others)]) + " |"
+    late = "" if row.over is None else f"{row.over:.1f}"
+    cells = [row.name, row.generation.upper().replace("ROS", "ROS "), told, f"{row.window:g}", alarm, late, ok]
+    cells += [", ".join(row.consequences), ", ".join(row.others), f"{row.load:.1f}"]
+    return "| " + " | ".join(cells) + " |"
 
 
 HEAD = """\
-| fault | | told | s to alarm | s to ok | told as its consequence | told besides |
-| --- | --- | --- | --- | --- | --- | --- |"""
+| fault | | told | window, s | s to alarm | over the window | s to ok | told as its consequence | told besides | load |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"""
 
 
 def main(words: list[str]) -> int:

@@ -13,4 +13,6 @@ if sys.argv[1] == "reliable":
     node.create_subscription(messages.LaserScan, "/scan", lambda _: None, 10)
 else:
     node.create_subscription(messages.Image, "/scan", lambda _: None, qos_profile_sensor_data)
+sys.stdout.write("subscribed\n")
+sys.stdout.flush()
 rclpy.spin(node)

@@ -25,7 +25,8 @@ _REAL_FILE_SYSTEMS = frozenset(
     b"ext2 ext3 ext4 xfs btrfs f2fs vfat exfat ntfs ntfs3 fuseblk jfs reiserfs zfs overlay bcachefs".split()
 )
 _RESENT_S = 5.0
-_LEAST_SEGMENTS = 20
+_LEAST_SEGMENTS = 100
+"""Of fewer, a single one that a busy host sends again would look like loss."""
 _COLDEST, _HOTTEST = -60.0, 150.0
 """Sensors that are not connected report values beyond these, in degrees Celsius."""
 

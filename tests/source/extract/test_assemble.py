@@ -9,6 +9,7 @@ from roslens.source.extract.launched import Argument, Launch, Launched, Remap, S
 from roslens.source.extract.node_facts import (
     EndpointFact,
     Evidence,
+    Inherits,
     NodeFacts,
     ParameterFact,
     Sure,
@@ -357,7 +358,7 @@ def test_a_guess_about_which_node_stays_a_guess():
 def test_further_nodes_of_a_component_take_what_their_container_is_given():
     first = NodeFacts("pkg.Talker", "pkg/src/talker.cpp", 5, "ros2", name=Text.of("a"))
     second = NodeFacts(
-        "pkg.Talker", "pkg/src/map.cpp", 0, "ros2", name=Text.of("costmap"),
+        "pkg.Talker", "pkg/src/map.cpp", 0, "ros2", name=Text.of("costmap"), number=1,
         endpoints=(end(Role.PUBLISHER, parameter_name("topic", "map")), end(Role.PUBLISHER, "chatter")),
     )  # fmt: skip
     box = Launched(
@@ -371,12 +372,62 @@ def test_further_nodes_of_a_component_take_what_their_container_is_given():
     )  # fmt: skip
     configuration = configured((first, second), box, loaded, targets=(COMPONENT,))
     nodes = {node.name: node for node in configuration.nodes}
-    assert set(nodes) == {"/box", "/mine", "/costmap"}
-    assert names(nodes["/costmap"]) == ["/box_said", "/grid"]
+    # The command line of its process gives it the name of the container, as nobody gave it one of its own.
+    assert set(nodes) == {"/box", "/mine"}
+    (costmap,) = [one for one in configuration.nodes if one.kind == "component" and one.name == "/box"]
+    assert names(costmap) == ["/box_said", "/map"]
 
 
-def test_a_name_for_a_program_of_several_nodes_is_that_of_the_first():
+def test_a_name_for_a_program_is_for_all_nodes_of_it_that_have_none_of_their_own():
     second = NodeFacts("main", "pkg/src/talker.cpp", 20, "ros2", name=Text.of("other"))
-    configuration = configured((talker(), second), started(name=Text.of("mine")))
-    assert [node.name for node in configuration.nodes] == ["/mine", "/other"]
-    assert "makes several nodes" in configuration.unresolved[0].reason
+    own = msgspec.structs.replace(
+        second, name=Text.of("own"), arguments=tuple(map(Text.of, ("--ros-args", "-r", "own:__node:=kept")))
+    )
+    apart = msgspec.structs.replace(second, name=Text.of("apart"), global_arguments=False)
+    configuration = configured((talker(), second, own, apart), started(name=Text.of("mine"), namespace=Text.of("/ns")))
+    assert sorted(node.name for node in configuration.nodes) == ["/apart", "/ns/kept", "/ns/mine", "/ns/mine"]
+    assert not configuration.unresolved
+
+
+LOADED = Launched(
+    Text.of("pkg"), Text(), START, Text.of("mine"), namespace=Text.of("/robot"), plugin=Text.of("pkg::Talker"),
+    container=Text.of("/box"), kind="component", remaps=(Remap(Text.of("chatter"), Text.of("/mine_said"), START),),
+    settings=(Setting(Text.of("topic"), Text.of("grid"), YAML, "string"),),
+)  # fmt: skip
+
+
+def component(*endpoints):
+    return NodeFacts("pkg.Talker", "pkg/src/talker.cpp", 5, "ros2", name=Text.of("a"), endpoints=endpoints)
+
+
+def test_a_node_that_a_component_makes_is_in_the_namespace_that_its_options_say():
+    space = Text.of("__ns:=", Hole("namespace of the node that makes it", default=""), "/local_costmap")
+    words = (Text.of("--ros-args"), Text.of("-r"), space, Text.of("-r"), Text.of("costmap:__node:=costmap"))
+    child = NodeFacts(
+        "pkg.Talker", "pkg/src/map.cpp", 9, "ros2", name=Text.of("costmap"), arguments=words, number=1,
+        endpoints=(end(Role.PUBLISHER, "chatter"), end(Role.PUBLISHER, parameter_name("topic", "map"))),
+    )  # fmt: skip
+    box = Launched(
+        Text.of("rclcpp_components"), Text.of("component_container"), START, Text.of("box"), kind="container"
+    )
+    for inherits, expected in (
+        (Inherits.NOTHING, ["/robot/local_costmap/chatter", "/robot/local_costmap/map"]),
+        (Inherits.ARGUMENTS, ["/mine_said", "/robot/local_costmap/map"]),
+        (Inherits.ALL, ["/mine_said", "/robot/local_costmap/grid"]),
+    ):
+        second = msgspec.structs.replace(child, inherits=inherits)
+        configuration = configured((component(), second), box, LOADED, targets=(COMPONENT,))
+        nodes = {node.name: node for node in configuration.nodes}
+        assert set(nodes) == {"/box", "/robot/mine", "/robot/local_costmap/costmap"}
+        assert names(nodes["/robot/local_costmap/costmap"]) == expected
+
+
+def test_what_a_parameter_decides_is_not_its_value():
+    told = Text((Hole("result of joined() of {parameter topic}", "topic"),))
+    below = Text((Hole("parameter topic", "topic", "map", "namespace above the node"),))
+    found = {}
+    for what, name in (("told", told), ("below", below)):
+        facts = component(end(Role.PUBLISHER, name))
+        found[what] = explicit(configured((facts,), LOADED, targets=(COMPONENT,)).nodes[0])[0]
+    assert (found["told"].resolved, found["told"].proof.sure) == (False, "possible")
+    assert (found["below"].endpoint.name, found["below"].proof.sure) == ("/grid", "certain")

@@ -2,7 +2,7 @@ import pytest
 
 from roslens.source.extract.abstract_value import Unknown
 from roslens.source.extract.plain_methods import formatted, hashable, plain_method
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Hole, Text
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ def test_what_they_give(of, name, arguments, result):
 
 
 def test_what_is_not_known_says_so():
-    assert plain_method(Text.of("a"), "substr", [0]) == Unknown("substr of a text")
+    assert plain_method(Text.of("a"), "swap", [0]) == Unknown("swap of a text")
     assert plain_method([], "find", []) == Unknown("find of a list")
     assert plain_method({}, "merge", []) == Unknown("merge()")
     assert plain_method(Unknown("why"), "anything", []) == Unknown("why")
@@ -49,3 +49,34 @@ def test_values_that_are_missing_are_holes():
 def test_what_cannot_be_a_key_is_its_text():
     assert hashable([1]) == "[1]"
     assert hashable(Text.of("a")) == Text.of("a")
+
+
+SPACE = Hole("namespace of the node", default="")
+TOPIC = Hole("parameter topic", "topic")
+
+
+def said(*parts):
+    return lambda name, *arguments: plain_method(
+        Text.of(*parts), name, [Text.of(one) if isinstance(one, str) else one for one in arguments]
+    )
+
+
+def test_parts_of_texts():
+    of = said("/robot/scan")
+    assert (of("find", "scan"), of("rfind", "/"), of("find", "x")) == (7, 6, -1)
+    assert (of("substr", 7), of("substr", 0, 6), of("front")) == (Text.of("scan"), Text.of("/robot"), Text.of("/"))
+    assert (of("empty"), said("")("empty"), of("back")) == (False, True, Text.of("n"))
+    assert (of("starts_with", "/"), of("endswith", "scan"), of("compare", "/robot/scan")) == (True, True, 0)
+    assert said("/a", TOPIC)("substr", 1) == Text.of("a", TOPIC)
+    assert said("/a", TOPIC)("starts_with", "/") is True
+    assert said(TOPIC)("substr", 1).holes[0].parameter == "topic"
+    assert isinstance(said(TOPIC)("find", "/"), Unknown)
+    assert isinstance(said(TOPIC)("back"), Unknown)
+    assert isinstance(said(TOPIC)("empty"), Unknown)
+
+
+def test_a_namespace_is_never_empty_and_begins_with_a_separator():
+    of = said(SPACE)
+    assert (of("empty"), of("front")) == (False, Text.of("/"))
+    place = of("rfind", "/")
+    assert of("substr", 0, place) == Text((Hole("namespace above the node", default=""),))

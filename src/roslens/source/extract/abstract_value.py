@@ -5,6 +5,7 @@ Numbers, truth values and None are themselves; texts are :class:`~roslens.source
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import msgspec
@@ -13,13 +14,17 @@ from roslens.model.qos import Qos
 from roslens.source.extract.node_facts import (
     EndpointFact,
     Evidence,
+    Inherits,
     NodeFacts,
     ParameterFact,
     TimerFact,
+    with_texts,
 )
 from roslens.source.extract.program import Function
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.workspace_index import Defined
+
+MAKER = " that makes it"
 
 
 class Unknown(msgspec.Struct, frozen=True):
@@ -28,8 +33,14 @@ class Unknown(msgspec.Struct, frozen=True):
     reason: str
 
 
+_OF_NODE = re.compile(r"(.* (?:of|above) the node)(?: no\. (\d+))?|(parameter .*?)(?: of node no\. (\d+))?", re.DOTALL)
+
+
 class Building(msgspec.Struct, eq=False):
-    """The facts of a node while they are collected."""
+    """The facts of a node while they are collected.
+
+    ``number`` counts the nodes that one evaluation makes; 0 is the first one.
+    """
 
     unit: str
     path: str
@@ -41,18 +52,46 @@ class Building(msgspec.Struct, eq=False):
     endpoints: list[EndpointFact] = []
     parameters: list[ParameterFact] = []
     timers: list[TimerFact] = []
-    remaps: list[tuple[Text, Text]] = []
+    arguments: list[Text] = []
+    settings: list[tuple[Text, Text]] = []
+    global_arguments: bool = True
+    inherits: Inherits = Inherits.NOTHING
+    conditions: tuple[str, ...] = ()
+    options: Any = None
+    number: int = 0
     uses: list[str] = []
     unresolved: list[tuple[Evidence, str]] = []
     named: bool = False
 
     def facts(self) -> NodeFacts:
         """Return what was collected."""
-        return NodeFacts(
+        facts = NodeFacts(
             self.unit, self.path, self.line, self.generation, self.kind, self.name, self.namespace,
-            tuple(self.endpoints), tuple(self.parameters), tuple(self.timers), tuple(self.remaps),
+            tuple(self.endpoints), tuple(self.parameters), tuple(self.timers), tuple(self.arguments),
+            tuple(self.settings), self.global_arguments, self.inherits, self.conditions, self.number,
             tuple(dict.fromkeys(self.uses)), tuple(dict.fromkeys(self.unresolved)),
         )  # fmt: skip
+        return with_texts(facts, self._seen_from_here) if self.number else facts
+
+    def said(self, what: str) -> str:
+        """Return what a hole says that this node fills: ``name of the node``, ``parameter topic``."""
+        if not self.number:
+            return what
+        return f"{what} of node no. {self.number}" if what.startswith("parameter ") else f"{what} no. {self.number}"
+
+    def _seen_from_here(self, text: Text) -> Text:
+        """Return a text with holes that this node fills as such, and those of the first one as of another."""
+        return Text(tuple(self._hole(part) if isinstance(part, Hole) else part for part in text.parts))
+
+    def _hole(self, hole: Hole) -> Hole:
+        found = _OF_NODE.fullmatch(hole.reason)
+        if found is None or hole.reason.endswith(MAKER):
+            return hole
+        what, number = (found[1], found[2]) if found[1] else (found[3], found[4])
+        if number == str(self.number):
+            return msgspec.structs.replace(hole, reason=what)
+        of_first = what + MAKER if found[1] else f"{what} of the node{MAKER}"
+        return hole if number else msgspec.structs.replace(hole, reason=of_first)
 
 
 class Obj(msgspec.Struct, eq=False):

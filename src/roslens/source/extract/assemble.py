@@ -14,13 +14,13 @@ from roslens.model.configuration import (
 )
 from roslens.model.errors import DocumentError
 from roslens.source.extract.assemble_arguments import CommandLine, command_line
-from roslens.source.extract.assemble_node import Given, assembled, container_name
+from roslens.source.extract.assemble_node import Given, assembled, container_name, values_of
 from roslens.source.extract.assemble_parameters import set_outside
 from roslens.source.extract.assemble_proof import launch_proof
 from roslens.source.extract.assemble_units import Meant, Units, meant_by
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Argument, Launch, Launched, Setting
-from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
+from roslens.source.extract.node_facts import Inherits, NodeFacts, Target, TargetKind
 from roslens.source.extract.parameter_file import ros2_parameters
 from roslens.source.extract.resolve_name import TOP, absolute
 from roslens.source.extract.text import Text
@@ -144,7 +144,10 @@ class _Whole:
             self._miss(_shown(launched), launched, f"{meant.reason}; what it publishes and subscribes is unknown")
             return
         for number, facts in enumerate(meant.facts):
-            held = self._further(given, facts) if number and generation == "ros2" else given
+            held = given
+            if number and generation == "ros2":
+                facts = values_of(given, meant.facts[0]).filled_by_maker(facts)
+                held = self._further(given, facts)
             node, missing = assembled(held, facts, meant)
             self.nodes.append(node)
             self.unresolved += missing
@@ -152,24 +155,28 @@ class _Whole:
     def _further(self, given: Given, facts: NodeFacts) -> Given:
         """Return what holds for a further node of a process or component.
 
-        What a component is loaded with is for that node alone (rclcpp_components, component_manager.cpp); further ones
-        take the arguments of the process, as all nodes of a program do. A name for all of them is taken for that of the
-        first: code that makes several nodes mostly keeps their names apart.
+        What a component is loaded with is for that node alone (rclcpp_components, component_manager.cpp), unless code
+        passes its options on. The command line of a process is for all nodes of it that do not refuse it, the name that
+        it gives included (rcl, ``rcl_remap_node_name``).
         """
-        launched = given.launched
-        if launched.kind == "component":
+        loaded, line = given.launched, given.line
+        process = loaded
+        if loaded.kind == "component":
             found = [one for one in self.launch.nodes if one.kind == "container"]
             box = next((one for one in found if _whole_name(one) == given.container), None)
-            settings, remaps = (box.settings, box.remaps) if box is not None else ((), ())
-            launched = msgspec.structs.replace(launched, settings=settings, remaps=remaps, namespace=TOP)
+            process = _without_line(loaded) if box is None else box
             line = CommandLine() if box is None else command_line(box.arguments, "ros2", box.evidence)
-            given = msgspec.structs.replace(given, line=line)
-        elif launched.name.parts and facts.name.parts:
-            which = f"whether the name {launched.name} is for this one too depends on its options"
-            self._miss(str(facts.name), launched, f"{_shown(launched)} makes several nodes: {which}")
-        if facts.name.parts:
-            launched = msgspec.structs.replace(launched, name=Text())
-        return msgspec.structs.replace(given, launched=launched)
+        if not facts.global_arguments:
+            process, line = _without_line(loaded), CommandLine()
+        name, namespace, remaps, settings = process.name, process.namespace, process.remaps, process.settings
+        if loaded.kind == "component" and facts.inherits in (Inherits.ALL, Inherits.ARGUMENTS):
+            name = loaded.name if loaded.name.parts else name
+            namespace = namespace if loaded.namespace.parts in ((), TOP.parts) else loaded.namespace
+            remaps = (*loaded.remaps, *remaps)
+        if loaded.kind == "component" and facts.inherits in (Inherits.ALL, Inherits.PARAMETERS):
+            settings = (*settings, *loaded.settings)
+        launched = msgspec.structs.replace(loaded, name=name, namespace=namespace, remaps=remaps, settings=settings)
+        return msgspec.structs.replace(given, launched=launched, line=line)
 
     def _meant(self, launched: Launched, line: CommandLine) -> Meant:
         meant = meant_by(launched, self.units)
@@ -203,6 +210,10 @@ def _nothing(launched: Launched, generation: str) -> NodeFacts:
 
 def _whole_name(launched: Launched) -> str:
     return absolute(launched.namespace, launched.name).pattern
+
+
+def _without_line(launched: Launched) -> Launched:
+    return msgspec.structs.replace(launched, name=Text(), namespace=TOP, remaps=(), settings=())
 
 
 def _shown(launched: Launched) -> str:

@@ -95,4 +95,9 @@ def _of_node(name: Text, value: Text, evidence: Evidence) -> Setting:
 
 
 def _setting(name: Text, value: Text, evidence: Evidence) -> Setting:
-    return Setting(name, value, evidence, type_of_text(value.known) if value.known is not None else "")
+    return Setting(name, value, evidence, kind_of_value(value))
+
+
+def kind_of_value(value: Text) -> str:
+    """Return the type of a parameter by its value as text; empty where that is unknown."""
+    return type_of_text(value.known) if value.known is not None else ""

@@ -16,7 +16,7 @@ from roslens.model.configuration import (
 )
 from roslens.model.graph import Endpoint
 from roslens.source.extract.assemble_actions import folded
-from roslens.source.extract.assemble_arguments import CommandLine
+from roslens.source.extract.assemble_arguments import CommandLine, command_line, kind_of_value
 from roslens.source.extract.assemble_parameters import Values, doubt, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
@@ -94,9 +94,25 @@ def _usual(text: Text) -> Text:
     )
 
 
+def own_line(facts: NodeFacts) -> CommandLine:
+    """Return the command line that code gives a node."""
+    if not facts.arguments:
+        return CommandLine()
+    return command_line(facts.arguments, facts.generation, Evidence(facts.path, facts.line))
+
+
 def _own_rules(facts: NodeFacts) -> tuple[Rule, ...]:
+    return own_line(facts).rules
+
+
+def values_of(given: Given, facts: NodeFacts) -> Values:
+    """Return the parameters that are set for a node: what code gives it holds over what launch files say."""
     place = Evidence(facts.path, facts.line)
-    return tuple(rule(source, target, place) for source, target in facts.remaps)
+    own = [Setting(name, value, place, kind_of_value(value)) for name, value in facts.settings]
+    settings = (
+        *given.outside, *given.launched.settings, *given.line.settings, *own_line(facts).settings, *own,
+    )  # fmt: skip
+    return Values(place_of(given, facts), settings, rules_of(given, facts))
 
 
 def rules_of(given: Given, facts: NodeFacts) -> tuple[Rule, ...]:
@@ -120,8 +136,7 @@ class _Node:
         self.place = place_of(given, facts)
         self.name = self.place.node.pattern
         self.rules = rules_of(given, facts)
-        settings = (*given.outside, *given.launched.settings, *given.line.settings)
-        self.values = Values(self.place, settings, self.rules)
+        self.values = values_of(given, facts)
         self.used: set[int] = set()
         self.uncertain: set[int] = set()
         self.unresolved: list[Unresolved] = []
@@ -160,7 +175,7 @@ class _Node:
             self.given.container,
             launched.machine,
             launched.anonymous or any(hole.reason == "random end" for hole in self.place.node.holes),
-            (*launched.conditions, *self.meant.conditions),
+            (*launched.conditions, *self.meant.conditions, *facts.conditions),
             tuple(_distinct(endpoints)),
             parameters,
             tuple(self._remaps()),

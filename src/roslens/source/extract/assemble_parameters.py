@@ -7,15 +7,17 @@ from collections.abc import Iterable, Iterator
 import msgspec
 
 from roslens.model.configuration import ConfiguredParameter, Proof
+from roslens.source.extract.abstract_value import MAKER
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.launched import Setting
-from roslens.source.extract.node_facts import ParameterFact, Sure
+from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
 from roslens.source.extract.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
 from roslens.source.extract.text import Hole, Text
 
 _NAME_OF_NODE = "name of the node"
 _FULL_NAME_OF_NODE = "full name of the node"
 _NAMESPACE_OF_NODE = "namespace of the node"
+_NAMESPACE_ABOVE = "namespace above the node"
 _MOST_ITEMS = 100
 _ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
 
@@ -105,18 +107,54 @@ class Values:
             short = hole.reason == _NAME_OF_NODE and self._place.generation == "ros2" and whole.known is not None
             name = Text.of(base_name(whole.pattern)) if short else whole
             return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, hole.reason
-        if hole.reason == _NAMESPACE_OF_NODE:
-            return self._place.namespace, Sure.CERTAIN, hole.reason
-        if hole.parameter:
-            found = self.value(Text.of(hole.parameter))
-            if found is not None and found.value.known is not None:
-                return found.value, Sure.CERTAIN, f"parameter {hole.parameter}, set in {_place_of(found)}"
-            if found is not None:
-                return found.value, Sure.POSSIBLE, f"parameter {hole.parameter}, set in {_place_of(found)}"
+        if hole.reason in (_NAMESPACE_OF_NODE, _NAMESPACE_ABOVE):
+            return self._namespace(hole.reason), Sure.CERTAIN, hole.reason
+        found = self.value(Text.of(hole.parameter)) if hole.parameter else None
+        if found is not None:
+            how = f"parameter {hole.parameter}, set in {_place_of(found)}"
+            if hole.reason != f"parameter {hole.parameter}":
+                # The value decides, but it is not what stands there.
+                return Text((Hole(f"{hole.reason}: {how}"),)), Sure.POSSIBLE, how
+            known = found.value.known is not None
+            return self._placed(found.value, hole), Sure.CERTAIN if known else Sure.POSSIBLE, how
         if hole.default is not None:
             of = f"default of parameter {hole.parameter}" if hole.parameter else f"default of {hole.reason}"
-            return Text.of(hole.default), Sure.LIKELY, of
+            return self._placed(Text.of(hole.default), hole), Sure.LIKELY, of
         return Text((hole,)), Sure.POSSIBLE, hole.reason
+
+    def _namespace(self, reason: str) -> Text:
+        space = self._place.namespace
+        if reason == _NAMESPACE_OF_NODE:
+            return space
+        last = space.parts[-1] if space.parts else ""
+        if not isinstance(last, str) or "/" not in last:
+            return Text((Hole(f"namespace above {space}"),))
+        return Text.of(*space.parts[:-1], last.rpartition("/")[0])
+
+    def _placed(self, value: Text, hole: Hole) -> Text:
+        """Return a value below the namespace that it is relative to, where it is another one than the node's own."""
+        first = value.parts[0] if value.parts else ""
+        if not hole.below or not isinstance(first, str) or first.startswith("/"):
+            return value
+        return Text.of(self._namespace(hole.below), "/", value)
+
+    def filled_by_maker(self, facts: NodeFacts) -> NodeFacts:
+        """Return facts of a node that this node makes, with what this one knows in place of holes."""
+        return with_texts(facts, self._made)
+
+    def _made(self, text: Text) -> Text:
+        return Text.of(*(self._of_maker(one) if isinstance(one, Hole) else one for one in text.parts))
+
+    def _of_maker(self, hole: Hole) -> Text | Hole:
+        if not hole.reason.endswith(MAKER):
+            return hole
+        reason = hole.reason.removesuffix(MAKER)
+        if hole.parameter:
+            reason = reason.removesuffix(" of the node")
+        found, sure, _ = self._of_hole(msgspec.structs.replace(hole, reason=reason))
+        if sure is Sure.CERTAIN and found.known is not None:
+            return found
+        return Hole(hole.reason, "", found.known)
 
     def is_true(self, name: str, default: str | None = None) -> bool:
         """Return whether a parameter is set to true."""

@@ -66,7 +66,10 @@ def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
         endpoints=_both(main.endpoints, of_class.endpoints),
         parameters=tuple(dict.fromkeys((*main.parameters, *of_class.parameters))),
         timers=tuple(dict.fromkeys((*main.timers, *of_class.timers))),
-        remaps=tuple(dict.fromkeys((*main.remaps, *of_class.remaps))),
+        arguments=main.arguments or of_class.arguments,
+        conditions=main.conditions,
+        settings=tuple(dict.fromkeys((*main.settings, *of_class.settings))),
+        global_arguments=main.global_arguments and of_class.global_arguments,
         unresolved=tuple(dict.fromkeys((*main.unresolved, *of_class.unresolved))),
     )
 

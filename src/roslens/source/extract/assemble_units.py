@@ -53,8 +53,8 @@ class KnownUnits:
             self._programs.setdefault((one.path, one.unit), []).append(one)
             self._classes.setdefault(one.unit.replace("::", "."), []).append(one)
         for found in self._classes.values():
-            # The node that the class itself is comes first; further ones it makes have less to show.
-            found.sort(key=lambda one: (one.line == 0, not one.endpoints))
+            # The node that the class itself is comes first.
+            found.sort(key=lambda one: (one.number, not one.endpoints))
 
     def has(self, package: str) -> bool:
         """Return whether the workspace has a package of that name."""

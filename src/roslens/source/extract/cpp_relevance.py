@@ -1,6 +1,7 @@
 """Which functions and statements of C++ may say something about the graph, judged by text before any node is read.
 
-Most functions compute. What names an interface of ROS, or is short, is lowered whole. Of the others only statements
+Most functions compute. What names an interface of ROS, or is short, is lowered whole, and so is what makes texts or
+options of nodes of what it is given: names are made there. Of the others only statements
 stay that call what may lead to such an interface (``initPublishers();``, ``costmap->configure(node)``), with the
 returns and the control structure around them; those without such calls have no body in the program. A test (``TEST``,
 ``TEST_F``) is lowered whole where it names an endpoint or a parameter, else it has no body.
@@ -25,6 +26,9 @@ _WHOLE = re.compile(
     rb"|QoS|Publisher|Subscri(?:ber|ption)|Timer\b|(?:Service|Action)(?:Server|Client)|Transform(?:Listener|Broadcaster)"
     rb"|return\s+(?:std::string\s*\(\s*)?\"" % _ENDPOINTS
 )
+_MAKES_NAMES = re.compile(rb"\b(?:string|NodeOptions|SubscribeOptions|AdvertiseOptions)\b[\s&*>]*(?:[\w:]+\s*)?[(,)]")
+"""A head of a function that returns a text or options, or takes them."""
+_MOST_OF_TEXT = 1500
 _CALLED = re.compile(rb"\(\s*(?:>[^;(){}]{0,80}?<\s*)?(\w+)")
 """Finds the names of calls in a text that runs backwards: a pattern that begins with one fixed byte is fast."""
 _LEADING = re.compile(
@@ -82,8 +86,11 @@ class Relevance:
         level: how much of it is lowered.
     """
 
-    def __init__(self, source: bytes, start: int, end: int, test: bool = False) -> None:
-        """Judge the body that stands from ``start`` to ``end``; of a ``test`` only one with an interface matters."""
+    def __init__(self, source: bytes, start: int, end: int, test: bool = False, head: int = -1) -> None:
+        """Judge the body that stands from ``start`` to ``end``; of a ``test`` only one with an interface matters.
+
+        The function begins at ``head``; -1 is unknown.
+        """
         self._source = source
         self._leading: list[int] = []
         self._others: list[int] = []
@@ -91,7 +98,8 @@ class Relevance:
         if test:
             self.level = Level.WHOLE if _ENDPOINT.search(source, start, end) else Level.NOTHING
             return
-        if end - start < _SHORT or _WHOLE.search(source, start, end):
+        names = end - start < _MOST_OF_TEXT and head >= 0 and _MAKES_NAMES.search(source, head, start)
+        if end - start < _SHORT or names or _WHOLE.search(source, start, end):
             self.level = Level.WHOLE
             return
         body = source[start:end]

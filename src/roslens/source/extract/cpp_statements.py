@@ -52,7 +52,8 @@ class StatementLowering:
 
     def body(self, node: Node, test: bool = False) -> tuple[Statement, ...]:
         """Return what the body of a function, or of a ``test``, says, as far as it may matter."""
-        relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test)
+        head = node.parent.start_byte if node.parent is not None else -1
+        relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test, head)
         if relevance.level is Level.NOTHING:
             return ()
         before = self._relevance, self._whole

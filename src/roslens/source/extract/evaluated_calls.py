@@ -117,7 +117,7 @@ class Calls(Expressions):
     def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
         """Return an object of a class outside of the workspace."""
         engine = cast("Evaluation", self)
-        called = Called(name, arguments, keywords, templates, (), engine.place(0))
+        called = Called(name, arguments, keywords, templates, (), engine.site)
         known = find_outer(engine, name)
         return known(engine, None, called) if known is not None else Obj(name)
 
@@ -126,7 +126,7 @@ class Calls(Expressions):
         engine = cast("Evaluation", self)
         known = find_outer(engine, name)
         if known is not None:
-            known(engine, thing, Called(name, arguments, keywords, (), (), engine.place(0)))
+            known(engine, thing, Called(name, arguments, keywords, (), (), engine.site))
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Any:
         engine = cast("Evaluation", self)
@@ -188,7 +188,7 @@ class Calls(Expressions):
             found = engine.index.methods(one, name)
             if found and isinstance(found[0].what, Function):
                 return engine.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
-        called = Called(name, arguments, keywords, (), (), engine.place(0))
+        called = Called(name, arguments, keywords, (), (), engine.site)
         known = find_method(engine, thing, called)
         return known(engine, thing, called) if known is not None else Unknown(f"{name} of a base")
 

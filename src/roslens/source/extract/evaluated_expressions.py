@@ -179,6 +179,9 @@ class Expressions:
         if isinstance(one, Text) and isinstance(other, Text):
             if one == other:
                 return one
+            condition = self.value(expression.operands[0])
+            if (one.known, other.known) == ("true", "false") and isinstance(condition, Text):
+                return condition
             return Text((Hole(f"one of {one} and {other}", default=other.usual),))
         return one if not isinstance(one, Unknown) else other
 
@@ -195,7 +198,7 @@ class Expressions:
 
     def _computed(self, operator: str, values: list[Any], expression: Operation) -> Any:
         if len(values) == 2 and operator in ("==", "!="):
-            one, other = (value.known if isinstance(value, Text) else value for value in values)
+            one, other = (_comparable(value) for value in values)
             plain = isinstance(one, str | int | float | bool) and isinstance(other, str | int | float | bool)
             if plain and not any(isinstance(value, Text) and value.known is None for value in values):
                 return (one == other) is (operator == "==")
@@ -259,6 +262,13 @@ class Expressions:
         if isinstance(value, list):
             return value
         return list(value) if isinstance(value, dict) else None
+
+
+def _comparable(value: Any) -> Any:
+    """Return a value as it compares: what is not found is at ``npos``."""
+    if isinstance(value, Text):
+        return value.known
+    return -1 if isinstance(value, Named) and value.name.endswith("string.npos") else value
 
 
 def _shown(value: Any) -> str:

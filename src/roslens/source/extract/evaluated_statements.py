@@ -44,6 +44,7 @@ def initialise(engine: Evaluation, statement: Statement) -> None:
         name = statement.target.name
         declared = declared_field(engine, thing, name) if isinstance(thing, Obj) else ""
         value = engine.value(statement.value)
+        engine.written_at(statement.line)
         if isinstance(statement.value, Sequence):
             kind, inside = type_name(declared)
             value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
@@ -96,6 +97,7 @@ def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
 
 def _assigned(engine: Evaluation, statement: Assign) -> None:
     if statement.value is None:
+        engine.written_at(statement.line)
         if isinstance(statement.target, Name):
             engine.frame.names[statement.target.name] = engine.declared(statement.declared)
         return

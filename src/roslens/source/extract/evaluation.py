@@ -7,6 +7,7 @@ condition are followed; what is made there keeps it. Everything is bounded.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from roslens.source.extract.abstract_value import (
@@ -28,13 +29,14 @@ from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Assign, Call, Expression, Function, Member, Parameter
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import find_outer
+from roslens.source.extract.vocabulary_options import options_from_outside
 from roslens.source.extract.workspace_index import Defined, Index, type_arguments, type_name
 
 MOST_STEPS = 60_000
 MOST_DEPTH = 14
 MOST_TURNS = 64
 _STOPPED = object()
-
+_NONE = Text()
 
 KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
 """Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
@@ -51,6 +53,7 @@ class Evaluation(Calls):
         index: of the workspace.
         node: that is built.
         others: further nodes that were made on the way.
+        made: objects of classes of the workspace that are nodes, in the order in which they were made.
         conditions: around what is evaluated, outermost first.
         frame: of the function that is evaluated.
     """
@@ -62,6 +65,7 @@ class Evaluation(Calls):
         self.others: list[Building] = []
         self.conditions: list[str] = []
         self.frame = Frame(node.path, "")
+        self.made: list[Obj] = []
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
@@ -112,13 +116,21 @@ class Evaluation(Calls):
         defined = self.index.class_of(name, self.frame.path, self.frame.scope)
         same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
         outer = find_outer(self, self.index.meaning(name, self.frame.path, self.frame.scope))
-        if same or isinstance(value, Unknown) or (defined is None and outer is None):
+        if same or (isinstance(value, Unknown) and outer is None) or (defined is None and outer is None):
             return self.converted(declared, value)
         return self.of_type(name, [value], {}, tuple(type_arguments(inside)))
 
     def assign(self, target: Expression, value: Any) -> None:
         """Put a value where an expression says."""
         assign(self, target, value)
+
+    def further(self, evidence: Evidence, name: Text = _NONE, arguments: Sequence[Text] = ()) -> Building:
+        """Return a further node of ROS 2 that is made."""
+        node = Building(self.node.unit, evidence.path or self.node.path, evidence.line, "ros2", name=name)
+        node.arguments, node.conditions = list(arguments), tuple(dict.fromkeys(self.conditions))
+        self.others.append(node)
+        node.number, node.named = len(self.others), True
+        return node
 
     # Calls into the workspace
 
@@ -189,6 +201,8 @@ class Evaluation(Calls):
         self.prepare(thing)
         self.site, self.written = site, written
         self.construct_as(thing, defined, arguments, keywords)
+        if thing.node is not None:
+            self.made.append(thing)
         return thing
 
     def prepare(self, thing: Obj) -> None:
@@ -201,6 +215,7 @@ class Evaluation(Calls):
                     continue
                 outer, self.frame = self.frame, Frame(one.path, one.what.qualified_name, thing)
                 self.frame.templates.update(thing.templates)
+                self.site = Evidence(one.path, field.line)
                 try:
                     if field.value is not None:
                         thing.fields[field.name] = self.typed(field.type, self.value(field.value))
@@ -271,6 +286,11 @@ class Evaluation(Calls):
             return None
         return Callable(chosen.what, chosen.path)
 
+    def written_at(self, line: int) -> None:
+        """Note the line at which something is made next that no call makes."""
+        if line:
+            self.site = Evidence(self.frame.path, line)
+
     def declared(self, declared: str) -> Any:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
         name, inside = type_name(declared)
@@ -304,6 +324,10 @@ class Evaluation(Calls):
                 frame.names[parameter.name] = keywords[parameter.name]
             else:
                 default = parameter.default
+                if not self._stack and parameter.type.rstrip("& ").endswith("NodeOptions"):
+                    # Whoever loads a component gives it options, whatever holds where nobody does.
+                    frame.names[parameter.name] = options_from_outside()
+                    continue
                 if default is None and declared is not None and place < len(declared.parameters):
                     default = declared.parameters[place].default
                 outer, self.frame = self.frame, frame
@@ -317,6 +341,8 @@ class Evaluation(Calls):
         name = type_name(parameter.type)[0]
         if name in _TEXTS:
             return unknown(reason)
+        if name.endswith("NodeOptions"):
+            return options_from_outside()
         return Handle(self.node) if name and self.is_node(name) else Unknown(reason)
 
     def is_node(self, name: str) -> bool:

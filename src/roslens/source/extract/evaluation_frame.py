@@ -7,6 +7,7 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Made, Obj, Unknown, as_text
+from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.text import Hole, Text, unknown
 
 
@@ -109,6 +110,36 @@ def _one_of(value: Any, before: Any, condition: str) -> Any:
     return Unknown(f"one of {reasons[0]} and {reasons[1]}, by {condition}"[:200])
 
 
+def _but_for_slashes(one: Text, other: Text) -> Text | None:
+    """Return the text with more separators where texts differ by one after a namespace only.
+
+    A namespace ends with ``/`` only where it is nothing else; a name with two of them is tidied.
+    """
+    if not any(is_namespace(hole) for hole in one.holes):
+        return None
+    most = max(one, other, key=lambda text: len(text.pattern))
+    least = other if most is one else one
+    for place, part in enumerate(most.parts[:-1]):
+        rest = most.parts[place + 1]
+        if is_namespace(part) and isinstance(rest, str) and rest.startswith("/"):
+            without = Text.of(*most.parts[: place + 1], rest[1:], *most.parts[place + 2 :])
+            if without == least or Text.of("/", without) == least:
+                return most
+    return None
+
+
+def _below(one: Text, other: Text, condition: str) -> Text | None:
+    """Return a name that is below a namespace where it is relative: ``topic[0] != '/' ? ns + "/" + topic : topic``."""
+    if len(other.parts) != 1 or len(one.parts) != 3 or one.parts[1] != "/" or one.parts[2] != other.parts[0]:
+        return None
+    space, name = one.parts[0], other.parts[0]
+    if not isinstance(space, Hole) or not isinstance(name, Hole) or "/" not in condition:
+        return None
+    if not space.reason.startswith("namespace "):
+        return None
+    return Text((msgspec.structs.replace(name, below=space.reason),))
+
+
 def _deciding(text: Text) -> list[str]:
     return [hole.parameter or hole.reason for hole in text.holes]
 
@@ -121,6 +152,12 @@ def _either(one: Text, other: Text, condition: str) -> Text:
         return one
     if one.pattern == other.pattern and _deciding(one) == _deciding(other):
         return min(one, other, key=lambda text: len(str(text)))
+    same = _but_for_slashes(one, other)
+    if same is not None:
+        return same
+    below = _below(one, other, condition) or _below(other, one, condition)
+    if below is not None:
+        return below
     reason = f"{one} if {condition[:60]}, else {other}"
     parameter = next((hole.parameter for hole in (*one.holes, *other.holes) if hole.parameter), "")
     usual = other.usual if other.usual is not None else one.usual

@@ -6,6 +6,7 @@ Names are as the code gives them, not yet resolved: ``scan``, ``/scan``, ``~/sca
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import Enum
 
 import msgspec
@@ -26,6 +27,15 @@ class Sure(str, Enum):
     CERTAIN = "certain"
     LIKELY = "likely"
     POSSIBLE = "possible"
+
+
+class Inherits(str, Enum):
+    """What a node that code makes takes of what the component is loaded with that makes it."""
+
+    NOTHING = ""
+    ARGUMENTS = "arguments"
+    PARAMETERS = "parameters"
+    ALL = "all"
 
 
 class Evidence(msgspec.Struct, frozen=True, array_like=True, order=True):
@@ -117,7 +127,12 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
         endpoints: in source order.
         parameters: likewise.
         timers: likewise.
-        remaps: that code adds: from and to.
+        arguments: of a command line that code gives it, besides that of its process.
+        settings: parameters that code gives it, and their values.
+        global_arguments: whether the command line of its process is for it too.
+        inherits: what it takes of what is loaded that makes it.
+        conditions: under which code makes it, as written, outermost first.
+        number: counts the nodes that one evaluation makes; 0 is the first one.
         uses: units whose facts are part of it (base classes, owned objects), for people.
         unresolved: what could not be evaluated, with the reason.
     """
@@ -132,9 +147,34 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     endpoints: tuple[EndpointFact, ...] = ()
     parameters: tuple[ParameterFact, ...] = ()
     timers: tuple[TimerFact, ...] = ()
-    remaps: tuple[tuple[Text, Text], ...] = ()
+    arguments: tuple[Text, ...] = ()
+    settings: tuple[tuple[Text, Text], ...] = ()
+    global_arguments: bool = True
+    inherits: Inherits = Inherits.NOTHING
+    conditions: tuple[str, ...] = ()
+    number: int = 0
     uses: tuple[str, ...] = ()
     unresolved: tuple[tuple[Evidence, str], ...] = ()
+
+
+def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
+    """Return facts with each of their texts changed."""
+    return msgspec.structs.replace(
+        facts,
+        name=change(facts.name),
+        namespace=change(facts.namespace),
+        endpoints=tuple(
+            msgspec.structs.replace(one, name=change(one.name), type=change(one.type)) for one in facts.endpoints
+        ),
+        parameters=tuple(
+            msgspec.structs.replace(
+                one, name=change(one.name), default=None if one.default is None else change(one.default)
+            )
+            for one in facts.parameters
+        ),
+        arguments=tuple(change(one) for one in facts.arguments),
+        settings=tuple((change(name), change(value)) for name, value in facts.settings),
+    )
 
 
 class TargetKind(str, Enum):

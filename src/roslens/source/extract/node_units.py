@@ -80,6 +80,7 @@ def facts_of_class(
         building.named = False
         engine.construct_as(thing, defined, [], {})
         _run_methods(engine, thing)
+        _run_made(engine, thing)
 
     return _finished(engine, run, reached)
 
@@ -120,6 +121,9 @@ def facts_of_main(index: Index, path: str, reached: Reached | None = None) -> li
         engine.frame = Frame(path, "")
         engine.call(Callable(main, path), [Unknown("argc"), Unknown("argv")], {})
         engine.run_later()
+        if len(engine.made) > 1:
+            # Which node of several is which only this evaluation knows.
+            _run_made(engine)
 
     return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
 
@@ -152,11 +156,14 @@ def _is_main(branch: Branch) -> bool:
     return isinstance(condition, Operation) and Literal("__main__") in condition.operands
 
 
-def _run_methods(engine: Evaluation, thing: Obj) -> None:
-    """Run what a node does after it is made: its life cycle first, then what was never called."""
+def _run_methods(engine: Evaluation, thing: Obj, *, again: bool = False) -> None:
+    """Run what a node does after it is made: its life cycle first, then what was never called.
+
+    What another object of its class did is done ``again``.
+    """
     for name in _FIRST:
         method = engine.method(thing, name)
-        if method is not None and (method.path, method.function.line) not in engine.reached:
+        if method is not None and (again or (method.path, method.function.line) not in engine.reached):
             engine.call(method, [], {})
     _forget(engine, thing)
     engine.run_later()
@@ -170,6 +177,19 @@ def _run_methods(engine: Evaluation, thing: Obj) -> None:
                 if isinstance(found.what, Function) and not _made_by(found.what, one):
                     engine.later.append((Callable(found.what, found.path, thing), f"{found.what.name}() is called"))
     engine.run_later()
+
+
+def _run_made(engine: Evaluation, first: Obj | None = None) -> None:
+    """Run what further nodes do that were made on the way: each class of them once."""
+    seen: set[int] = {id(first)}
+    while fresh := [one for one in engine.made if id(one) not in seen and one.node is not None]:
+        for one in fresh:
+            seen.add(id(one))
+            outer, engine.node = engine.node, one.node or engine.node
+            try:
+                _run_methods(engine, one, again=True)
+            finally:
+                engine.node = outer
 
 
 def _forget(engine: Evaluation, thing: Obj) -> None:
@@ -213,7 +233,8 @@ def _finished(engine: Evaluation, run: Callable1[[], None], reached: Reached | N
 def _building(unit: str, path: str, line: int, generation: str, kind: str) -> Building:
     building = Building(unit, path, line, generation, kind)
     building.endpoints, building.parameters, building.timers = [], [], []
-    building.remaps, building.uses, building.unresolved = [], [], []
+    building.arguments, building.settings = [], []
+    building.uses, building.unresolved = [], []
     return building
 
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
+
 from roslens.source.extract.abstract_value import Unknown, as_text
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Hole, Text, unknown
 
 SAME = frozenset(
     {"c_str", "get", "lock", "value", "str", "data", "as_string", "get_value", "strip", "encode", "decode",
@@ -13,6 +15,17 @@ SAME = frozenset(
      "toStdString"}
 )  # fmt: skip
 """Methods that give what they are called on, as far as names are concerned."""
+_EDGES = frozenset({"front", "back"})
+_PARTS = frozenset(
+    {"find", "rfind", "find_first_of", "find_last_of", "substr", "compare", "startswith", "starts_with", "endswith",
+     "ends_with"}
+)  # fmt: skip
+
+
+class LastSlash(msgspec.Struct, frozen=True):
+    """The place of the last ``/`` in a namespace that is unknown."""
+
+    of: Text
 
 
 def plain_method(of: Any, name: str, arguments: list[Any]) -> Any:
@@ -33,11 +46,74 @@ def _of_text(of: Text, name: str, arguments: list[Any]) -> Any:
         return formatted(of, arguments)
     if name in ("append", "push_back"):
         return Text.of(of, as_text(arguments[0])) if arguments else of
-    if name in ("empty", "length", "size") and of.known is not None:
-        return not of.known if name == "empty" else len(of.known)
+    if name in _EDGES or name == "empty":
+        return _of_edge(of, name)
+    if name in _PARTS:
+        return _part_of(of, name, arguments)
+    if name in ("length", "size") and of.known is not None:
+        return len(of.known)
+    if name in ("as_bool", "as_int", "as_double") and of.holes:
+        return of
     if name == "join" and arguments and isinstance(arguments[0], list):
         return _joined(of, arguments[0])
     return Unknown(f"{name} of a text")
+
+
+def _of_edge(of: Text, name: str) -> Any:
+    """Return the first or last sign of a text, or whether it is empty."""
+    if name == "empty":
+        if any(isinstance(part, str) or is_namespace(part) for part in of.parts):
+            return False
+        return Unknown(f"whether {of} is empty") if of.parts else True
+    edge = of.parts[0 if name in ("front", "begin") else -1] if of.parts else ""
+    if isinstance(edge, str) and edge:
+        return Text.of(edge[0 if name == "front" else -1])
+    if name == "front" and isinstance(edge, Hole) and is_namespace(edge):
+        return Text.of("/")
+    return Unknown(f"{name} of {of}")
+
+
+def is_namespace(part: str | Hole) -> bool:
+    """Whether a part of a text is the namespace of a node: never empty, beginning with ``/``."""
+    return isinstance(part, Hole) and part.reason.startswith("namespace of the node")
+
+
+def _part_of(of: Text, name: str, arguments: list[Any]) -> Any:
+    """Return where something is in a text, a part of it, or whether it begins or ends with something."""
+    first = arguments[0] if arguments else None
+    text = first.known if isinstance(first, Text) else None
+    if name == "substr":
+        return _cut(of, arguments)
+    if text is None or len(arguments) > 1:
+        return Unknown(f"{name} of a text")
+    if of.known is None:
+        if name in ("rfind", "find_last_of") and of.holes == of.parts and is_namespace(of.parts[0]) and text == "/":
+            return LastSlash(of)
+        head = of.parts[0]
+        if name in ("startswith", "starts_with") and isinstance(head, str) and len(head) >= len(text):
+            return head.startswith(text)
+        return Unknown(f"{name} of {of}")
+    if name in ("startswith", "starts_with", "endswith", "ends_with"):
+        return of.known.startswith(text) if name.startswith("starts") else of.known.endswith(text)
+    if name == "compare":
+        return (of.known > text) - (of.known < text)
+    # What is not found is at ``npos``, which is no number that a place has.
+    return of.known.rfind(text) if name.startswith(("rfind", "find_last")) else of.known.find(text)
+
+
+def _cut(of: Text, arguments: list[Any]) -> Any:
+    begin, count = (*arguments, None, None)[:2]
+    if begin == 0 and isinstance(count, LastSlash) and count.of == of and isinstance(hole := of.parts[0], Hole):
+        return Text((Hole(hole.reason.replace("namespace of", "namespace above", 1), default=""),))
+    numbers = all(isinstance(one, int) and not isinstance(one, bool) for one in arguments)
+    if not numbers or not isinstance(begin, int) or begin < 0:
+        return unknown(f"a part of {of}", parameter=next((hole.parameter for hole in of.holes), ""))
+    if of.known is not None:
+        return Text.of(of.known[begin:] if count is None or count < 0 else of.known[begin : begin + count])
+    head = of.parts[0]
+    if isinstance(head, str) and count is None and begin <= len(head):
+        return Text.of(head[begin:], *of.parts[1:])
+    return unknown(f"a part of {of}", parameter=next((hole.parameter for hole in of.holes), ""))
 
 
 def _of_list(of: list[Any], name: str, arguments: list[Any]) -> Any:

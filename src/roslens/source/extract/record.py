@@ -163,7 +163,7 @@ def parameter(
         node.parameters.append(fact)
     known = written.known or written.pattern
     usual = text.usual if text is not None else declared_default(node, written)
-    return Text((Hole(f"parameter {known}", known, usual),))
+    return Text((Hole(node.said(f"parameter {known}"), known, usual),))
 
 
 def declared_default(node: Building, name: Text) -> str | None:

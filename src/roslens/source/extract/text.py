@@ -12,11 +12,13 @@ class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole",
         reason: in words: ``parameter "topic"``, ``argument "robot"``, ``environment ROBOT``, ``result of read()``.
         parameter: the parameter that decides it, where one does.
         default: what stands there where nothing is set; None where that is unknown too.
+        below: the namespace that a relative name is below, where it is another one than the node's own.
     """
 
     reason: str
     parameter: str = ""
     default: str | None = None
+    below: str = ""
 
 
 class Text(msgspec.Struct, frozen=True, array_like=True, order=True):

@@ -1,13 +1,14 @@
 """What classes, functions and methods of ROS do that are not in the workspace: found by name, one function each.
 
 The words are in :mod:`~roslens.source.extract.vocabulary_ros1`, :mod:`~roslens.source.extract.vocabulary_ros2`,
-:mod:`~roslens.source.extract.vocabulary_shared` and :mod:`~roslens.source.extract.vocabulary_trees`; each registers
-itself by :func:`outer` and :func:`method`.
+:mod:`~roslens.source.extract.vocabulary_shared`, :mod:`~roslens.source.extract.vocabulary_options` and
+:mod:`~roslens.source.extract.vocabulary_trees`; each registers itself by :func:`outer` and :func:`method`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable as Function1
+from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -53,7 +54,7 @@ Word = Function1[["Evaluation", Any, Called], Any]
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
-_MODULES = ("vocabulary_ros2", "vocabulary_ros1", "vocabulary_shared", "vocabulary_trees")
+_MODULES = ("vocabulary_options", "vocabulary_ros2", "vocabulary_ros1", "vocabulary_shared", "vocabulary_trees")
 
 
 def outer(*names: str) -> Function1[[Word], Word]:
@@ -84,10 +85,10 @@ def method(kind: str, *names: str, anywhere: bool = False) -> Function1[[Word], 
     return keep
 
 
+@cache
 def _load() -> None:
-    if not _OUTER:
-        for name in _MODULES:
-            import_module(f"roslens.source.extract.{name}")
+    for name in _MODULES:
+        import_module(f"roslens.source.extract.{name}")
 
 
 def known_names() -> frozenset[str]:

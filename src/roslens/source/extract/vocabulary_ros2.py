@@ -9,7 +9,6 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.abstract_value import (
-    Building,
     Callable,
     Group,
     Handle,
@@ -20,8 +19,9 @@ from roslens.source.extract.abstract_value import (
     as_text,
 )
 from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.vocabulary_options import given_options, take_options
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -82,11 +82,9 @@ def lifecycle_node(engine: Evaluation, thing: Any, called: Called) -> Any:
 def _node(engine: Evaluation, thing: Any, called: Called, kind: str) -> Any:
     building = engine.node
     if building.named and (not isinstance(thing, Obj) or thing.node is None):
-        building = Building(engine.node.unit, called.evidence.path or engine.node.path, called.evidence.line, "ros2")
-        building.endpoints, building.parameters, building.timers = [], [], []
-        building.remaps, building.uses, building.unresolved = [], [], []
-        engine.others.append(building)
+        building = engine.further(called.evidence)
     building.named = True
+    building.conditions = tuple(dict.fromkeys(engine.conditions))
     building.generation = "ros2"
     building.kind = kind if building.kind == "node" else building.kind
     name = called.argument(0, "node_name", "name")
@@ -94,6 +92,11 @@ def _node(engine: Evaluation, thing: Any, called: Called, kind: str) -> Any:
     namespace = called.argument(1, "namespace")
     if isinstance(namespace, Text):
         building.namespace = namespace
+    elif isinstance(namespace, Unknown) and (len(called.arguments) > 2 or "namespace" in called.keywords):
+        building.namespace = unknown(namespace.reason)
+    given = given_options(called)
+    if given is not None:
+        take_options(engine, building, given, called)
     if isinstance(thing, Obj):
         thing.node = building
         return thing
@@ -373,10 +376,10 @@ def own_name(engine: Evaluation, thing: Any, called: Called) -> Any:
     """The name of the node, which may be given to it from outside."""
     node_ = node_of(engine, thing)
     if "namespace" in called.name:
-        return Text((Hole("namespace of the node", default=""),))
+        return Text((Hole(node_.said("namespace of the node"), default=""),))
     if "fully" in called.name:
-        return Text((Hole("full name of the node", default="~"),))
-    return Text((Hole("name of the node", default=node_.name.usual),))
+        return Text((Hole(node_.said("full name of the node"), default="~"),))
+    return Text((Hole(node_.said("name of the node"), default=node_.name.usual),))
 
 
 @outer("rclcpp.QoS", "rclpy.qos.QoSProfile", "rclpy.qos.QoSPresetProfiles.get_from_short_key")

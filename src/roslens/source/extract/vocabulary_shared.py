@@ -10,7 +10,7 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown
 from roslens.source.extract.record import endpoint, sure_of
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 
 if TYPE_CHECKING:
@@ -34,11 +34,23 @@ def _at(engine: Evaluation, called: Called) -> Any:
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
 def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A listener to transforms."""
-    node = Handle(node_of(engine, _at(engine, called)))
+    node = _listening(engine, called)
     static = msgspec.structs.replace(_STATIC.qos, depth=100)
     endpoint(engine, node, called, Role.SUBSCRIPTION, Text.of("/tf"), _TF, qos=_DYNAMIC)
     endpoint(engine, node, called, Role.SUBSCRIPTION, Text.of("/tf_static"), _TF, qos=QosValue(static))
     return Obj(called.name)
+
+
+def _listening(engine: Evaluation, called: Called) -> Handle:
+    """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
+    given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
+    if given or engine.node.generation != "ros2" or called.evidence.path.endswith(".py"):
+        return Handle(node_of(engine, _at(engine, called)))
+    if any(isinstance(one, Unknown) for one in called.arguments[1:]):
+        return Handle(engine.node)
+    name = Text.of("transform_listener_impl_", Hole("random end"))
+    words = (Text.of("--ros-args"), Text.of("-r"), Text.of("__node:=", name))
+    return Handle(engine.further(called.evidence, name, words))
 
 
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")

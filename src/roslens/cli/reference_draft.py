@@ -22,7 +22,8 @@ EXAMPLES = """\
   roslens reference draft --bag drive.bag -o robot.yaml      from a recording
   roslens reference draft --live 60s -o robot.yaml           from what runs here, started through `roslens run`
   roslens reference draft --live '5 min' --tap '/camera/**'  and of what was not, by a subscription
-  roslens reference draft --graph graph.yaml                 what is there, as `roslens watch --graph-out` writes it"""
+  roslens reference draft --graph graph.yaml                 what is there, as `roslens watch --graph-out` writes it
+  roslens reference draft --graph 3:drive.launch.xml         what that launch file starts, of run 3 of `check`"""
 _NAME = re.compile(r"[a-z][a-z0-9_-]*\Z")
 
 
@@ -31,7 +32,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     source = parser.add_mutually_exclusive_group(required=True)
     source.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording")
     source.add_argument("--live", metavar="TIME", help="what runs now, for so long (`60s`); Ctrl-C ends it earlier")
-    source.add_argument("--graph", type=Path, metavar="FILE", help="a graph, as `watch --graph-out` writes it")
+    source.add_argument(
+        "--graph",
+        metavar="RUN",
+        help="what a run of `roslens check` in this workspace starts: its number, as `3` or, with one of its "
+        "configurations, `3:drive.launch.xml`; or a file that `watch --graph-out` or `graph --format rosgraph` wrote",
+    )
     parser.add_argument("--name", default="draft", help="of the reference (default: draft)")
     parser.add_argument("--each", action="store_true", help="a line for each topic, also where several are alike")
     parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write it there (default: standard output)")
@@ -45,6 +51,7 @@ def draft(options: argparse.Namespace) -> int:
     Raises:
         UsageError: there is no recording, an option makes no sense, or the file exists.
         DocumentError: the graph is none.
+        StoreError: there is no such run.
     """
     if not _NAME.match(options.name):
         raise UsageError(f"--name {options.name!r}", expected="small letters, digits, `-` and `_`, a letter first")
@@ -86,13 +93,18 @@ def _of_bag(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]]:
 
 
 def _of_graph(options: argparse.Namespace) -> str:
+    from roslens.cli.run_graph import graph_of_run, names_run
     from roslens.live.draft_presence import there_in
     from roslens.live.draft_text import draft_text
     from roslens.live.read_rosgraph import read_rosgraph
 
-    graph = read_rosgraph(options.graph)
+    if names_run(options.graph):
+        found = graph_of_run(options.graph)
+        return draft_text(options.name, (), (), found.source, there_in(found.graph), found.unsure)
+    path = Path(options.graph)
+    graph = read_rosgraph(path)
     topics = len({end.name for end in graph.endpoints})
-    source = f"{options.graph.name} ({len(graph.nodes)} nodes, {topics} topics, services and actions)"
+    source = f"{path.name} ({len(graph.nodes)} nodes, {topics} topics, services and actions)"
     return draft_text(options.name, (), (), source, there_in(graph))
 
 

@@ -149,7 +149,7 @@ class _Whole:
                 facts = values_of(given, meant.facts[0]).filled_by_maker(facts)
                 held = self._further(given, facts)
             node, missing = assembled(held, facts, meant)
-            self.nodes.append(node)
+            self.nodes.append(_with_checksums(node, self.units))
             self.unresolved += missing
 
     def _further(self, given: Given, facts: NodeFacts) -> Given:
@@ -210,6 +210,25 @@ def _nothing(launched: Launched, generation: str) -> NodeFacts:
 
 def _whole_name(launched: Launched) -> str:
     return absolute(launched.namespace, launched.name).pattern
+
+
+_KINDS = {"publisher": "msg", "subscription": "msg", "service": "srv", "action": "action"}
+
+
+def _with_checksums(node: ConfiguredNode, units: Units) -> ConfiguredNode:
+    """Return a node whose endpoints tell which definition of their type they use."""
+    endpoints = []
+    for one in node.endpoints:
+        end = one.endpoint
+        package, _, name = end.type.partition("/")
+        kind = _KINDS[end.role.value.partition("_")[0]]
+        generation = "ros2" if name.startswith(f"{kind}/") else "ros1"
+        whole = f"{package}/{kind}/{name.removeprefix(f'{kind}/')}"
+        known = units.checksum(whole, generation, one.proof.path) if name else ""
+        if known:
+            one = msgspec.structs.replace(one, endpoint=msgspec.structs.replace(end, hash=known))
+        endpoints.append(one)
+    return msgspec.structs.replace(node, endpoints=tuple(endpoints))
 
 
 def _without_line(launched: Launched) -> Launched:

@@ -30,6 +30,9 @@ class Units(Protocol):
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes; ``name`` is qualified, joined by ``.``."""
 
+    def checksum(self, interface: str, generation: str, path: str) -> str:
+        """Return the checksum of an interface, as ``package/msg/Type``, for code in a file; empty where unknown."""
+
 
 class Meant(msgspec.Struct, frozen=True):
     """What something that is started means: its nodes, or the reason why they are unknown."""
@@ -74,6 +77,11 @@ class KnownUnits:
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""
         return self._classes.get(name, ())
+
+    def checksum(self, interface: str, generation: str, path: str) -> str:
+        """Return nothing: no interface is known."""
+        del interface, generation, path
+        return ""
 
 
 def meant_by(launched: Launched, units: Units) -> Meant:

@@ -14,6 +14,7 @@ from roslens.model.failure import Failure
 from roslens.model.source import Package, Role
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target
+from roslens.source.extract.workspace_interfaces import KnownInterface, nearest
 from roslens.source.extract.workspace_parts import WorkspaceParts
 from roslens.source.inventory import take_inventory
 from roslens.source.keys import key_of
@@ -64,6 +65,7 @@ class WorkspaceFacts:
         self.files = self._parts.reading
         self.failures = inventory.failures
         self.broken: list[Failure] = []
+        self._interfaces: dict[tuple[str, str], list[KnownInterface]] | None = None
         self._facts: dict[tuple[str, str], tuple[NodeFacts, ...]] = {}
 
     @property
@@ -107,6 +109,16 @@ class WorkspaceFacts:
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""
         return self._once(("class", name), lambda: self._of_class(name))
+
+    def checksum(self, interface: str, generation: str, path: str) -> str:
+        """Return the checksum of an interface for code in a file; of two definitions of one name that of the nearer."""
+        if self._interfaces is None:
+            self._interfaces = {}
+            for one in self._parts.interfaces.interfaces:
+                key = (f"ros{one.interface.generation}", one.interface.full_name)
+                self._interfaces.setdefault(key, []).append(one)
+        known = self._interfaces.get((generation, interface))
+        return nearest(known, path).checksum.text if known else ""
 
     def _once(self, what: tuple[str, str], make: Callable[[], tuple[NodeFacts, ...]]) -> tuple[NodeFacts, ...]:
         if what not in self._facts:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import msgspec
@@ -16,6 +16,8 @@ from roslens.source.extract.message_md5 import md5_of
 from roslens.source.extract.type_hash import type_hash
 
 INTERFACES = frozenset({Language.MSG, Language.SRV, Language.ACTION})
+_Key = tuple[int, str, str]
+"""Generation, name, and id of the package of an interface."""
 _ROS2 = frozenset({"rosidl_default_generators", "rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
 
 
@@ -41,12 +43,15 @@ def interfaces_of(
 ) -> tuple[tuple[KnownInterface, ...], tuple[Failure, ...]]:
     """Return the interfaces of packages, sorted by name, and what of them could not be read or understood.
 
+    Two packages of one name each have theirs; an interface that another one is made of is that of its own package, else
+    the first.
+
     Args:
         root: folder that paths start from.
         files: of each package, by its id.
         packages: in whose order the first of two interfaces of one name counts.
     """
-    found: dict[tuple[int, str], tuple[str, Interface]] = {}
+    found: dict[_Key, tuple[str, Interface]] = {}
     failures: list[Failure] = []
     for package in packages:
         generation = ros_generation(package)
@@ -60,19 +65,40 @@ def interfaces_of(
                 failures.append(_broken(file, package, error))
                 continue
             failures += [msgspec.structs.replace(one, package=package.id) for one in wrong]
-            found.setdefault((generation, interface.full_name), (file.path, interface))
-    lookups = {generation: _lookup(found, generation) for generation in (1, 2)}
+            found.setdefault((generation, interface.full_name, package.id), (file.path, interface))
+    firsts: dict[tuple[int, str], Interface] = {}
+    for (generation, name, _), (_, interface) in found.items():
+        firsts.setdefault((generation, name), interface)
     known = [
-        KnownInterface(interface, path, _checksum(interface, lookups[generation]))
-        for (generation, _), (path, interface) in sorted(found.items())
+        KnownInterface(interface, path, _checksum(interface, _lookup(found, firsts, generation, package_id)))
+        for (generation, _, package_id), (path, interface) in sorted(found.items())
     ]
     return tuple(known), tuple(failures)
 
 
-def _lookup(found: Mapping[tuple[int, str], tuple[str, Interface]], generation: int) -> Lookup:
+def nearest(known: Sequence[KnownInterface], path: str) -> KnownInterface:
+    """Return which of several interfaces of one name is meant in a file: the one with the most folders in common."""
+    return max(known, key=lambda one: _together(one.path, path))
+
+
+def _together(one: str, other: str) -> int:
+    count = 0
+    for left, right in zip(one.split("/")[:-1], other.split("/")[:-1], strict=False):
+        if left != right:
+            break
+        count += 1
+    return count
+
+
+def _lookup(
+    found: Mapping[_Key, tuple[str, Interface]],
+    firsts: Mapping[tuple[int, str], Interface],
+    generation: int,
+    package_id: str,
+) -> Lookup:
     def lookup(name: str) -> Interface | None:
-        known = found.get((generation, name))
-        return None if known is None else known[1]
+        own = found.get((generation, name, package_id))
+        return firsts.get((generation, name)) if own is None else own[1]
 
     return lookup
 

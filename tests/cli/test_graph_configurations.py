@@ -17,7 +17,7 @@ def declared(**configurations: DeclaredConfiguration) -> SourceSettings:
 
 def test_without_a_declaration_it_is_what_no_other_launch_file_includes(talking):
     with opened(talking) as source:
-        (only,) = named_configurations(source, SourceSettings())
+        (only,) = named_configurations(source)
     # The one in test/ includes fleet.launch.xml too, but nobody starts a robot with it.
     assert (only.name, Path(only.launch).name) == ("fleet.launch.xml", "fleet.launch.xml")
 
@@ -28,7 +28,7 @@ def test_launch_files_of_one_name_are_told_apart_by_their_path(talking):
     (talking / "walk" / "package.xml").write_text((talking / "talk/package.xml").read_text().replace("talk", "walk"))
     twin.write_text('<launch><node pkg="a" exec="b"/></launch>')
     with opened(talking) as source:
-        names = [one.name for one in named_configurations(source, SourceSettings())]
+        names = [one.name for one in named_configurations(source)]
     assert names == ["talk/launch/fleet.launch.xml", "walk/launch/fleet.launch.xml"]
 
 
@@ -38,8 +38,8 @@ def test_what_is_declared_is_taken_in_its_order_with_arguments_as_text(talking):
         all=DeclaredConfiguration("talk/fleet.launch.xml"),
     )
     with opened(talking, settings) as source:
-        named = named_configurations(source, settings)
-        made = assembled(source, settings, named)
+        named = named_configurations(source)
+        made = assembled(source, named)
     assert [one.name for one in named] == ["quiet", "all"]
     assert named[0].arguments == {"listening": "false", "depth": "3"}
     assert [len(one.nodes) for one in made.configurations.values()] == [1, 3]
@@ -59,7 +59,6 @@ def test_the_largest_keep_their_order(talking):
 
 def test_one_that_cannot_be_assembled_is_a_failure_and_the_others_stay(talking, monkeypatch):
     (talking / "talk/launch/empty.launch.xml").write_text("<launch/>")
-    settings = SourceSettings()
     named = [Named(name, f"talk/{name}.launch.xml") for name in ("lost", "empty", "robot", "fleet")]
     with opened(talking) as source:
         whole = source.launched
@@ -70,7 +69,7 @@ def test_one_that_cannot_be_assembled_is_a_failure_and_the_others_stay(talking, 
             return whole(launch, arguments)
 
         monkeypatch.setattr(source, "launched", launched)
-        made = assembled(source, settings, named)
+        made = assembled(source, named)
     assert list(made.configurations) == ["empty", "robot"]
     lost, empty, broken = made.failures
     assert 'configuration "lost": no launch file "talk/lost.launch.xml"' in str(lost)
@@ -82,7 +81,7 @@ def test_one_that_cannot_be_assembled_is_a_failure_and_the_others_stay(talking, 
 def test_what_several_have_in_common_is_one_finding(talking):
     named = [Named(name, f"talk/{name}.launch.xml") for name in ("robot", "fleet")]
     with opened(talking) as source:
-        made = assembled(source, SourceSettings(), named)
+        made = assembled(source, named)
     assert len(made.findings["robot"]) == len(made.findings["fleet"]) == 1
     assert made.all_findings() == made.findings["robot"]
 

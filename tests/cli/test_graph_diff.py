@@ -1,68 +1,118 @@
-import msgspec
-from hypothesis import given
-from hypothesis import strategies as st
+"""``roslens graph --diff`` of revisions, launch files and documents, as a user meets it."""
 
-from roslens.cli.graph_diff import differences, to_markdown, to_text
-from roslens.model.configuration import (
-    Configuration,
-    ConfiguredEndpoint,
-    ConfiguredNode,
-    ConfiguredParameter,
-    ConfiguredRemap,
-    Proof,
+import json
+import os
+import subprocess
+
+import pytest
+
+from roslens.cli.main import main
+
+LAUNCH = ("--launch", "talk/robot.launch.xml")
+
+
+def git(root, *arguments):
+    who = {f"GIT_{role}_{what}": "a@b.c" for role in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+    environment = {**os.environ, **who, "GIT_CONFIG_GLOBAL": "/dev/null"}
+    subprocess.run(["git", "-C", str(root), "-c", "init.defaultBranch=main", *arguments], check=True, env=environment)
+
+
+@pytest.fixture
+def history(talking):
+    """Return the workspace with a revision before, one after, and a change that is not in any."""
+    git(talking, "init", "-q")
+    git(talking, "add", ".")
+    git(talking, "commit", "-qm", "before")
+    git(talking, "tag", "before")
+    nodes = talking / "talk/talk/nodes.py"
+    nodes.write_text(nodes.read_text().replace("print, 10)", "print, qos_profile_sensor_data)"))
+    git(talking, "commit", "-qam", "after")
+    nodes.write_text(nodes.read_text().replace('"chatter"', '"gossip"'))
+    (talking / "talk/launch/new.launch.xml").write_text('<launch><node pkg="talk" exec="talker"/></launch>')
+    return talking
+
+
+def compared(root, capsys, *arguments, code=1):
+    assert main(["graph", str(root), "--jobs", "1", *arguments]) == code
+    return capsys.readouterr()
+
+
+def test_a_launch_file_at_two_revisions(history, capsys):
+    text = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD").out
+    assert text.splitlines()[0].startswith("--- talk/robot.launch.xml at before (")
+    kind = "std_msgs/msg/String"
+    assert text.splitlines()[2:] == [
+        "  /listener",
+        f"~   subscription /chatter: {kind}, reliable, depth 10 -> {kind}, best_effort, depth 5",
+    ]
+
+
+def test_no_difference_is_exit_code_0(history, capsys):
+    text = compared(history, capsys, *LAUNCH, "--arg", "listening:=false", "--diff", "before", "main", code=0).out
+    assert text.endswith("no difference\n")
+
+
+def test_a_revision_and_the_files_as_they_are(history, capsys):
+    found = json.loads(compared(history, capsys, *LAUNCH, "--diff", "HEAD", ".", "--format", "json").out)
+    assert {(one["what"], one["name"], one["how"]) for one in found} == {
+        ("publisher", "/chatter", "removed"),
+        ("publisher", "/gossip", "added"),
+        ("subscription", "/chatter", "removed"),
+        ("subscription", "/gossip", "added"),
+    }
+
+
+def test_without_a_launch_file_all_packages_are_compared(history, capsys):
+    assert "~   subscription /chatter" in compared(history, capsys, "--diff", "before", "HEAD").out
+    assert "+   publisher /gossip" in compared(history, capsys, "--package", "talk", "--diff", "HEAD", ".").out
+
+
+def test_what_one_revision_lacks_is_new_on_the_other(history, capsys):
+    told = compared(history, capsys, "--launch", "talk/new.launch.xml", "--diff", "HEAD", ".")
+    assert "+ /talker" in told.out
+    assert 'in "HEAD": no launch file "talk/new.launch.xml"' in told.err
+    told = compared(history, capsys, "--launch", "talk/nw.launch.xml", "--diff", "HEAD", ".", code=2)
+    assert 'Did you mean "talk/new.launch.xml"?' in told.err
+
+
+def test_the_workspace_itself_is_left_alone(history, capsys):
+    before = {path: path.read_bytes() for path in history.rglob("*.py")}
+    compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD")
+    compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD")
+    assert {path: path.read_bytes() for path in history.rglob("*.py")} == before
+    assert "/gossip" in compared(history, capsys, *LAUNCH, code=0).out
+
+
+def test_a_table_for_a_pull_request(history, capsys):
+    table = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD", "--format", "markdown").out
+    assert "| changed | `/listener` | subscription `/chatter` |" in table
+
+
+def test_declared_configurations_are_named(history, capsys):
+    (history / "roslens.toml").write_text(
+        '[graph.configurations.quiet]\nlaunch = "talk/robot.launch.xml"\narguments = { listening = false }\n'
+    )
+    assert "- /listener" in compared(history, capsys, "--diff", "talk/robot.launch.xml", "quiet").out
+    assert "no difference" in compared(history, capsys, "--launch", "quiet", "--diff", "before", "HEAD", code=0).out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--diff", "befor", "HEAD"], 'no revision "befor"'),
+        (["--diff", "befor", "HEAD"], "Did you mean before?"),
+        (["--diff", "before", "HEAD~9"], "`git fetch`"),
+        (["--diff", "talk/robot.launch.xml", "HEAD"], "--launch talk/robot.launch.xml --diff A B"),
+        (["--diff", "a.json", "HEAD"], "two files written by --format json"),
+        (["--diff", "before", "HEAD", "--arg", "a:=b"], "--launch FILE too"),
+        (["--diff", "before", "HEAD", "--format", "dot"], "text, markdown or json"),
+        (["--diff", "before", "HEAD", "--node", "lisener"], 'Did you mean "/listener"?'),
+    ],
 )
-from roslens.model.graph import Endpoint, Role
-from roslens.model.qos import Qos
-
-PROOF = Proof("a.cpp", 3)
-RELIABLE = Qos("reliable", "volatile", "keep_last", 10)
+def test_what_cannot_be_compared_is_told(history, capsys, arguments, message):
+    assert message in compared(history, capsys, *arguments, code=2).err
 
 
-def configuration(kind="std_msgs/msg/String", qos=RELIABLE, value="1", target="/b", line=3, name="/n"):
-    proof = msgspec.structs.replace(PROOF, line=line)
-    end = ConfiguredEndpoint(Endpoint(name, Role.PUBLISHER, "/x", kind, qos=qos), proof)
-    parameter = ConfiguredParameter("rate", value, access="declared", proof=proof)
-    node = ConfiguredNode(
-        name, proof, package="pkg", executable="n", endpoints=(end,), parameters=(parameter,),
-        remaps=(ConfiguredRemap("a", target, proof),),
-    )  # fmt: skip
-    return Configuration("t", "ros2", (node,))
-
-
-def told(**changed):
-    return [(one.what, one.name, one.how) for one in differences(configuration(), configuration(**changed))]
-
-
-def test_each_kind_of_change_is_told():
-    assert told(kind="std_msgs/msg/Int32") == [("publisher", "/x", "changed")]
-    assert told(qos=Qos("best_effort", "volatile", "keep_last", 10)) == [("publisher", "/x", "changed")]
-    assert told(value="2") == [("parameter", "rate", "changed")]
-    assert told(target="/c") == [("remapping", "a", "changed")]
-    assert told(name="/m") == [("node", "", "added"), ("node", "", "removed")]
-
-
-def test_places_in_files_are_no_difference():
-    assert told(line=9) == []
-
-
-def test_text_and_table():
-    found = differences(configuration(), configuration(value="a|`b`"))
-    assert '~   parameter rate: "1" -> "a|`b`"' in to_text(found, "A", "B")
-    table = to_markdown(found, "A", "B")
-    assert "1 changed" in table
-    assert "\\|'b'" in table
-    assert "no difference" in to_markdown((), "A", "B")
-
-
-@given(
-    st.sampled_from(["1", "2"]),
-    st.sampled_from(["/n", "/m"]),
-    st.sampled_from(["1", "2"]),
-    st.sampled_from(["/n", "/m"]),
-)
-def test_turned_around_added_is_removed(value, name, other_value, other_name):
-    one, two = configuration(value=value, name=name), configuration(value=other_value, name=other_name)
-    turned = {"added": "removed", "removed": "added", "changed": "changed"}
-    there = {(d.node, d.what, d.name, d.how, d.before, d.after) for d in differences(one, two)}
-    back = {(d.node, d.what, d.name, turned[d.how], d.after, d.before) for d in differences(two, one)}
-    assert there == back
+def test_outside_of_a_repository(talking, capsys, monkeypatch):
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(talking.parent))
+    assert "no git repository" in compared(talking, capsys, "--diff", "a", "b", code=2).err

@@ -8,9 +8,8 @@ from roslens.source.settings import SourceSettings
 
 
 def found(root: Path, launch: str = "talk/robot.launch.xml"):
-    settings = SourceSettings()
-    with GraphSource(str(root), settings, "roslens.toml", {}) as source:
-        return findings_of(source, source.launched(launch, {}), settings, launch)
+    with GraphSource(str(root), SourceSettings(), "roslens.toml", {}) as source:
+        return findings_of(source, source.launched(launch, {}), launch)
 
 
 def test_what_does_not_fit_stands_at_its_line(talking):

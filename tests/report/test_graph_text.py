@@ -1,7 +1,6 @@
 import msgspec
 
-from roslens.model.qos import Qos
-from roslens.report.graph_text import quality_text, to_graph_text
+from roslens.report.graph_text import to_graph_text
 
 
 def test_a_node_tells_what_it_does_and_from_where(graph):
@@ -38,11 +37,3 @@ def test_nothing_that_a_terminal_would_obey_is_written(graph):
     text = to_graph_text(msgspec.structs.replace(graph, title="a\x1b[31m\u202eb"))
     assert "\x1b" not in text
     assert "\u202e" not in text
-
-
-def test_qualities_in_words():
-    assert quality_text(Qos()) == "qos unknown"
-    assert (
-        quality_text(Qos("best_effort", "volatile", "keep_all", deadline_s=0.5))
-        == "best_effort, keep_all, deadline 0.5 s"
-    )

@@ -59,7 +59,7 @@ def graph_look(
 
         # Conditions of manifests see what the settings of the run hold of the environment.
         with GraphSource(str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress) as source:
-            found = assembled(source, settings, named_configurations(source, settings), progress)
+            found = assembled(source, named_configurations(source), progress)
         return Outcome(findings=found.all_findings(), failures=found.failures)
 
     return Beyond("graph", tuple(rule for rule, _ in RULES), look)

@@ -33,21 +33,19 @@ def check(source: GraphSource, found: tuple[Configuration, ...], options: argpar
     """
     if options.format not in ("text", "json"):
         raise UsageError(f"--format {options.format} with --check", expected="text or json")
-    from roslens.cli.commands.graph import write
     from roslens.cli.configuration import find_configuration
     from roslens.cli.graph_findings import findings_of
     from roslens.cli.graph_source import arguments_of
+    from roslens.cli.streams import write_result
     from roslens.model.finding import Severity
     from roslens.source.workspace.find import root_of
 
     settings = find_configuration(root_of([options.path]), options.config)
     given = arguments_of(options.arg)
-    findings = [
-        finding for one in found for finding in findings_of(source, one, settings.source, options.launch or "", given)
-    ]
+    findings = [finding for one in found for finding in findings_of(source, one, options.launch or "", given)]
     fail_on = options.fail_on or settings.fail_on
     fails = fail_on != "never" and any(one.gated and one.severity.rank >= Severity(fail_on).rank for one in findings)
-    write((_json if options.format == "json" else _text)(findings), options.output)
+    write_result((_json if options.format == "json" else _text)(findings), options.output)
     return FINDINGS if fails else CLEAN
 
 

@@ -16,7 +16,6 @@ from roslens.model.finding import Finding
 if TYPE_CHECKING:
     from roslens.cli.graph_source import GraphSource
     from roslens.source.progress import Progress
-    from roslens.source.settings import SourceSettings
 
 MOST = 8
 """As many launch files are shown where nobody declares which ones matter: those that start most nodes."""
@@ -43,9 +42,9 @@ class Assembled(msgspec.Struct, frozen=True):
         return tuple(sorted(every, key=lambda one: (one.path, one.line, one.column, one.rule, one.entity, one.message)))
 
 
-def named_configurations(source: GraphSource, settings: SourceSettings) -> tuple[Named, ...]:
+def named_configurations(source: GraphSource) -> tuple[Named, ...]:
     """Return what ``roslens.toml`` declares, or else each launch file that no other includes."""
-    if declared := settings.graph.configurations:
+    if declared := source.settings.graph.configurations:
         return tuple(Named(name, one.launch, one.given()) for name, one in declared.items())
     paths = source.first_launch_files()
     often = Counter(path.rpartition("/")[2] for path in paths)
@@ -61,9 +60,7 @@ def largest(source: GraphSource, named: Sequence[Named], most: int = MOST) -> tu
     return tuple(one for one in named if one.name in kept)
 
 
-def assembled(
-    source: GraphSource, settings: SourceSettings, named: Sequence[Named], progress: Progress | None = None
-) -> Assembled:
+def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | None = None) -> Assembled:
     """Assemble configurations and look at them; one that cannot be assembled is a failure and the others stay."""
     from roslens.cli.graph_findings import findings_of
     from roslens.source.progress import Silent
@@ -76,7 +73,7 @@ def assembled(
     for one in named:
         try:
             made = source.launched(one.launch, one.arguments)
-            found = findings_of(source, made, settings, one.launch, one.arguments)
+            found = findings_of(source, made, one.launch, one.arguments)
         except Exception as error:  # noqa: BLE001 - one configuration must not lose the others
             failures.append(_failure(one, error))
         else:

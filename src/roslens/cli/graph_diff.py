@@ -1,160 +1,204 @@
-"""What is different between two configurations: nodes, endpoints, types, qualities, remappings and parameters."""
+"""``roslens graph --diff A B``: two revisions, launch files, sets of arguments or documents, one against the other."""
 
 from __future__ import annotations
 
+import argparse
+import sys
+import tempfile
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
-from roslens.report.graph_text import quality_text
+from roslens.cli.boundary import CLEAN, FINDINGS
+from roslens.cli.graph_opened import open_source
+from roslens.model.configuration import Configuration
+from roslens.model.errors import UsageError
 
-_SIGNS = {"added": "+", "removed": "-", "changed": "~"}
+if TYPE_CHECKING:
+    from roslens.cli.git_tree import Repository
+    from roslens.cli.graph_source import GraphSource
+    from roslens.compare.graph_difference import Difference
+
+NOW = "."
+"""Stands for the files as they are, beside a revision."""
 
 
-class Difference(msgspec.Struct, frozen=True, order=True):
-    """One difference.
+class Side(msgspec.Struct, frozen=True):
+    """One side of a comparison: how it is called, and its configurations by generation or launch file."""
 
-    Attributes:
-        node: that has it; empty where it is of no node.
-        what: ``node``, the role of an endpoint, ``parameter`` or ``remapping``.
-        name: of it.
-        how: ``added``, ``removed`` or ``changed``.
-        before: in words; empty where it is added.
-        after: in words; empty where it is removed.
+    title: str
+    configurations: dict[str, Configuration]
+
+
+def diff(options: argparse.Namespace) -> int:
+    """Compare, write what is different and return the exit code: 1 where something is.
+
+    Raises:
+        UsageError: a side is nothing that can be compared.
     """
+    from roslens.cli.graph_choice import require_nodes
+    from roslens.cli.streams import write_result
 
-    node: str
-    what: str
-    name: str
-    how: str
-    before: str = ""
-    after: str = ""
+    if options.format not in ("text", "markdown", "json"):
+        raise UsageError(f"--format {options.format} with --diff", expected="text, markdown or json")
+    before, after = _sides(options)
+    require_nodes((*before.configurations.values(), *after.configurations.values()), options.node)
+    found = differences_of(before, after, options.node, implicit=options.all)
+    if options.format == "json":
+        text = msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n"
+    else:
+        from roslens.report.difference_text import to_markdown, to_text
+
+        text = (to_markdown if options.format == "markdown" else to_text)(found, before.title, after.title)
+    write_result(text, options.output)
+    return FINDINGS if found else CLEAN
 
 
-def differences(before: Configuration, after: Configuration) -> tuple[Difference, ...]:
-    """Return the differences, those of a node together; places in files are none."""
-    old, new = _nodes(before), _nodes(after)
+def differences_of(
+    before: Side, after: Side, nodes: Sequence[str] = (), *, implicit: bool = False
+) -> tuple[Difference, ...]:
+    """Return what is different between two sides, of the nodes that are asked for."""
+    from roslens.cli.graph_choice import chosen
+    from roslens.compare.graph_difference import differences
+
     found: list[Difference] = []
-    for name in sorted(old.keys() | new.keys()):
-        first, second = old.get(name, []), new.get(name, [])
-        if not first or not second:
-            how = "removed" if first else "added"
-            found += [_of_node(one, how) for one in first or second]
-            continue
-        for place, text in (("number of nodes", _count), ("start", _start)):
-            one, two = text(first), text(second)
-            if one != two:
-                found.append(Difference(name, "node", place, "changed", one, two))
-        found += _told(name, _facts(first), _facts(second))
-    found += _told("", _outside(before), _outside(after))
+    for name in sorted({*before.configurations, *after.configurations}):
+        pair = [side.configurations.get(name, Configuration(name, "")) for side in (before, after)]
+        found += differences(*(chosen(one, nodes, implicit=implicit) for one in pair))
     return tuple(found)
 
 
-_Facts = dict[tuple[str, str], str]
+def _sides(options: argparse.Namespace) -> tuple[Side, Side]:
+    if any(text.endswith(".json") for text in options.diff):
+        return _documents(options)
+    if options.launch or options.package:
+        return _revisions(options)
+    if options.arg:
+        raise UsageError("--arg with --diff", expected="--launch FILE too, or FILE:arg=value after --diff")
+    with open_source(options) as source:
+        named = [source.names_launch_file(text.partition(":")[0]) for text in options.diff]
+        if all(named):
+            first, second = (_launched(source, text) for text in options.diff)
+            return first, second
+    if any(named):
+        raise _two_kinds(*sorted(options.diff, key=lambda text: text == options.diff[named.index(True)]))
+    return _revisions(options)
 
 
-def _nodes(configuration: Configuration) -> dict[str, list[ConfiguredNode]]:
-    found: dict[str, list[ConfiguredNode]] = {}
-    for node in configuration.nodes:
-        found.setdefault(node.name, []).append(node)
-    return found
+def _documents(options: argparse.Namespace) -> tuple[Side, Side]:
+    """Return two sides from files written by ``--format json``."""
+    from roslens.report.graph_document import read_graph_json
+
+    if options.launch or options.arg or options.package:
+        raise UsageError("--launch, --arg or --package with documents", expected="what is compared after --diff alone")
+    sides = []
+    for name in options.diff:
+        if not name.endswith(".json"):
+            raise UsageError(f'"{name}" with a document', expected="two files written by --format json")
+    for name in options.diff:
+        found = read_graph_json(Path(name).read_bytes(), name)
+        if len({one.generation for one in found}) < len(found):
+            raise UsageError(f"{name} has {len(found)} configurations", expected="one of each generation of ROS")
+        # Two of one configuration are compared whatever their generation is.
+        sides.append({one.generation if len(found) > 1 else "": one for one in found})
+    return Side(options.diff[0], sides[0]), Side(options.diff[1], sides[1])
 
 
-def _count(nodes: Sequence[ConfiguredNode]) -> str:
-    return str(len(nodes))
+def _launched(source: GraphSource, text: str) -> Side:
+    launch, _, rest = text.partition(":")
+    arguments = dict(pair.partition("=")[::2] for pair in rest.split(",") if pair)
+    return Side(text, {"": source.launched(launch, arguments)})
 
 
-def _start(nodes: Sequence[ConfiguredNode]) -> str:
-    return "; ".join(sorted({_program(node) for node in nodes}))
+def _revisions(options: argparse.Namespace) -> tuple[Side, Side]:
+    from roslens.cli.git_tree import commit_of_revision, repository_of
+
+    repository = repository_of(options.path)
+    commits = {name: "" if name == NOW else commit_of_revision(repository, name) for name in options.diff}
+    for name, commit in commits.items():
+        if not commit and name != NOW:
+            raise _unknown(repository, name)
+    sides: list[Side] = []
+    lacking: list[UsageError] = []
+    with _opened(options, repository, commits) as sources:
+        for name, source in zip(options.diff, sources, strict=True):
+            try:
+                configurations = _of_revision(source, options)
+            except UsageError as error:
+                # What one side lacks is new on the other.
+                lacking.append(error)
+                configurations = {}
+                print(f'roslens: in "{name}": {error}', file=sys.stderr)
+            sides.append(Side(_title(name, commits[name], options), configurations))
+    if len(lacking) == len(sides):
+        raise lacking[-1]
+    return sides[0], sides[1]
 
 
-def _program(node: ConfiguredNode) -> str:
-    where = f" in {node.container}" if node.container else ""
-    conditions = "".join(f", if {one}" for one in node.conditions)
-    return f"{node.package}/{node.executable}{where}{conditions}"
+@contextmanager
+def _opened(
+    options: argparse.Namespace, repository: Repository, commits: dict[str, str]
+) -> Iterator[list[GraphSource]]:
+    """Open the workspace as it was at each side's commit."""
+    from contextlib import ExitStack
+
+    from roslens.cli.git_tree import write_tree
+
+    with ExitStack() as stack:
+        sources = []
+        for name in options.diff:
+            folder = None
+            if commits[name]:
+                folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="roslens-revision-"))
+                missing = [path for path in write_tree(repository, commits[name], Path(folder)) if _is_read(path)]
+                if missing and not options.quiet:
+                    told = f'{len(missing)} files of "{name}", {missing[0]} among them'
+                    print(f"roslens: git does not have {told}; they are taken as empty", file=sys.stderr)
+            sources.append(stack.enter_context(open_source(options, folder)))
+        yield sources
 
 
-def _of_node(node: ConfiguredNode, how: str) -> Difference:
-    text = _program(node)
-    return Difference(node.name, "node", "", how, "" if how == "added" else text, "" if how == "removed" else text)
+def _is_read(path: str) -> bool:
+    from roslens.model.source import Language
+    from roslens.source.workspace.languages import language_by_name
+
+    return language_by_name(path) is not Language.OTHER
 
 
-def _facts(nodes: Sequence[ConfiguredNode]) -> _Facts:
-    found: dict[tuple[str, str], set[str]] = {}
-    for node in nodes:
-        for one in node.endpoints:
-            key = (one.endpoint.role.value.replace("_", " "), one.endpoint.name)
-            found.setdefault(key, set()).add(_end(one))
-        for parameter in node.parameters:
-            if parameter.access or parameter.set_by is not None:
-                found.setdefault(("parameter", parameter.name), set()).add(
-                    "unknown" if parameter.value is None else f'"{parameter.value}"'
-                )
-        for remap in node.remaps:
-            found.setdefault(("remapping", remap.source), set()).add(remap.target)
-    return {key: "; ".join(sorted(texts)) for key, texts in found.items()}
+def _of_revision(source: GraphSource, options: argparse.Namespace) -> dict[str, Configuration]:
+    from roslens.cli.graph_source import arguments_of
+
+    if not options.launch:
+        return {one.generation: one for one in source.packages(options.package)}
+    return {"": source.launched(options.launch, arguments_of(options.arg))}
 
 
-def _end(one: ConfiguredEndpoint) -> str:
-    quality = quality_text(one.endpoint.qos) if one.endpoint.qos else ""
-    queue = f"queue {one.queue}" if one.queue >= 0 else ""
-    conditions = [f"if {condition}" for condition in one.conditions]
-    words = [one.endpoint.type or "type unknown", quality, queue, "latched" if one.latched else "", *conditions]
-    return ", ".join(word for word in words if word)
+def _title(name: str, commit: str, options: argparse.Namespace) -> str:
+    what = " ".join([options.launch, *options.arg]) if options.launch else ", ".join(options.package)
+    revision = (
+        "the files as they are" if name == NOW else name if commit.startswith(name) else f"{name} ({commit[:10]})"
+    )
+    return f"{what} at {revision}" if what else revision
 
 
-def _outside(configuration: Configuration) -> _Facts:
-    return {("parameter", one.name): f'"{one.value}"' for one in configuration.parameters}
+def _two_kinds(other: str, launch: str) -> UsageError:
+    return UsageError(
+        f'"{launch}" is a launch file and "{other}" is none',
+        expected="two launch files, or two revisions",
+        advice=f"For one launch file at two revisions: --launch {launch.partition(':')[0]} --diff A B",
+    )
 
 
-def _told(node: str, before: _Facts, after: _Facts) -> Iterator[Difference]:
-    for key in sorted(before.keys() | after.keys()):
-        one, two = before.get(key), after.get(key)
-        if one != two:
-            how = "added" if one is None else "removed" if two is None else "changed"
-            yield Difference(node, *key, how, one or "", two or "")
+def _unknown(repository: Repository, name: str) -> UsageError:
+    from roslens.cli.git_tree import names_like
 
-
-def to_text(found: Sequence[Difference], before: str, after: str) -> str:
-    """Return differences as lines, by node."""
-    lines = [f"--- {before}", f"+++ {after}"]
-    node = None
-    for one in found:
-        if one.what == "node" and not one.name:
-            lines.append(f"{_SIGNS[one.how]} {one.node}  {one.before or one.after}")
-            node = one.node
-            continue
-        if one.node != node:
-            node = one.node
-            lines.append(f"  {node or 'parameters of all nodes'}")
-        lines.append(f"{_SIGNS[one.how]}   {one.what} {one.name}: {_change(one)}")
-    if not found:
-        lines.append("no difference")
-    return "\n".join(lines) + "\n"
-
-
-def _change(one: Difference) -> str:
-    return f"{one.before} -> {one.after}" if one.how == "changed" else one.before or one.after
-
-
-def to_markdown(found: Sequence[Difference], before: str, after: str) -> str:
-    """Return differences as a table for a pull request."""
-    head = f"**Computation graph**: `{_cell(before)}` to `{_cell(after)}`"
-    if not found:
-        return f"{head}: no difference\n"
-    count = {how: sum(one.how == how for one in found) for how in _SIGNS}
-    told = ", ".join(f"{number} {how}" for how, number in count.items() if number)
-    lines = [f"{head}: {told}", "", "| | node | what | before | after |", "| --- | --- | --- | --- | --- |"]
-    for one in found:
-        what = f"{one.what} {_code(one.name)}" if one.name else one.what
-        lines.append(f"| {one.how} | {_code(one.node)} | {what} | {_code(one.before)} | {_code(one.after)} |")
-    return "\n".join(lines) + "\n"
-
-
-def _code(text: str) -> str:
-    return f"`{_cell(text)}`" if text else ""
-
-
-def _cell(text: str) -> str:
-    return " ".join(text.split()).replace("|", "\\|").replace("`", "'")
+    near = names_like(repository, name)
+    meant = f"Did you mean {' or '.join(near)}? " if near else ""
+    return UsageError(
+        f'no revision "{name}" in {repository.root}, and no launch file of that name',
+        expected="two revisions (branch, tag, commit, or . for the files as they are), or two launch files",
+        advice=f"{meant}`git log --oneline` shows commits; one of a server is there after `git fetch`",
+    )

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
     from roslens.model.finding import Finding
     from roslens.source.extract.program import Program
-    from roslens.source.settings import SourceSettings
 
 _CODE = {".py": "python", ".cpp": "cpp", ".cc": "cpp", ".cxx": "cpp", ".hpp": "cpp", ".h": "cpp", ".hh": "cpp"}
 
@@ -21,7 +20,6 @@ _CODE = {".py": "python", ".cpp": "cpp", ".cc": "cpp", ".cxx": "cpp", ".hpp": "c
 def findings_of(
     source: GraphSource,
     configuration: Configuration,
-    settings: SourceSettings,
     launch: str = "",
     given: Mapping[str, str] | None = None,
 ) -> list[Finding]:
@@ -33,14 +31,13 @@ def findings_of(
     Args:
         source: the workspace that it was assembled from.
         configuration: what would run together.
-        settings: of the user.
         launch: its launch file; empty where it has none.
         given: arguments of the launch file.
     """
     from roslens.source.rules.graph import graph_findings
     from roslens.source.rules.graph.gather import surroundings_of
 
-    arguments = dict(given or {})
+    launch, arguments = source.meant(launch, given or {})
     names = [one.name for one in source.facts.packages]
     surroundings = surroundings_of(
         configuration,
@@ -50,10 +47,10 @@ def findings_of(
         targets={name: source.facts.targets(name) for name in names},
         unresolved=source.facts.unresolved,
         paths={name: source.facts.paths(name) for name in names},
-        programs=_calling(configuration, source, settings),
-        options=settings.options.get("graph", {}),
+        programs=_calling(configuration, source),
+        options=source.settings.options.get("graph", {}),
     )
-    return list(_counted(graph_findings(configuration, surroundings), source, settings.gate_roles))
+    return list(_counted(graph_findings(configuration, surroundings), source, source.settings.gate_roles))
 
 
 def _counted(found: Sequence[Finding], source: GraphSource, roles: Sequence[str]) -> Iterator[Finding]:
@@ -68,7 +65,7 @@ def _counted(found: Sequence[Finding], source: GraphSource, roles: Sequence[str]
             yield finding if counts else msgspec.structs.replace(finding, gated=False)
 
 
-def _calling(configuration: Configuration, source: GraphSource, settings: SourceSettings) -> Mapping[str, Program]:
+def _calling(configuration: Configuration, source: GraphSource) -> Mapping[str, Program]:
     """Return the programs that call services: only those may wait for one."""
     from roslens.model.graph import Role
     from roslens.model.source import Language
@@ -85,5 +82,5 @@ def _calling(configuration: Configuration, source: GraphSource, settings: Source
     for path in sorted(paths):
         language, text = _CODE.get(Path(path).suffix), source.facts.files.content(path)
         if language is not None and text is not None:
-            programs[path] = parse_file(text, Language(language), settings.macros).program()
+            programs[path] = parse_file(text, Language(language), source.settings.macros).program()
     return programs

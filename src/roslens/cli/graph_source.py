@@ -30,6 +30,7 @@ class GraphSource:
         cache: Path | None = None,
         jobs: int = 1,
         progress: Progress | None = None,
+        elsewhere: bool = False,
     ) -> None:
         """Find the packages of a workspace.
 
@@ -41,6 +42,7 @@ class GraphSource:
             cache: the file in which is kept what was learned of files; None keeps nothing.
             jobs: worker processes; 0 means one per processor.
             progress: who watches files being read.
+            elsewhere: whether the files stand at another place than those that the cache knows by path.
 
         Raises:
             UsageError: there is no such folder.
@@ -51,13 +53,14 @@ class GraphSource:
         from roslens.source.known_manifests import KnownManifests
         from roslens.source.workspace.find import find_workspace
         from roslens.store.cache import Cache
+        from roslens.store.content_cache import ContentCache
 
-        self._settings = settings
+        self.settings = settings
         self._hinted_in = hinted_in
         self._environment = environment
         self._evaluated: dict[tuple[str, tuple[tuple[str, str], ...]], Launch] = {}
         now_s = time.time()
-        self._cache = Cache.open(cache, now_s=now_s)
+        self._cache = (ContentCache if elsewhere else Cache).open(cache, now_s=now_s)
         manifests = KnownManifests(self._cache)
         workspace = find_workspace([path], settings.workspace, read=manifests.read)
         manifests.keep()
@@ -85,10 +88,10 @@ class GraphSource:
         from roslens.source.extract.catalogue import known_node
 
         path, result = self.evaluated(launch, arguments)
-        given = "".join(f" {name}:={value}" for name, value in arguments.items())
+        given = "".join(f" {name}:={value}" for name, value in self.meant(launch, arguments)[1].items())
         return assemble(
             result, self.facts, title=path + given, known=known_node, files=self.facts.files,
-            hints=self._settings.graph.hints, hinted_in=self._hinted_in,
+            hints=self.settings.graph.hints, hinted_in=self._hinted_in,
         )  # fmt: skip
 
     def evaluated(self, launch: str, arguments: Mapping[str, str]) -> tuple[str, Launch]:
@@ -100,6 +103,7 @@ class GraphSource:
         from roslens.source.extract.launch_ros1 import evaluate_ros1
         from roslens.source.extract.launch_ros2 import evaluate_ros2
 
+        launch, arguments = self.meant(launch, arguments)
         path = self._launch_file(launch)
         key = (path, tuple(sorted(arguments.items())))
         if key not in self._evaluated:
@@ -135,7 +139,7 @@ class GraphSource:
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
             made = assemble(
                 Launch(generation, tuple(nodes)), self.facts, title=title, known=known_node, files=self.facts.files,
-                by_launch=False, hints=self._settings.graph.hints, hinted_in=self._hinted_in,
+                by_launch=False, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
             )  # fmt: skip
             found.append(made)
         return tuple(one for one in found if one.nodes)
@@ -158,7 +162,25 @@ class GraphSource:
             for path in self.facts.launch_files(package.name):
                 yield f"{package.name}/{path.rpartition('/')[2]}"
 
+    def names_launch_file(self, launch: str) -> bool:
+        """Return whether the workspace has a launch file of that name."""
+        return self._found(self.meant(launch, {})[0]) is not None
+
+    def meant(self, launch: str, arguments: Mapping[str, str]) -> tuple[str, dict[str, str]]:
+        """Return the launch file and the arguments of a configuration that ``roslens.toml`` declares, or those given.
+
+        Arguments that are given too win over declared ones.
+        """
+        declared = self.settings.graph.configurations.get(launch)
+        return (launch, dict(arguments)) if declared is None else (declared.launch, {**declared.given(), **arguments})
+
     def _launch_file(self, launch: str) -> str:
+        found = self._found(launch)
+        if found is None:
+            raise self.no_launch_file(launch)
+        return found
+
+    def _found(self, launch: str) -> str | None:
         package, slash, name = launch.partition("/")
         if slash and self.facts.has(package):
             fit = [path for path in self.facts.launch_files(package) if path.endswith(f"/{name}")]
@@ -176,10 +198,14 @@ class GraphSource:
                         advice="Give the folder of the workspace as PATH",
                     )
                 return resolved.relative_to(self.root).as_posix()
+        return None
+
+    def no_launch_file(self, launch: str) -> UsageError:
+        """Return the error that tells which launch file may have been meant."""
         import difflib
 
         near = difflib.get_close_matches(launch, list(self.launch_files()), 1, 0.4)
-        raise UsageError(
+        return UsageError(
             f'no launch file "{launch}"',
             expected="PACKAGE/FILE or a path",
             advice=f'Did you mean "{near[0]}"?' if near else "",

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from roslens.dashboard.site import Site
     from roslens.model.result import RunHeader
     from roslens.source.progress import Progress
-    from roslens.source.settings import SourceSettings
     from roslens.store.read import RunView
 
     FinishedProgress = TerminalProgress | LineProgress | NoProgress
@@ -65,17 +64,17 @@ def shown_graphs(header: RunHeader, cache: Path, progress: Progress, *, quiet: b
         settings = SourceSettings()
     progress.step("Reading launch files and code", 0)
     with GraphSource(header.root, settings, "roslens.toml", {}, cache=cache, jobs=0, progress=progress) as source:
-        found = assembled(source, settings, _chosen(source, settings, quiet=quiet), progress)
+        found = assembled(source, _chosen(source, quiet=quiet), progress)
     for failure in found.failures:
         print(f"roslens: {failure}", file=sys.stderr)
     return found
 
 
-def _chosen(source: GraphSource, settings: SourceSettings, *, quiet: bool) -> tuple[Named, ...]:
+def _chosen(source: GraphSource, *, quiet: bool) -> tuple[Named, ...]:
     from roslens.cli.graph_configurations import largest, named_configurations
 
-    named = named_configurations(source, settings)
-    if settings.graph.configurations:
+    named = named_configurations(source)
+    if source.settings.graph.configurations:
         return named
     chosen = largest(source, named)
     if len(chosen) < len(named) and not quiet:

@@ -7,6 +7,7 @@ import os
 import shutil
 import sys
 import time
+from pathlib import Path
 from typing import TextIO
 
 
@@ -27,6 +28,17 @@ def wants_color(options: argparse.Namespace, stream: TextIO) -> bool:
 def width_of(stream: TextIO) -> int:
     """Return the columns of the terminal; 100 where there is none."""
     return shutil.get_terminal_size((100, 24)).columns if stream.isatty() else 100
+
+
+def write_result(text: str, output: str | None) -> None:
+    """Write a result to a file, whole or not at all, or to standard output."""
+    if output is None:
+        sys.stdout.write(text)
+        return
+    from roslens.report.whole_file import whole_file
+
+    with whole_file(Path(output)) as stream:
+        stream.write(text)
 
 
 class TerminalProgress:

@@ -20,3 +20,13 @@ class Qos(msgspec.Struct, frozen=True, omit_defaults=True):
     lifespan_s: float = 0.0
     liveliness: str = ""
     lease_s: float = 0.0
+
+
+def quality_text(qos: Qos) -> str:
+    """Return a quality of service in words; what is unknown is left out, ``?`` where all is."""
+    history = "keep_all" if qos.history == "keep_all" else f"depth {qos.depth}" if qos.depth else ""
+    limits = (("deadline", qos.deadline_s), ("lifespan", qos.lifespan_s), ("lease", qos.lease_s))
+    words = [qos.reliability, "" if qos.durability == "volatile" else qos.durability, history]
+    words += [f"{name} {seconds:g} s" for name, seconds in limits if seconds]
+    words.append("" if qos.liveliness in ("", "automatic") else qos.liveliness)
+    return ", ".join(word for word in words if word) or "qos unknown"

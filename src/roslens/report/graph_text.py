@@ -13,7 +13,7 @@ from roslens.model.configuration import (
     Proof,
 )
 from roslens.model.graph import Role
-from roslens.model.qos import Qos
+from roslens.model.qos import quality_text
 
 _HEADS = (
     (Role.PUBLISHER, "publishes"),
@@ -39,7 +39,7 @@ def to_graph_text(configuration: Configuration) -> str:
             lines.append(f"  {missing.proof.place}  {node}{missing.reason}{text}")
     if any("? " in line or "~ " in line for line in lines):
         lines += ["", "? a part of the name is unknown, * stands for it   ~ likely, but may be otherwise"]
-    return "".join(f"{_printable(line)}\n" for line in lines)
+    return "".join(f"{printable(line)}\n" for line in lines)
 
 
 def _head(configuration: Configuration) -> Iterator[str]:
@@ -100,16 +100,6 @@ def _queue(one: ConfiguredEndpoint) -> str:
     return ", ".join(piece for piece in pieces if piece)
 
 
-def quality_text(qos: Qos) -> str:
-    """Return a quality of service in words; what is unknown is left out, ``?`` where all is."""
-    history = "keep_all" if qos.history == "keep_all" else f"depth {qos.depth}" if qos.depth else ""
-    limits = (("deadline", qos.deadline_s), ("lifespan", qos.lifespan_s), ("lease", qos.lease_s))
-    words = [qos.reliability, "" if qos.durability == "volatile" else qos.durability, history]
-    words += [f"{name} {seconds:g} s" for name, seconds in limits if seconds]
-    words.append("" if qos.liveliness in ("", "automatic") else qos.liveliness)
-    return ", ".join(word for word in words if word) or "qos unknown"
-
-
 def _from(proof: Proof) -> str:
     if proof.origin is Origin.CATALOGUE:
         return f"catalogue: {proof.path}"
@@ -149,7 +139,7 @@ def _aligned(rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
         yield ("    " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=False))).rstrip()
 
 
-def _printable(line: str) -> str:
+def printable(line: str) -> str:
     """Return a line in which nothing is left that a terminal would obey; names come from the source that is read."""
     if line.isprintable():
         return line

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.boundary import CLEAN, NOT_ANALYSED
 from roslens.cli.graph_check import add_check_arguments
-from roslens.cli.streams import add_stream_arguments
+from roslens.cli.streams import add_stream_arguments, write_result
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -26,9 +26,9 @@ EXAMPLES = """\
   roslens graph --package rover_base --node base_node --all
   roslens graph --launch rover_bringup/rover.launch.py --format dot | dot -Tsvg > rover.svg
   roslens graph --launch rover_bringup/rover.launch.py --html rover.html
-  roslens graph --diff rover_bringup/rover.launch.py rover_bringup/rover.launch.py:navigation=false
-
   roslens graph --launch rover_bringup/rover.launch.py --check --fail-on warning
+  roslens graph --launch rover_bringup/rover.launch.py --diff origin/main HEAD --format markdown
+  roslens graph --diff rover_bringup/rover.launch.py rover_bringup/rover.launch.py:navigation=false
 
 exit codes: as everywhere; with --diff 1 where there is a difference"""
 
@@ -36,7 +36,9 @@ exit codes: as everywhere; with --diff 1 where there is a difference"""
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of ``roslens graph``."""
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
-    parser.add_argument("--launch", metavar="FILE", help="what this launch file starts: PACKAGE/FILE or a path")
+    parser.add_argument(
+        "--launch", metavar="FILE", help="what it starts: PACKAGE/FILE, a path, or a name of [graph.configurations]"
+    )
     parser.add_argument(
         "--arg", action="append", default=[], metavar="NAME:=VALUE", help="argument of the launch file; again for more"
     )
@@ -48,7 +50,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--diff",
         nargs=2,
         metavar=("A", "B"),
-        help="compare two launch files (FILE[:arg=value,...]) or two files written by --format json",
+        help="compare two revisions of git (. is the files as they are), two launch files (FILE[:arg=value,...]) or two "
+        "files written by --format json",
     )
     parser.add_argument("-o", "--output", metavar="FILE", help="write the result there instead")
     parser.add_argument("--html", metavar="FILE", help="draw it: one HTML file that needs nothing else")
@@ -74,13 +77,17 @@ def run(options: argparse.Namespace) -> int:
     if options.html and (options.diff or options.output or options.format != "text"):
         raise UsageError("--html with --diff, --format or --output", expected="--html FILE alone")
     if options.diff:
-        return _diff(options)
+        from roslens.cli.graph_diff import diff
+
+        return diff(options)
     if options.format == "markdown":
         raise UsageError("--format markdown without --diff", expected="one of the other formats")
     if options.arg and not options.launch:
         raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
     if options.launch and options.package:
         raise UsageError("--package with --launch", expected="one of them")
+    from roslens.cli.graph_opened import open_source
+
     with open_source(options) as source:
         found = _configurations(source, options)
         for failure in source.facts.broken:
@@ -95,48 +102,13 @@ def run(options: argparse.Namespace) -> int:
             return _complete(source, found)
         code = _complete(source, found)
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
-    write(_text(shown, options), options.output)
+    write_result(_text(shown, options), options.output)
     return code
 
 
 def _complete(source: GraphSource, found: tuple[Configuration, ...]) -> int:
     """Return the exit code that says whether there is a graph at all: none that could be read is not a clean one."""
     return CLEAN if any(one.nodes for one in found) and not source.facts.broken else NOT_ANALYSED
-
-
-def open_source(options: argparse.Namespace) -> GraphSource:
-    """Find the workspace and its configuration file."""
-    import os
-
-    import msgspec
-
-    from roslens.cli.configuration import find_configuration
-    from roslens.cli.graph_source import GraphSource
-    from roslens.cli.workplace import CACHE, FOLDER
-    from roslens.source.workspace.conditions import environment_of
-    from roslens.source.workspace.find import root_of
-
-    if options.jobs is not None and options.jobs < 0:
-        raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
-    root = root_of([options.path])
-    configuration = find_configuration(root, options.config)
-    settings = configuration.source
-    seen = {**environment_of(os.environ), **settings.workspace.environment}
-    workspace = msgspec.structs.replace(settings.workspace, environment=seen)
-    settings = msgspec.structs.replace(settings, workspace=workspace)
-    source = GraphSource(
-        options.path,
-        settings,
-        Path(configuration.path).name,
-        dict(os.environ),
-        cache=None if options.no_cache else root / FOLDER / CACHE,
-        jobs=configuration.jobs if options.jobs is None else options.jobs,
-    )
-    for failure in source.failures:
-        # What is wrong with manifests is told by `check`; a workspace without packages has no graph.
-        if options.verbose or not source.facts.packages:
-            print(f"roslens: {failure.what}; expected {failure.expected}", file=sys.stderr)
-    return source
 
 
 def _configurations(source: GraphSource, options: argparse.Namespace) -> tuple[Configuration, ...]:
@@ -165,22 +137,18 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
 
 
 def _html(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
-    from roslens.cli.configuration import find_configuration
     from roslens.cli.graph_choice import chosen
     from roslens.cli.graph_findings import findings_of
     from roslens.cli.graph_source import arguments_of
     from roslens.dashboard.computation.pages import computation_file
-    from roslens.source.workspace.find import root_of
 
-    settings = find_configuration(root_of([options.path]), options.config)
     names = [Path(one.title.partition(" ")[0]).name or one.generation for one in found]
     if len(set(names)) < len(names):
         names = [f"{name}-{one.generation}" for name, one in zip(names, found, strict=True)]
     shown = {name: chosen(one, options.node, implicit=True) for name, one in zip(names, found, strict=True)}
     given = arguments_of(options.arg)
     findings = {
-        name: findings_of(source, one, settings.source, options.launch or "", given)
-        for name, one in zip(names, found, strict=True)
+        name: findings_of(source, one, options.launch or "", given) for name, one in zip(names, found, strict=True)
     }
     computation_file(shown, Path(options.html), findings, title=Path(options.path).resolve().name)
     print(options.html)
@@ -205,49 +173,3 @@ _WRITERS = {
     "mermaid": ("to_mermaid", "to_mermaid"),
     "nodl": ("to_nodl", "to_nodl"),
 }
-
-
-def _diff(options: argparse.Namespace) -> int:
-    from roslens.cli.graph_choice import chosen
-    from roslens.cli.graph_diff import differences, to_markdown, to_text
-
-    if options.format not in ("text", "markdown", "json"):
-        raise UsageError(f"--format {options.format} with --diff", expected="text, markdown or json")
-    if options.launch or options.arg or options.package:
-        raise UsageError("--launch, --arg or --package with --diff", expected="what is compared after --diff alone")
-    sides = [chosen(_side(text, options), options.node, implicit=options.all) for text in options.diff]
-    found = differences(*sides)
-    if options.format == "json":
-        import msgspec
-
-        text = msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n"
-    else:
-        text = (to_markdown if options.format == "markdown" else to_text)(found, *options.diff)
-    write(text, options.output)
-    return FINDINGS if found else CLEAN
-
-
-def _side(text: str, options: argparse.Namespace) -> Configuration:
-    """Return one side of a comparison: a document, or a launch file with arguments."""
-    if text.endswith(".json"):
-        from roslens.report.graph_document import read_graph_json
-
-        configurations = read_graph_json(Path(text).read_bytes(), text)
-        if len(configurations) != 1:
-            raise UsageError(f"{text} has {len(configurations)} configurations", expected="one")
-        return configurations[0]
-    launch, _, rest = text.partition(":")
-    arguments = dict(pair.partition("=")[::2] for pair in rest.split(",") if pair)
-    with open_source(options) as source:
-        return source.launched(launch, arguments)
-
-
-def write(text: str, output: str | None) -> None:
-    """Write a result to a file, whole or not at all, or to standard output."""
-    if output is None:
-        sys.stdout.write(text)
-        return
-    from roslens.report.whole_file import whole_file
-
-    with whole_file(Path(output)) as stream:
-        stream.write(text)

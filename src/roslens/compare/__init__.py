@@ -1,0 +1,1 @@
+"""Where what is declared, extracted or observed meets: compared through the model only."""

@@ -1,4 +1,4 @@
-"""When a fault is there for anybody to see, where that is after its beginning: what the time of an alarm counts from."""
+"""When a fault is there for anybody to see, where that is after its beginning: from then on alarms are timed."""
 
 import time
 from collections.abc import Callable, Iterator

@@ -28,7 +28,7 @@ LATE = 0.2
 """Seconds after its window within which an alarm has to come."""
 
 SCAN = "connection:/lidar > /scan > /planner"
-RESENT = ("host:sensor", "resent")
+RESENT, OF_SCAN = ("host:sensor", "resent"), ("topic:/scan", "rate")
 NODES = ("/odometry", "/lidar", "/camera", "/planner")
 
 
@@ -45,7 +45,7 @@ class Case:
             once. By generation where they differ.
         says: A failure with these words has to be told, where no verdict is about such a fault.
         fact: Finds out when the fault is there for anybody to see; None where that is when it begins.
-        also: Entity and quantity of what tells the same fault, where it is told.
+        also: Entity and quantity of what it may break too, also when its cause has gone.
     """
 
     name: str
@@ -170,8 +170,9 @@ CASES = (
     Case("lidar freezes", lambda w: faults.frozen(w.robot.processes["lidar"]), _both(("topic:/scan", "rate")), 2.2),
     # Told when it happens.
     Case("lidar crashes", lambda w: faults.killed(w.robot.processes["lidar"]),
-         _both(("node:/lidar", "presence")), 0.5, 0.0),
-    Case("lidar crashes and restarts", _crash_and_restart, _both(("node:/lidar", "presence")), 0.5, 0.0),
+         _both(("node:/lidar", "presence")), 0.5, 0.0, also=frozenset({OF_SCAN})),
+    Case("lidar crashes and restarts", _crash_and_restart, _both(("node:/lidar", "presence")), 0.5, 0.0,
+         also=frozenset({OF_SCAN})),
     Case("subscription asks for more than is offered", lambda w: _misfit(w, "reliable"),
          {"ros2": frozenset()}, 5.0, 0.0, MISFIT, facts.subscribed("misfit-reliable")),
     Case("subscription of another type", lambda w: _misfit(w, "type"), {"ros2": frozenset()}, 5.0, 0.0, MISFIT,
@@ -209,10 +210,10 @@ def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:
         watched.wait_until_ok(needed)
         ended = max((one.time for one in watched.told[first:] if one.key in watched.alarmed), default=fault.ended)
         ok = max(ended - fault.ended, 0.0)
-    bad = [one for one in watched.told[first:] if one.bad and one.key not in right | case.also]
+    bad = [one for one in watched.told[first:] if one.bad and one.key not in right]
     entities = {entity for entity, _ in right}
     # A fault that is mended by the time it is told may have no cause left: only what is told of it counts.
-    following = [one for one in bad if one.cause in entities or one.entity in entities]
+    following = [one for one in bad if one.cause in entities or one.entity in entities or one.key in case.also]
     others = [one for one in bad if one not in following]
     if alarm is None:
         return Row(case.name, watched.generation, "", None, ok, (), _texts(others, began), case.allowed, load=load)

@@ -51,7 +51,10 @@ def _misfit(topic: str, publisher: Endpoint, subscription: Endpoint) -> Failure 
         )  # fmt: skip
     if publisher.hash and subscription.hash and publisher.hash != subscription.hash:
         return Failure(
-            TOOL, f"{pair}: its definition of {publisher.type} is another ({subscription.hash[:14]})",
+            # Fast DDS hands such messages over; they fail to be read, or are read as something else.
+            TOOL,
+            f"{subscription.node} does not understand what {publisher.node} publishes on {topic}: its definition of "
+            f"{publisher.type} is another ({subscription.hash[:14]})",
             f"that of the publisher ({publisher.hash[:14]})",
             "Build both nodes against the same version of the message package", entity=entity,
         )  # fmt: skip

@@ -173,3 +173,52 @@ def test_inspection_sees_the_module_as_without_the_hook(tmp_path):
         "import inspect, rclpy.executors as e; assert 'def _take_timer' in inspect.getsource(e); "
         "assert type(e.__spec__.loader).__name__ == type(e.__loader__).__name__ == 'SourceFileLoader'",
     )
+
+
+STAMPED = """
+class Stamp:
+    __slots__ = ('_sec', '_nanosec')
+    sec, nanosec = property(lambda self: self._sec), property(lambda self: self._nanosec)
+    def __init__(self, sec): self._sec, self._nanosec = sec, 250
+class Header:
+    __slots__ = ('_stamp',)
+    stamp = property(lambda self: self._stamp)
+    def __init__(self, sec): self._stamp = Stamp(sec)
+class Generated:
+    __slots__ = ('_header',)
+    header = property(lambda self: self._header)
+    def __init__(self, sec): self._header = Header(sec)
+    @staticmethod
+    def get_fields_and_field_types(): return {'header': 'std_msgs/Header', 'data': 'string'}
+class Other:
+    def __init__(self, sec): self.header = Header(sec)
+    get_fields_and_field_types = Generated.get_fields_and_field_types
+executor = Executor()
+for kind in (Generated, Other):
+    second = 10 ** 9
+    queue = [(kind(sec), info(7 * second + number)) for number, sec in enumerate((5, 0, 6))]
+    sub = Sub(Handle('/' + kind.__name__, queue), None)
+    sub.msg_type, sub.raw = kind, False
+    for _ in queue: executor._take_subscription(sub)
+"""
+
+
+def test_ages_are_those_of_the_stamps_however_a_message_keeps_them(tmp_path):
+    tallies, failures = run(tmp_path, NODE + STAMPED)
+    assert failures == []
+    for topic in ("/Generated", "/Other"):
+        assert (tallies[topic, ""].count, tallies[topic, ""].age.count) == (3, 2)  # one had no stamp
+        assert tallies[topic, ""].age.total == pytest.approx(3.0 + 2 * 750e-9 + 2e-9, abs=1e-9)
+
+
+def test_what_answers_several_topics_is_counted_for_each(tmp_path):
+    more = """
+other = Sub(Handle('/scan', [(b'abc', info(n)) for n in (1, 2)]), out.publish)
+again = Sub(Handle('/in', [(b'abc', info(n)) for n in (5, 6)]), out.publish)
+for sub in (other, again, again, other):
+    executor._take_subscription(sub)()
+"""
+    tallies, failures = run(tmp_path, NODE + more)
+    assert failures == []
+    assert tallies["/out", ""].count == 8
+    assert (tallies["/out", "/in"].processing.count, tallies["/out", "/scan"].processing.count) == (5, 2)

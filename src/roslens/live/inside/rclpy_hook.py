@@ -139,55 +139,24 @@ def _replaceable(owner: Any, name: str, *names: str) -> Callable[..., Any] | Non
 
 
 class _Arrivals:
-    """Counts the messages of one subscription, by publisher."""
-
-    __slots__ = ("_gid", "_known", "_node", "_sequence", "_slot", "_stamped", "_topic")
+    """The messages of one subscription, by publisher."""
 
     def __init__(self, subscription: Any) -> None:
         handle = subscription.handle
-        self._topic: str = handle.get_topic_name()
+        self.topic: str = handle.get_topic_name()
         self._node = _node_of(handle)
-        fields: Any = getattr(subscription.msg_type, "get_fields_and_field_types", dict)()
-        self._stamped = not subscription.raw and fields.get("header") == "std_msgs/Header"
         self._known: dict[bytes | None, tuple[Slot | None, Sequence | None]] = {}
-        self._gid: bytes | None = b"no publisher yet"
-        self._slot: Slot | None = None
-        self._sequence: Sequence | None = None
+        fields: Any = getattr(subscription.msg_type, "get_fields_and_field_types", dict)()
+        self.stamped = not subscription.raw and fields.get("header") == "std_msgs/Header"
+        self.slotted = self.stamped and hasattr(subscription.msg_type, "_header")
 
-    def count(self, message: Any, info: Any) -> None:
-        """Count a message that was taken with this information."""
-        now = time.time_ns()
-        _CURRENT.given = (self._topic, now)
-        gid = info["publisher_gid"]["data"] if "publisher_gid" in info else None
-        slot, sequence = (self._slot, self._sequence) if gid == self._gid else self._of(gid, now)
-        if slot is None:
-            return
-        received = info["received_timestamp"] or now
-        sent = info["source_timestamp"]
-        if sequence is not None:
-            number = info.get("publication_sequence_number", _NO_NUMBER)
-            if number == sequence.following:
-                sequence.following = number + 1
-            elif number == _NO_NUMBER:
-                sequence = None
-            else:
-                sequence.feed(number, now)
-        age = None
-        if self._stamped:
-            stamp = message.header.stamp
-            seconds = stamp.sec
-            if seconds:
-                age = received - seconds * 1_000_000_000 - stamp.nanosec
-        size = len(message) if type(message) is bytes else -1
-        slot.arrived(now, received, received - sent if sent else None, age, size, sequence)
-
-    def _of(self, gid: bytes | None, now: int) -> tuple[Slot | None, Sequence | None]:
+    def of(self, gid: bytes | None, now: int) -> tuple[Slot | None, Sequence | None]:
+        """Return the slot of what a publisher publishes, and what knows which of it is lost."""
         found = self._known.get(gid)
         if found is None:
-            slot = HOOK.slot(TAKEN, bytes(gid or b""), self._topic, self._node, now=now)
+            slot = HOOK.slot(TAKEN, bytes(gid or b""), self.topic, self._node, now=now)
             # Without an identifier the numbers of several publishers cannot be told apart.
             found = self._known[gid] = (slot, Sequence() if gid else None)
-        self._gid, (self._slot, self._sequence) = gid, found
         return found
 
 
@@ -203,21 +172,65 @@ class _Handle:
         self._handle = handle
         self.__enter__ = handle.__enter__
         self.__exit__ = handle.__exit__
-        self.take_message = _counted(handle.take_message, arrivals.count)
+        self.take_message = _counted(handle.take_message, arrivals)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._handle, name)
 
 
-def _counted(take: Callable[[Any, bool], Any], count: Callable[[Any, Any], None]) -> Callable[[Any, bool], Any]:
+def _age(message: Any, received: int) -> int | None:
+    """Return how long after the stamp in its header a message was received; None without a stamp."""
+    stamp = message.header.stamp
+    return received - stamp.sec * 1_000_000_000 - stamp.nanosec if stamp.sec else None
+
+
+def _counted(take: Callable[[Any, bool], Any], arrivals: _Arrivals) -> Callable[[Any, bool], Any]:
+    """Return what takes a message and counts it; what is used for each message is in variables around it."""
+    topic, stamped, slotted = arrivals.topic, arrivals.stamped, arrivals.slotted
+    current, time_ns = _CURRENT, time.time_ns
+    last_gid: bytes | None = b"no publisher yet"
+    arrived: Any = None
+    sequence: Sequence | None = None
+
+    def change(gid: bytes | None, now: int) -> None:
+        nonlocal last_gid, arrived, sequence
+        slot, sequence = arrivals.of(gid, now)
+        arrived = slot.arrived if slot is not None else None
+        last_gid = gid
+
     def take_message(kind: Any, raw: bool) -> Any:
         taken = take(kind, raw)
-        if taken is not None:
-            try:
-                message, info = taken
-                count(message, info)
-            except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
-                HOOK.stop(error)
+        if taken is None:
+            return taken
+        try:
+            message, info = taken
+            now = time_ns()
+            current.given = (topic, now)
+            gid = info["publisher_gid"]["data"] if "publisher_gid" in info else None
+            if gid != last_gid:
+                change(gid, now)
+            if arrived is None:
+                return taken
+            of = sequence
+            if of is not None:
+                number = info.get("publication_sequence_number", _NO_NUMBER)
+                if number == of.following:
+                    of.following = number + 1
+                elif number == _NO_NUMBER:
+                    of = None
+                else:
+                    of.feed(number, now)
+            received = info["received_timestamp"] or now
+            sent = info["source_timestamp"]
+            latency = received - sent if sent else None
+            if slotted:
+                stamp = message._header._stamp  # noqa: SLF001 - the property in front of it costs a call
+                age = received - stamp._sec * 1_000_000_000 - stamp._nanosec if stamp._sec else None  # noqa: SLF001
+            else:
+                age = _age(message, received) if stamped else None
+            arrived(now, received, latency, age, len(message) if type(message) is bytes else -1, of)
+        except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
+            HOOK.stop(error)
         return taken
 
     return take_message
@@ -286,32 +299,34 @@ def _answering_nothing(take: Callable[..., Any]) -> Callable[..., Any]:
     return forget_and_take
 
 
-class _Departures:
-    """Counts the messages of one publisher."""
+def _departures(publisher: Any, now: int) -> Callable[[int, int], None]:
+    """Return what counts the messages of a publisher; what is used for each message is in variables around it."""
+    handle = publisher.handle
+    topic: str = handle.get_topic_name()
+    node = _node_of(handle)
+    slot = HOOK.slot(PUBLISHED, b"", topic, node, now=now)
+    departed = slot.arrived if slot is not None else None
+    current = _CURRENT
+    answers: dict[str, Slot | None] = {}
+    asked = ""
+    answered: Callable[[int, int], None] | None = None
 
-    __slots__ = ("_answers", "_node", "_slot", "_topic")
-
-    def __init__(self, publisher: Any, now: int) -> None:
-        handle = publisher.handle
-        self._topic: str = handle.get_topic_name()
-        self._node = _node_of(handle)
-        self._slot = HOOK.slot(PUBLISHED, b"", self._topic, self._node, now=now)
-        self._answers: dict[str, Slot | None] = {}
-
-    def count(self, now: int, size: int) -> None:
-        """Count a message published at ``now``."""
-        slot = self._slot
-        if slot is not None:
-            slot.arrived(now, now, None, None, size, None)
-        given = _CURRENT.given
+    def count(now: int, size: int) -> None:
+        nonlocal asked, answered
+        if departed is not None:
+            departed(now, now, None, None, size, None)
+        given = current.given
         if given is not None:
-            topic, taken = given
-            try:
-                slot = self._answers[topic]
-            except KeyError:
-                slot = self._answers[topic] = HOOK.slot(ANSWERED, b"", self._topic, self._node, topic, now)
-            if slot is not None and now >= taken:
-                slot.answered(now, now - taken)
+            name, taken = given
+            if name != asked:
+                if name not in answers:
+                    answers[name] = HOOK.slot(ANSWERED, b"", topic, node, name, now)
+                of = answers[name]
+                asked, answered = name, of.answered if of is not None else None
+            if answered is not None and now >= taken:
+                answered(now, now - taken)
+
+    return count
 
 
 def hook_publisher(module: ModuleType) -> None:
@@ -329,10 +344,10 @@ def hook_publisher(module: ModuleType) -> None:
             return
         try:
             try:
-                departures = self.roslens_counters
+                count = self.roslens_counters
             except AttributeError:
-                departures = self.roslens_counters = _Departures(self, now)
-            departures.count(now, len(msg) if type(msg) is bytes else -1)
+                count = self.roslens_counters = _departures(self, now)
+            count(now, len(msg) if type(msg) is bytes else -1)
         except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
             HOOK.stop(error)
 

@@ -33,7 +33,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeAlias
+
     from .sequence import Sequence
+
+    _Arrived: TypeAlias = Callable[[int, int, int | None, int | None, int, Sequence | None], None]
+    _Answered: TypeAlias = Callable[[int, int], None]
 
 MAGIC = b"RLCOUNTS"
 VERSION = 1
@@ -69,20 +75,25 @@ BANKS = 32
 BANK_WORDS = 8
 """Least and greatest of period, latency, age and processing, in seconds."""
 BANK_SHIFT = 28
+_BANK_NS = 1 << BANK_SHIFT
 TOPIC, NODE, OTHER = 288, 320, 352
 NAME_BYTES = 256
 END = WORDS - 1
 
 STALE_NS = 60_000_000_000
-_NOTHING_YET = (float("inf"), float("-inf")) * 4
+_NEITHER = (float("inf"), float("-inf"))
+_NOTHING_YET = _NEITHER * 4
 _SHAPE = struct.Struct("@2q")
 _RARE = struct.Struct("@4q")
 """What seldom changes goes into the piece as bytes that were packed before: each number costs as much as a write."""
 _write_counters = struct.Struct("@q16sq32sqddqdd").pack_into
 _write_aged = struct.Struct("@q16sq32sqddqddqdd").pack_into
 _write_answers = struct.Struct("@q16sq32s72sqdd").pack_into
-_NO_MOMENTS = bytes(72)
-_EXTREMES = struct.Struct("=8d")
+_NO_SHAPE, _NO_MOMENTS = _SHAPE.pack(-1, 0), bytes(72)
+_EXTREMES = struct.Struct("@8d")
+_write_extremes = struct.Struct("@6d16s").pack_into
+_write_processing = struct.Struct("@48s2d").pack_into
+_NO_OTHERS, _NO_PROCESSING = _EXTREMES.pack(*_NOTHING_YET)[:48], _EXTREMES.pack(*_NOTHING_YET)[48:]
 
 
 def folder_of(environment: Mapping[str, str], uid: int | None = None) -> str:
@@ -107,43 +118,57 @@ def make_folder(folder: str) -> None:
         raise PermissionError(f"{folder} is not a folder of the user {os.getuid()}")
 
 
+class _Seldom:
+    """What few messages change, as the bytes in which it goes to the file."""
+
+    __slots__ = ("_first", "_losses", "_size")
+
+    def __init__(self) -> None:
+        self._size, self._first = -1, 0
+        self._losses = (-1, 0, 0)
+
+    def shape(self, size: int, first: int) -> bytes:
+        """Return the sizes and the time of the first message, with what one more tells; -1 and 0 where nothing."""
+        if size >= 0:
+            self._size = size + max(0, self._size)
+        if first:
+            self._first = first
+        return _SHAPE.pack(self._size, self._first)
+
+    def rare(self, bank: int, sequence: Sequence | None) -> bytes:
+        """Return the losses and the number of the bank, with what a sequence tells, if any does."""
+        if sequence is not None and sequence.touched:
+            sequence.touched = False
+            self._losses = sequence.lost, sequence.pending, sequence.pending_since
+        return _RARE.pack(*self._losses, bank)
+
+
 class Slot:
     """The counters of one kind of traffic of one endpoint, as their process writes them. Times are ns.
 
-    The counters live in attributes and go to the file in one piece, which costs a tenth of changing them there.
+    The counters go to the file in one piece, which costs a tenth of changing them there. They live in the variables
+    around the functions that count, which cost less than attributes, least of all on old Pythons.
+
+    Attributes:
+        arrived: counts a message that was taken or published. Its arguments are when it is counted, when it was
+            received, how long that was after its publishing and how long after the stamp in its header (None where
+            unknown), its size in bytes (-1 where unknown), and what knows the losses of the connection, or None.
+        answered: counts a message that was published in answer to another, in a slot for these alone: when, and how
+            long after the other one was taken.
+        last: when the last message came.
     """
 
-    __slots__ = (
-        "_acquire", "_age", "_age_greatest", "_age_least", "_age_squares", "_ages", "_answers", "_bank",
-        "_bank_since", "_bank_until", "_count", "_first", "_latencies", "_latency", "_latency_greatest",
-        "_latency_least", "_latency_squares", "_lock", "_lost", "_numbers", "_pending", "_period",
-        "_period_greatest", "_period_least", "_period_squares", "_periods", "_processing", "_processing_greatest",
-        "_processing_least", "_processing_squares", "_rare", "_release", "_shape", "_since", "_size", "_token",
-        "_words", "last",
-    )  # fmt: skip
+    __slots__ = ("_lock", "_numbers", "_words", "answered", "arrived", "last")
 
     def __init__(self, words: memoryview) -> None:
         self._words = words
         self._numbers: memoryview[int] = words.cast("q")
         self._lock = threading.Lock()
-        self._acquire, self._release = self._lock.acquire, self._lock.release
-        self._token = self._numbers[SEQUENCE] + 1 & ~1
-        self._reset()
+        self._count_anew()
 
-    def _reset(self) -> None:
-        self._count = self._first = self.last = self._bank = self._pending = self._since = 0
-        self._periods = self._latencies = self._ages = self._answers = 0
-        self._bank_since = self._bank_until = 0
-        self._size = self._lost = -1
-        self._period = self._period_squares = self._latency = self._latency_squares = 0.0
-        self._age = self._age_squares = self._processing = self._processing_squares = 0.0
-        self._shape, self._rare = _SHAPE.pack(-1, 0), _RARE.pack(-1, 0, 0, 0)
-        self._no_extremes()
-
-    def _no_extremes(self) -> None:
-        self._period_least = self._latency_least = self._age_least = self._processing_least = float("inf")
-        self._period_greatest = self._latency_greatest = float("-inf")
-        self._age_greatest = self._processing_greatest = float("-inf")
+    def _count_anew(self) -> None:
+        self.last = 0
+        self.arrived, self.answered = self._arrivals(), self._answers()
 
     def begin(self, kind: int, gid: bytes, topic: str, node: str, other: str) -> None:
         """Fill the slot in for an endpoint, whatever was counted in it before."""
@@ -160,8 +185,8 @@ class Slot:
         for at, name in ((TOPIC, topic), (NODE, node), (OTHER, other)):
             text = name.encode("utf-8", "replace")[: NAME_BYTES - 1]
             numbers[at : at + NAME_BYTES // 8] = array.array("q", text.ljust(NAME_BYTES, b"\0"))
-        self._reset()
-        self._token = numbers[END] = numbers[SEQUENCE] = now + 1
+        numbers[END] = numbers[SEQUENCE] = now + 1
+        self._count_anew()
 
     def leave(self) -> memoryview:
         """Give the words back; what its endpoint may still count goes to memory of its own, where nobody reads."""
@@ -171,141 +196,150 @@ class Slot:
             self._numbers = self._words.cast("q")
             return words
 
-    def arrived(
-        self, now: int, when: int, latency: int | None, age: int | None, size: int, sequence: Sequence | None
-    ) -> None:
-        """Count a message that was taken.
-
-        Args:
-            now: when it is counted.
-            when: of its receipt.
-            latency: from its publishing to its receipt; None where unknown.
-            age: from the stamp in its header to its receipt; None without one.
-            size: serialised, in bytes; -1 where unknown.
-            sequence: what knows the losses of the connection; None where nothing does.
-        """
-        # What is short is written out here and below: a call costs as much as all that it would do. So does ``with``.
-        self._acquire()
-        try:
-            changed = not self._bank_since <= now < self._bank_until and self._next_bank(now)
-            self._count += 1
-            if size >= 0:
-                self._size = size + max(0, self._size)
-                self._shape = _SHAPE.pack(self._size, self._first)
-            last = self.last
-            self.last = when
-            if not last:
-                self._first = when
-                self._shape = _SHAPE.pack(self._size, when)
-            elif when >= last:  # otherwise the clock was set back, and nobody knows how long it really took
-                value = (when - last) * 1e-9
-                self._periods += 1
-                self._period += value
-                self._period_squares += value * value
-                if value < self._period_least:
-                    self._period_least = value
-                    changed = True
-                if value > self._period_greatest:
-                    self._period_greatest = value
-                    changed = True
-            if latency is not None:
-                value = latency * 1e-9
-                self._latencies += 1
-                self._latency += value
-                self._latency_squares += value * value
-                if value < self._latency_least:
-                    self._latency_least = value
-                    changed = True
-                if value > self._latency_greatest:
-                    self._latency_greatest = value
-                    changed = True
-            if sequence is not None and sequence.touched:
-                sequence.touched = False
-                self._lost, self._pending, self._since = sequence.lost, sequence.pending, sequence.pending_since
-                self._rare = _RARE.pack(self._lost, self._pending, self._since, self._bank)
-            numbers = self._numbers
-            token = self._token
-            numbers[SEQUENCE] = token + 1
-            if age is None:
-                _write_counters(
-                    self._words, COUNT * 8, self._count, self._shape, when, self._rare, self._periods, self._period,
-                    self._period_squares, self._latencies, self._latency, self._latency_squares,
-                )  # fmt: skip
-            else:
-                changed |= self._aged(age * 1e-9)
-                _write_aged(
-                    self._words, COUNT * 8, self._count, self._shape, when, self._rare, self._periods, self._period,
-                    self._period_squares, self._latencies, self._latency, self._latency_squares, self._ages,
-                    self._age, self._age_squares,
-                )  # fmt: skip
-            if changed:
-                self._write_extremes()
-            self._token = numbers[END] = numbers[SEQUENCE] = token + 2
-        finally:
-            self._release()
-
     def published(self, now: int, size: int) -> None:
         """Count a message that was published at ``now``, of ``size`` bytes or -1."""
         self.arrived(now, now, None, None, size, None)
 
-    def answered(self, now: int, processing: int) -> None:
-        """Count a message published ``processing`` ns after the one that it answers was taken."""
-        self._acquire()
-        try:
-            changed = not self._bank_since <= now < self._bank_until and self._next_bank(now)
-            self._count += 1
-            self.last = now
-            value = processing * 1e-9
-            self._answers += 1
-            self._processing += value
-            self._processing_squares += value * value
-            if value < self._processing_least:
-                self._processing_least = value
-                changed = True
-            if value > self._processing_greatest:
-                self._processing_greatest = value
-                changed = True
-            numbers = self._numbers
-            token = self._token
-            numbers[SEQUENCE] = token + 1
-            _write_answers(
-                self._words, COUNT * 8, self._count, self._shape, now, self._rare, _NO_MOMENTS, self._answers,
-                self._processing, self._processing_squares,
-            )  # fmt: skip
-            if changed:
-                self._write_extremes()
-            self._token = numbers[END] = numbers[SEQUENCE] = token + 2
-        finally:
-            self._release()
+    # What is short is written out in what these return: a call costs as much as all that it would do. So does ``with``.
 
-    def _write_extremes(self) -> None:
-        _EXTREMES.pack_into(
-            self._words, (BANKS_AT + self._bank % BANKS * BANK_WORDS) * 8, self._period_least, self._period_greatest,
-            self._latency_least, self._latency_greatest, self._age_least, self._age_greatest,
-            self._processing_least, self._processing_greatest,
-        )  # fmt: skip
+    def _arrivals(self) -> _Arrived:  # noqa: C901 - written out, see above
+        acquire, release = self._lock.acquire, self._lock.release
+        token = self._numbers[SEQUENCE] + 1 & ~1
+        seldom = _Seldom()
+        shape, rare = seldom.shape(-1, 0), b""
+        bank, bank_at, bank_since, bank_until = -1, 0, 0, 0
+        count = periods = latencies = ages = 0
+        period = period_squares = latency_sum = latency_squares = age_sum = age_squares = 0.0
+        period_least = latency_least = age_least = float("inf")
+        period_greatest = latency_greatest = age_greatest = float("-inf")
 
-    def _aged(self, value: float) -> bool:
-        self._ages += 1
-        self._age += value
-        self._age_squares += value * value
-        changed = False
-        if value < self._age_least:
-            self._age_least = value
-            changed = True
-        if value > self._age_greatest:
-            self._age_greatest = value
-            changed = True
-        return changed
+        def next_bank(now: int) -> bool:
+            nonlocal bank, bank_at, bank_since, bank_until, rare
+            nonlocal period_least, latency_least, age_least, period_greatest, latency_greatest, age_greatest
+            bank += 1
+            bank_at = (BANKS_AT + bank % BANKS * BANK_WORDS) * 8
+            bank_since = now >> BANK_SHIFT << BANK_SHIFT
+            bank_until = bank_since + _BANK_NS
+            rare = seldom.rare(bank, None)
+            period_least = latency_least = age_least = _NEITHER[0]
+            period_greatest = latency_greatest = age_greatest = _NEITHER[1]
+            return True
 
-    def _next_bank(self, now: int) -> bool:
-        if self._bank_until:
-            self._bank += 1
-        self._bank_since = now >> BANK_SHIFT << BANK_SHIFT
-        self._bank_until = self._bank_since + (1 << BANK_SHIFT)
-        self._rare = _RARE.pack(self._lost, self._pending, self._since, self._bank)
-        self._no_extremes()
-        return True
+        def arrived(
+            now: int, when: int, latency: int | None, age: int | None, size: int, sequence: Sequence | None
+        ) -> None:
+            nonlocal token, shape, rare, count, periods, latencies, ages
+            nonlocal period, period_squares, latency_sum, latency_squares, age_sum, age_squares
+            nonlocal period_least, latency_least, age_least, period_greatest, latency_greatest, age_greatest
+            acquire()
+            try:
+                changed = not bank_since <= now < bank_until and next_bank(now)
+                count += 1
+                last = self.last
+                if last and when >= last:  # otherwise the clock was set back, and nobody knows how long it really took
+                    value = (when - last) * 1e-9
+                    periods += 1
+                    period += value
+                    period_squares += value * value
+                    if value < period_least:
+                        period_least = value
+                        changed = True
+                    if value > period_greatest:
+                        period_greatest = value
+                        changed = True
+                if size >= 0 or not last or (sequence is not None and sequence.touched):
+                    shape, rare = seldom.shape(size, 0 if last else when), seldom.rare(bank, sequence)
+                self.last = when
+                if latency is not None:
+                    value = latency * 1e-9
+                    latencies += 1
+                    latency_sum += value
+                    latency_squares += value * value
+                    if value < latency_least:
+                        latency_least = value
+                        changed = True
+                    if value > latency_greatest:
+                        latency_greatest = value
+                        changed = True
+                numbers = self._numbers
+                numbers[SEQUENCE] = token + 1
+                if age is None:
+                    _write_counters(
+                        self._words, COUNT * 8, count, shape, when, rare, periods, period, period_squares,
+                        latencies, latency_sum, latency_squares,
+                    )  # fmt: skip
+                else:
+                    value = age * 1e-9
+                    ages += 1
+                    age_sum += value
+                    age_squares += value * value
+                    if value < age_least:
+                        age_least = value
+                        changed = True
+                    if value > age_greatest:
+                        age_greatest = value
+                        changed = True
+                    _write_aged(
+                        self._words, COUNT * 8, count, shape, when, rare, periods, period, period_squares,
+                        latencies, latency_sum, latency_squares, ages, age_sum, age_squares,
+                    )  # fmt: skip
+                if changed:
+                    _write_extremes(
+                        self._words, bank_at, period_least, period_greatest, latency_least, latency_greatest,
+                        age_least, age_greatest, _NO_PROCESSING,
+                    )  # fmt: skip
+                token += 2
+                numbers[END] = numbers[SEQUENCE] = token
+            finally:
+                release()
+
+        return arrived
+
+    def _answers(self) -> _Answered:
+        acquire, release = self._lock.acquire, self._lock.release
+        token = self._numbers[SEQUENCE] + 1 & ~1
+        bank, bank_at, bank_since, bank_until, rare = -1, 0, 0, 0, b""
+        count = 0
+        total = squares = 0.0
+        least, greatest = _NEITHER
+
+        def next_bank(now: int) -> bool:
+            nonlocal bank, bank_at, bank_since, bank_until, rare, least, greatest
+            bank += 1
+            bank_at = (BANKS_AT + bank % BANKS * BANK_WORDS) * 8
+            bank_since = now >> BANK_SHIFT << BANK_SHIFT
+            bank_until = bank_since + _BANK_NS
+            rare = _RARE.pack(-1, 0, 0, bank)
+            least, greatest = _NEITHER
+            return True
+
+        def answered(now: int, processing: int) -> None:
+            nonlocal token, count, total, squares, least, greatest
+            acquire()
+            try:
+                changed = not bank_since <= now < bank_until and next_bank(now)
+                count += 1
+                self.last = now
+                value = processing * 1e-9
+                total += value
+                squares += value * value
+                if value < least:
+                    least = value
+                    changed = True
+                if value > greatest:
+                    greatest = value
+                    changed = True
+                numbers = self._numbers
+                numbers[SEQUENCE] = token + 1
+                _write_answers(self._words, COUNT * 8, count, _NO_SHAPE, now, rare, _NO_MOMENTS, count, total, squares)
+                if changed:
+                    _write_processing(self._words, bank_at, _NO_OTHERS, least, greatest)
+                token += 2
+                numbers[END] = numbers[SEQUENCE] = token
+            finally:
+                release()
+
+        return answered
 
 
 class CounterFile:

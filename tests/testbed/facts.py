@@ -1,6 +1,8 @@
 """When a fault is there for anybody to see, where that is after its beginning: from then on alarms are timed."""
 
+import os
 import time
+from collections import deque
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -12,6 +14,8 @@ from testbed.watched import Watched
 
 Fact = Callable[[], float | None]
 """Asked again and again; returns the wall clock time in seconds, None as long as it is not there."""
+TOO_BUSY_S = 0.2
+"""CPU time in a second from where on the reference of the table calls the camera busy."""
 TOO_LARGE_KB = 200_000
 """From where on the reference of the table calls the camera's memory high, in kB."""
 
@@ -33,6 +37,22 @@ def scan_missing(watched: Watched, fault: Fault) -> Fact:
         now = time.time()
         lost = [one for one in reader.read(now) if one.tally.topic == "/scan" and one.tally.lost > 0]
         return now - SETTLE_NS * 1e-9 if lost else None
+
+    return fact
+
+
+def camera_busy(watched: Watched, fault: Fault) -> Fact:
+    """When the camera has used more of a processor, in the last second, than the reference allows."""
+    stat = Path(f"/proc/{watched.robot.processes['camera'].pid}/stat")
+    seen: deque[tuple[float, float]] = deque()
+
+    def fact() -> float | None:
+        fields = stat.read_text().rpartition(")")[2].split()
+        now, used = time.time(), sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")
+        seen.append((now, used))
+        while len(seen) > 2 and seen[1][0] <= now - 1:
+            seen.popleft()
+        return now if used - seen[0][1] > TOO_BUSY_S else None
 
     return fact
 

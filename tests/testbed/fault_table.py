@@ -162,7 +162,8 @@ CASES = (
         _both((f"host:{FAKED}", "clock_offset")), 4.2, 2.5,
     ),
     # Sampled every second.
-    Case("camera burns a CPU", _load("camera", burn=0.95), _both(("node:/camera", "cpu")), 3.2),
+    Case("camera burns a CPU", _load("camera", burn=0.95), _both(("node:/camera", "cpu")), 3.2,
+         fact=facts.camera_busy),
     Case("camera leaks 60 MB/s", _load("camera", leak=60), _both(("node:/camera", "memory")), 5.0,
          fact=facts.camera_grown),
     Case("disk of the sensor host is full", lambda w: faults.full_disk(w.bed["sensor"]),

@@ -1,8 +1,9 @@
 from pathlib import Path
 
+import msgspec
 import pytest
 
-from roslens.cli.graph_configurations import Named, assembled, largest, named_configurations
+from roslens.cli.graph_configurations import Assembled, Named, assembled, largest, named_configurations
 from roslens.cli.graph_source import GraphSource
 from roslens.source.settings import DeclaredConfiguration, GraphSettings, SourceSettings
 
@@ -84,11 +85,12 @@ def test_what_several_have_in_common_is_one_finding(talking):
         made = assembled(source, named)
     assert len(made.findings["robot"]) == len(made.findings["fleet"]) == 1
     assert made.all_findings() == made.findings["robot"]
+    found = made.findings["robot"][0]
+    nearer = msgspec.structs.replace(found, message=f"{found.message} Is it /talk?")
+    assert Assembled({}, {"robot": (found,), "fleet": (nearer,)}).all_findings() == (found,)
 
 
 @pytest.mark.parametrize("value", [{"launch": "a", "argument": {}}, {"arguments": {}}])
 def test_a_declaration_says_nothing_else(value):
-    import msgspec
-
     with pytest.raises(msgspec.ValidationError):
         msgspec.convert(value, DeclaredConfiguration)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -37,9 +38,16 @@ class Assembled(msgspec.Struct, frozen=True):
     failures: tuple[Failure, ...] = ()
 
     def all_findings(self) -> tuple[Finding, ...]:
-        """Return the findings of all configurations, sorted by place; what several have in common once."""
-        every = {finding for found in self.findings.values() for finding in found}
-        return tuple(sorted(every, key=lambda one: (one.path, one.line, one.column, one.rule, one.entity, one.message)))
+        """Return the findings of all configurations, sorted by place; what several have in common once.
+
+        Where it reads differently in several, as what comes near to a name does, the first has its say.
+        """
+        every: dict[str, Finding] = {}
+        for found in self.findings.values():
+            for finding in found:
+                every.setdefault(finding.fingerprint, finding)
+        order = attrgetter("path", "line", "column", "rule", "entity", "message")
+        return tuple(sorted(every.values(), key=order))
 
 
 def named_configurations(source: GraphSource) -> tuple[Named, ...]:

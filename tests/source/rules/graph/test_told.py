@@ -11,3 +11,4 @@ def test_a_finding_has_the_rule_the_place_and_a_fingerprint_that_lines_do_not_ch
     )  # fmt: skip
     assert one.fingerprint == moved.fingerprint
     assert one.fingerprint != told(RULE, "x", Proof("a.cpp", 3), entity="topic:/x", context="b").fingerprint
+    assert one.fingerprint != told(RULE, "x", Proof("b.cpp", 3), entity="topic:/x", context="a").fingerprint

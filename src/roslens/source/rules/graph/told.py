@@ -19,7 +19,7 @@ def told(
         proof: of what is found fault with.
         entity: text form of its id.
         severity: where doubt lowers it.
-        context: tells it from other findings of the rule on the same entity, whatever the line.
+        context: tells it from other findings of the rule on the same entity in the same file, whatever the line.
     """
     return Finding(
         rule.id,
@@ -31,5 +31,5 @@ def told(
         entity=entity,
         tags=rule.tags,
         tool=TOOL,
-        fingerprint=fingerprint(rule.id, entity, context),
+        fingerprint=fingerprint(rule.id, entity, f"{proof.path} {context}"),
     )

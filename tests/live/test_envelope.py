@@ -15,6 +15,8 @@ from roslens.live.monitor import Monitor
 from roslens.live.plausible_tally import plausible_tally
 from roslens.live.round import Round
 from roslens.model.tally import Moments, Observer, Tally
+from roslens.model.tally_columns import row_of
+from roslens.model.wire import VERSION, Frame, decode_frame, encode_frame
 
 QUANTITIES = {
     "rate": "15..30",
@@ -64,16 +66,22 @@ def traffic(steps, publisher):
         )  # fmt: skip
 
 
-def said(streams, *, every):
+def said(streams, *, every, by_columns):
     """Return changes, and values whenever somebody looks; and how often a connection rested."""
     monitor = Monitor(RULES, start=0.0)
     records = sorted((one for stream in streams for one in stream), key=lambda one: one[0])
     told, values, place, resting = [], [], 0, 0
     for tick in range(1, round(records[-1][0] * 10) + 20):
         now = tick / 10
+        came = []
         while place < len(records) and records[place][0] <= now + 1e-9:
-            monitor.add_tally(records[place][1])
+            came.append(records[place][1])
             place += 1
+        if by_columns:
+            monitor.add_frame(decode_frame(encode_frame(Frame(VERSION, "h/x", tick, now, came))[4:]))
+        else:
+            for tally in came:
+                monitor.add_tally(tally)
         told += [(now, str(v.entity), v.expectation, v.state, round(v.since, 3)) for v in monitor.tick(now)]
         resting += sum(one.envelope is not None for one in monitor._world.connections.values())
         if tick % every == 0:
@@ -82,10 +90,11 @@ def said(streams, *, every):
 
 
 def both(streams, monkeypatch):
-    known = said(streams, every=7)
+    known = said(streams, every=7, by_columns=True)
+    assert said(streams, every=7, by_columns=False) == known
     with monkeypatch.context() as patched:
         patched.setattr(lookout_file, "envelope_of", lambda connection, topic: None)
-        everything = said(streams, every=7)
+        everything = said(streams, every=7, by_columns=False)
     assert everything[2] == 0
     return known, everything
 
@@ -148,7 +157,7 @@ def test_only_what_can_be_true_is_inside(change, quantities):
     (connection,) = monitor._world.connections.values()
     assert connection.envelope is not None
     changed = msgspec.structs.replace(tally, **dict([change]))
-    if connection.envelope.takes(changed, Round()):
+    if connection.envelope.takes(row_of(changed), Round()):
         assert plausible_tally(changed) is changed
 
 
@@ -163,10 +172,11 @@ def test_what_follows_a_window_that_is_over_is_looked_at():
     assert connection.envelope is not None
     # Somebody looked at the window when all in it was too old, and the frame that came then had been held up.
     windows = connection.envelope.windows
+    connection.catch_up()
     for window in windows:
         window.settle(end)
         window.settle(end + 60)
         assert not window.buckets
-    assert not connection.envelope.takes(tally, Round())
+    assert not connection.envelope.takes(row_of(tally), Round())
     monitor.add_tally(tally)
     assert all(window.buckets for window in windows)

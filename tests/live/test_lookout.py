@@ -80,6 +80,23 @@ def test_a_late_tally_after_a_silence_breaks_nothing():
     assert {one.expectation: one.state for one in monitor.standing()} == {"rate": State.ABSENT, "long": State.OK}
 
 
+def test_who_looks_in_the_middle_of_a_round_has_noticed_what_came():
+    first, second = (Monitor(reference({"expect": [RATE]}), start=0.0) for _ in range(2))
+    (_, tally), *_ = tallies(row(**{"from": 5, "to": 6}))
+    for monitor in (first, second):
+        play(monitor, [row()], 5.0)
+        assert resting(monitor) == [True]
+        monitor.add_tally(tally)
+    (verdict,) = first.standing()
+    assert verdict.time == 5.0
+    (connection,) = first._world.connections.values()
+    assert connection.alone[0].until == tally.end
+    for monitor in (first, second):
+        monitor.tick(5.1)
+    noticed = [one.quiet_since for monitor in (first, second) for one in monitor._world.connections.values()]
+    assert noticed == [5.0, 5.1]
+
+
 def test_what_came_is_due_at_once_though_nothing_has_to_be_judged():
     monitor = Monitor(reference({"expect": [RATE]}), start=0.0)
     play(monitor, [row()], 5.0)

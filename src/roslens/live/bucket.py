@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from copy import copy
 from typing import Union
 
 import msgspec
 
 from roslens.model.tally import Moments, Tally
+from roslens.model.tally_columns import Row
 
 
 class Sums(msgspec.Struct, gc=False):
@@ -118,6 +120,17 @@ class Bucket(msgspec.Struct, gc=False):
             period, tally.latency, tally.age, tally.processing,
         )  # fmt: skip
 
+    @classmethod
+    def of_row(cls, row: Row, previous: float) -> Bucket:
+        """Take a tally that counted messages and every time between them; ``previous`` as in :meth:`of`."""
+        start, end, count, size, first, last, period, latency, age, lost, _, _, processing, longest_at = row
+        sized, losses = size >= 0, lost >= 0
+        return cls(
+            start, end, count, first, last, count, period.total, period.greatest, longest_at, previous or first,
+            size if sized else 0, count if sized else 0, lost if losses else 0, count if losses else 0, losses,
+            period, latency, age, processing,
+        )  # fmt: skip
+
     def twin(self) -> Bucket:
         """Return a bucket that grows by itself."""
         one = copy(self)
@@ -175,6 +188,45 @@ class Bucket(msgspec.Struct, gc=False):
             self.age = joined(self.age, tally.age)
             self.processing = joined(self.processing, tally.processing)
 
+    def extend_all(self, rows: list[Row], previous: list[float]) -> None:
+        """Take tallies as :meth:`of_row` does, each of which begins where the one before ends; none is no tally."""
+        end, count, first, last, span = self.end, 0, self.first, self.last, self.span
+        gap, gap_at, before = self.gap, self.gap_at, self.before
+        for row, known in zip(rows, previous, strict=True):
+            if not gap_at and gap >= 0:
+                earliest = before or self.start
+                gap_at = (earliest + max((last or end) - gap, earliest)) / 2
+            period = row[6]
+            greatest, end = period.greatest, row[1]
+            first, last = first or row[4], row[5] or last
+            count += row[2]
+            span += period.total
+            if greatest > gap:
+                gap, gap_at, before = greatest, row[13], known or row[4]
+        self.end, self.first, self.last, self.span = end, first, last, span
+        self.gap, self.gap_at, self.before = gap, gap_at, before
+        self.count += count
+        self.intervals += count
+        self._extend_sizes(rows)
+        self.period = _grown(self.period, [row[6] for row in rows])
+        self.latency = _grown(self.latency, [row[7] for row in rows])
+        self.age = _grown(self.age, [row[8] for row in rows])
+        self.processing = _grown(self.processing, [row[12] for row in rows])
+
+    def _extend_sizes(self, rows: list[Row]) -> None:
+        sizes = [row[3] for row in rows]
+        if min(sizes) >= 0:
+            self.bytes += sum(sizes)
+            self.sized += sum([row[2] for row in rows])
+        elif max(sizes) >= 0:
+            self.bytes += sum(size for size in sizes if size >= 0)
+            self.sized += sum(row[2] for row in rows if row[3] >= 0)
+        counted = [row for row in rows if row[9] >= 0]
+        if counted:
+            self.lost += sum(row[9] for row in counted)
+            self.losable += sum(row[2] for row in counted)
+            self.losses_counted = True
+
     def absorb(self, later: Bucket) -> None:
         """Become the bucket of both; ``later`` begins where this one ends."""
         if later.gap > self.gap:
@@ -208,3 +260,26 @@ def joined(one: Series, other: Series) -> Series:
     grown = one if type(one) is Sums else Sums.of(one)  # type: ignore[arg-type]
     grown.take(other)
     return grown
+
+
+def _grown(one: Series, others: Iterable[Moments]) -> Series:
+    """Return the moments of all, added in this order."""
+    count, total, squares, least, greatest = one.count, one.total, one.squares, one.least, one.greatest
+    more = False
+    for other in others:
+        if not other.count:
+            continue
+        more = True
+        if not count:
+            count, total, squares, least, greatest = (
+                other.count, other.total, other.squares, other.least, other.greatest,
+            )  # fmt: skip
+            continue
+        count += other.count
+        total += other.total
+        squares += other.squares
+        if other.least < least:
+            least = other.least
+        if other.greatest > greatest:
+            greatest = other.greatest
+    return Sums(count, total, squares, least, greatest) if more else one

@@ -29,6 +29,7 @@ from roslens.model.failure import Failure
 from roslens.model.graph import Change, Event, Graph
 from roslens.model.sample import Sample
 from roslens.model.tally import Tally
+from roslens.model.tally_columns import TallyColumns, row_of, tally_of
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
@@ -68,6 +69,7 @@ class Monitor:
         self._retired: list[Verdict] = []
         self._chains_due = self._sweep_due = start
         self._implausible = 0
+        self._known: dict[str, Connection] = {}
         self.shed = 0
         self.failures: deque[Failure] = deque(maxlen=_KEPT_FAILURES)
         self._lookout.wait_all(required(self._world, self._rules, start))
@@ -87,10 +89,30 @@ class Monitor:
         connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
         if connection is not None:
             envelope, lookout = connection.envelope, self._lookout
-            if envelope is not None and envelope.takes(tally, lookout.round):
+            if envelope is not None and envelope.takes(row_of(tally), lookout.round):
                 lookout.heard = True
                 return
         self._add(tally, connection)
+
+    def add_tallies(self, tallies: Iterable[Tally]) -> None:
+        """Take the traffic of many connections; what comes by columns is not made into records without need."""
+        if not isinstance(tallies, TallyColumns):
+            for tally in tallies:
+                self.add_tally(tally)
+            return
+        lookout, heard, known = self._lookout, False, self._known
+        now = lookout.round
+        for names, connection, row in zip(tallies.names, map(known.get, tallies.names), tallies.rows(), strict=False):
+            envelope = connection.envelope if connection is not None else None
+            if envelope is not None and envelope.takes(row, now):
+                heard = True
+                continue
+            tally = tally_of(names, row)
+            key = (tally.topic, tally.publisher, tally.subscriber)
+            self._add(tally, connection or self._world.connections.get(key))
+            if connection is None and key in self._world.connections:
+                known[names] = self._world.connections[key]
+        lookout.heard |= heard
 
     def _add(self, tally: Tally, connection: Connection | None) -> None:
         # What has no name cannot be told apart, nor shown.
@@ -161,8 +183,7 @@ class Monitor:
 
     def add_frame(self, frame: Frame) -> None:
         """Take everything that an observer tells at once."""
-        for tally in frame.tallies:
-            self.add_tally(tally)
+        self.add_tallies(frame.tallies)
         for sample in frame.samples:
             self.add_sample(sample)
         for event in frame.events:
@@ -370,6 +391,7 @@ class Monitor:
         """Let go of what is gone for long, so that memory stays bounded."""
         for connection in self._world.outdated(now):
             self._world.forget(connection)
+            self._known.clear()
             self._existence.vanish((connection.id.kind, connection.id.name), now)
             self._retire(connection.judged, now)
             self._lookout.wait_all((self._world.topics[connection.topic],))

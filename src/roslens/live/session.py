@@ -191,9 +191,10 @@ class Session:
         mine = self._counted.accepts(frame.counted_at, frame.sender, self._now)
         if frame.counted_at:
             self._take_counted(frame.tallies if mine else ())
+        elif self._clocks.several:
+            self.monitor.add_tallies(map(self._by_one_clock, frame.tallies))
         else:
-            for tally in frame.tallies:
-                self.monitor.add_tally(self._by_one_clock(tally) if self._clocks.several else tally)
+            self.monitor.add_tallies(frame.tallies)
         if frame.graph is not None:
             self._graphs.put(frame.sender, frame.graph)
             self._graph_changed = True

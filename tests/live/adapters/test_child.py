@@ -12,8 +12,8 @@ from roslens.model.wire import Frame
 
 SPEAK = """
 import sys
-from roslens.model.wire import Frame, encode_frame
-sys.stdout.buffer.write(encode_frame(Frame(1, 'h/test', 0, 1.0)))
+from roslens.model.wire import VERSION, Frame, encode_frame
+sys.stdout.buffer.write(encode_frame(Frame(VERSION, 'h/test', 0, 1.0)))
 sys.stdout.flush()
 """
 
@@ -72,9 +72,9 @@ def test_it_starts_again_with_pauses_that_grow_and_stop_growing():
 
 ECHO = """
 import sys
-from roslens.model.wire import Frame, encode_frame
+from roslens.model.wire import VERSION, Frame, encode_frame
 for line in sys.stdin.buffer:
-    sys.stdout.buffer.write(encode_frame(Frame(1, line.decode().strip(), 0, 1.0)))
+    sys.stdout.buffer.write(encode_frame(Frame(VERSION, line.decode().strip(), 0, 1.0)))
     sys.stdout.flush()
     if line == b"end\\n":
         sys.exit(0)

@@ -86,7 +86,7 @@ def test_what_we_say_ourselves_does_not_prove_anything():
 def test_another_version_and_another_program():
     hello = bytearray(Channel(KEY, accepting=False).hello())
     hello[5] = 9
-    with pytest.raises(LinkError, match="speaks version 9, expected 1"):
+    with pytest.raises(LinkError, match="speaks version 9, expected 2"):
         list(Channel(KEY, accepting=True).feed(bytes(hello)))
     with pytest.raises(LinkError, match="expected a roslens agent"):
         list(Channel(KEY, accepting=True).feed(b"GET / HTTP/1.1\r\n\r\n"))

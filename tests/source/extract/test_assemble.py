@@ -431,3 +431,19 @@ def test_what_a_parameter_decides_is_not_its_value():
         found[what] = explicit(configured((facts,), LOADED, targets=(COMPONENT,)).nodes[0])[0]
     assert (found["told"].resolved, found["told"].proof.sure) == (False, "possible")
     assert (found["below"].endpoint.name, found["below"].proof.sure) == ("/grid", "certain")
+
+
+def test_what_is_there_where_a_parameter_is_set():
+    ends = [end(Role.SUBSCRIPTION, parameter_name(f"imu{one}"), conditions=(f"imu{one} is set", "x")) for one in (0, 1)]
+    known = Meant((talker(endpoints=tuple(ends)),), origin=Origin.CATALOGUE)
+    setting = Setting(Text.of("imu1"), Text.of("imu/data"), YAML, "string")
+    node = only(configured((), started(settings=(setting,)), targets=(), known=lambda *_: known))
+    assert [(one.endpoint.name, one.conditions) for one in explicit(node)] == [("/imu/data", ("x",))]
+
+
+def test_what_plugins_make_is_part_of_the_node_they_are_in():
+    plugged = (end(Role.PUBLISHER, "/scan", "sensor_msgs/msg/LaserScan"),)
+    remap = Remap(Text.of("camera/left"), Text.of("left"), START)
+    node = only(configured(talker(), started(plugged=plugged, remaps=(remap,), taken=(remap,))))
+    assert names(node) == ["/chatter", "/scan"]
+    assert [one.used for one in node.remaps] == [True]

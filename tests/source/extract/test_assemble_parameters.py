@@ -81,3 +81,10 @@ def test_a_list_stands_for_each_of_its_elements():
     (empty,) = Values(ROS2, (setting("nodes", "[]"),)).each(each)
     assert empty.pattern == "*/state"
     assert values.each(hole("other")) == (hole("other"),)
+
+
+def test_a_global_name_stays_one_below_a_private_handle():
+    values = Values(ROS1, (setting("~topic", "/odom"), setting("~near", "odom")))
+    assert values.fill(Text.of("~/", hole("~topic"))).text.known == "/odom"
+    assert values.fill(Text.of("~/", hole("~near"))).text.known == "~/odom"
+    assert values.fill(Text.of("ns/", hole("~topic"))).text.known == "ns//odom"

@@ -1,7 +1,7 @@
 import pytest
 
 from roslens.source.extract.cpp_program import program_of_cpp
-from roslens.source.extract.interface_name import included_interface, interface_name, of_generation
+from roslens.source.extract.interface_name import included_interface, interface_name, lower_interface, of_generation
 from roslens.source.syntax.macros import load_macros
 
 
@@ -15,6 +15,8 @@ from roslens.source.syntax.macros import load_macros
         ("std_msgs::msg::String::SharedPtr", "std_msgs/msg/String"),
         ("const std::shared_ptr<std_srvs::srv::Trigger::Request>", "std_srvs/srv/Trigger"),
         ("std_msgs.msg.String", "std_msgs/msg/String"),
+        ("car_msgs.msg.runstop", "car_msgs/msg/runstop"),
+        ("car_msgs.runstop", ""),
         ("std_msgs.msg._String.String", "std_msgs/msg/String"),
         ("nav2_msgs::action::Spin::Impl::FeedbackMessage", "nav2_msgs/action/Spin_FeedbackMessage"),
         ("Impl::Message", ""),
@@ -44,3 +46,9 @@ def test_a_type_by_the_header_that_is_included():
     program = program_of_cpp(b'#include <navfn/MakeNavPlan.h>\n#include "a/b/Other.h"\n', load_macros())
     assert included_interface("MakeNavPlan::Request &", program) == "navfn/MakeNavPlan"
     assert included_interface("Other", program) == ""
+
+
+def test_a_type_with_a_small_letter_is_one_where_its_header_is_included():
+    assert lower_interface("const car_msgs::runstop::ConstPtr&", {"car_msgs/runstop.h"}) == "car_msgs/runstop"
+    assert lower_interface("std::string", {"car_msgs/runstop.h"}) == ""
+    assert lower_interface("runstop", {"runstop.h"}) == ""

@@ -192,3 +192,17 @@ def test_roslaunch_says_the_same(name):
     found, settings = comparable(evaluated(name))
     assert found == sorted(nodes, key=by_name)
     assert settings == dict(flat("", parameters))
+
+
+def test_what_is_set_after_a_node_holds_over_its_own():
+    files = Written.of(
+        "<launch><param name='/n/a' value='0'/><node pkg='p' type='t' name='n'><param name='a' value='1'/></node>"
+        "<param name='/n/a' value='2'/><param name='/nn/a' value='3'/></launch>"
+    )
+    (node,) = evaluate_ros1("a.launch", files).nodes
+    assert [(str(one.name), str(one.value)) for one in node.settings] == [("~a", "1"), ("/n/a", "2")]
+
+
+def test_arguments_of_the_command_line_need_no_declaration():
+    files = Written.of("<launch><node pkg='p' type='t' name='$(arg who)'/></launch>")
+    assert [str(one.name) for one in evaluate_ros1("a.launch", files, {"who": "n"}).nodes] == ["n"]

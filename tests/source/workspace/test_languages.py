@@ -17,6 +17,8 @@ SETTINGS = WorkspaceSettings()
         ("p/a.c", Language.C),
         ("p/a.cpp", Language.CPP),
         ("p/a.C", Language.CPP),
+        ("p/kernel.cu", Language.CPP),
+        ("p/kernel.cuh", Language.CPP),
         ("p/a.CPP", Language.CPP),
         ("p/a.h", Language.CPP),
         ("p/a.H", Language.CPP),

@@ -180,9 +180,13 @@ class _Whole:
 
     def _meant(self, launched: Launched, line: CommandLine) -> Meant:
         meant = meant_by(launched, self.units)
-        if meant.facts or self.known is None:
-            return meant
-        return self.known(launched, self.launch.generation, line.rest) or meant
+        if not meant.facts and self.known is not None:
+            meant = self.known(launched, self.launch.generation, line.rest) or meant
+        if launched.plugged and meant.facts:
+            first, *rest = meant.facts
+            first = msgspec.structs.replace(first, endpoints=(*first.endpoints, *launched.plugged))
+            meant = msgspec.structs.replace(meant, facts=(first, *rest))
+        return meant
 
     def _with_files(self, line: CommandLine, launched: Launched) -> CommandLine:
         if not line.files:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import msgspec
 
@@ -39,6 +39,7 @@ from roslens.source.extract.resolve_name import (
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.settings import NodeHint
 
+_IS_SET = " is set"
 _SIM_TIME = {"ros2": "use_sim_time", "ros1": "/use_sim_time"}
 
 
@@ -137,7 +138,7 @@ class _Node:
         self.name = self.place.node.pattern
         self.rules = rules_of(given, facts)
         self.values = values_of(given, facts)
-        self.used: set[int] = set()
+        self.used = {number for number, one in enumerate(given.launched.remaps) if one in given.launched.taken}
         self.uncertain: set[int] = set()
         self.unresolved: list[Unresolved] = []
         self.origin = meant.origin
@@ -152,7 +153,7 @@ class _Node:
         named = self.hint.names if self.hint else {}
         endpoints = [
             self._endpoint(msgspec.structs.replace(one, name=name))
-            for one in (_renamed(fact, named) for fact in facts.endpoints)
+            for one in (_renamed(fact, named) for fact in self._there(facts.endpoints))
             for name in self.values.each(one.name)
         ]
         if self.hint:
@@ -184,6 +185,19 @@ class _Node:
                 for one in facts.timers
             ),
         )
+
+    def _there(self, facts: Iterable[EndpointFact]) -> Iterator[EndpointFact]:
+        """Yield what is there as far as parameters of a node without source say so: ``imu0 is set``."""
+        private = "~" if self.given.generation == "ros1" else ""
+        for fact in facts:
+            if self.origin is Origin.CATALOGUE and any(one.endswith(_IS_SET) for one in fact.conditions):
+                names = [one.removesuffix(_IS_SET) for one in fact.conditions if one.endswith(_IS_SET)]
+                if any(self.values.value(Text.of(private + name)) is None for name in names):
+                    continue
+                others = tuple(one for one in fact.conditions if not one.endswith(_IS_SET))
+                yield msgspec.structs.replace(fact, conditions=others)
+            else:
+                yield fact
 
     def _kind(self) -> str:
         kind = self.given.launched.kind

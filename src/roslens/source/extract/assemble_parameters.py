@@ -96,6 +96,9 @@ class Values:
                 parts.append(Text((part,)))
                 continue
             found, doubt, note = self._of_hole(part)
+            if _is_global(found) and len(parts) == 1 and _is_private_space(parts[0]):
+                # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
+                parts.clear()
             parts.append(found)
             how += [note] if note else []
             sure = max(sure, doubt, key=_DOUBT.__getitem__)
@@ -161,6 +164,16 @@ class Values:
         found = self.value(Text.of(name))
         value = found.value.known if found is not None else default
         return (value or "").lower() in ("true", "1", "yes", "on")
+
+
+def _is_global(text: Text) -> bool:
+    first = text.parts[0] if text.parts else ""
+    return isinstance(first, str) and first.startswith("/")
+
+
+def _is_private_space(text: Text) -> bool:
+    known = text.known or ""
+    return known.startswith("~") and known.endswith("/")
 
 
 _DOUBT = {Sure.CERTAIN: 0, Sure.LIKELY: 1, Sure.POSSIBLE: 2}

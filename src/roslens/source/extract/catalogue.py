@@ -130,7 +130,7 @@ def read_catalogue(content: bytes, shown: str) -> tuple[Entry, ...]:
     """
     tree = read_tree(content, shown)
     try:
-        read = msgspec.convert(_plain(tree.root), _File, strict=False)
+        read = msgspec.convert(plain_value(tree.root), _File, strict=False)
     except msgspec.ValidationError as error:
         what, _, path = str(error).partition(" - at ")
         raise DocumentError(
@@ -145,11 +145,12 @@ def read_catalogue(content: bytes, shown: str) -> tuple[Entry, ...]:
     return read.nodes
 
 
-def _plain(node: Node | None) -> Any:
+def plain_value(node: Node | None) -> Any:
+    """Return a document as lists, dictionaries and texts."""
     if isinstance(node, Items):
-        return [_plain(one) for one in node.nodes]
+        return [plain_value(one) for one in node.nodes]
     if isinstance(node, Table):
-        return {key: _plain(one) for key, one in node.nodes.items()}
+        return {key: plain_value(one) for key, one in node.nodes.items()}
     return None if node is None else node.text
 
 

@@ -108,7 +108,9 @@ class StatementLowering:
         text = self._lowered.text(inner)
         if b"(" in text or b"<<" in text or b"{" in text:
             expression = self._lower(inner)
-            if isinstance(expression, Call | Operation | Format):
+            if isinstance(expression, Call) and (made := _owned(expression, inner)) is not None:
+                out.append(Assign(made[0], made[1], "", "=", node.start_point.row + 1))
+            elif isinstance(expression, Call | Operation | Format):
                 out.append(Evaluate(expression, node.start_point.row + 1))
 
     def _assign(self, node: Node, out: Statements) -> None:
@@ -328,3 +330,13 @@ _HANDLERS: dict[str, Callable[[StatementLowering, Node, Statements], None]] = {
     kind: getattr(StatementLowering, f"_{method}") for method, kinds in _KINDS.items() for kind in kinds.split()
 }
 """Kind of a node to the method that lowers it."""
+
+
+def _owned(call: Call, node: Node) -> tuple[Expression, Expression] | None:
+    """Return the pointer and the object of ``pointer.reset(new Class(…))``, which is an assignment."""
+    function = call.function
+    if isinstance(function, Member) and function.name == "reset" and len(call.arguments) == 1:
+        written = node.child_by_field_name("arguments")
+        if written is not None and any(one.type == "new_expression" for one in written.named_children):
+            return function.of, call.arguments[0]
+    return None

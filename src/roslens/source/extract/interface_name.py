@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 from roslens.source.extract.program import Program
 from roslens.source.extract.workspace_index import type_name
@@ -29,7 +30,7 @@ def interface_name(written: str) -> str:
         len(pieces) >= 2
         and pieces[-2][:1].islower()
         and all(_NAME.fullmatch(piece) for piece in pieces)
-        and pieces[-1][:1].isupper()
+        and (pieces[-1][:1].isupper() or (len(pieces) == 3 and pieces[1] in _MIDDLE))
     ):
         return "/".join(pieces[-3:] if len(pieces) >= 3 and pieces[-2] in _MIDDLE else pieces[-2:])
     return ""
@@ -44,6 +45,18 @@ def included_interface(written: str, program: Program) -> str:
         if header.endswith(f"/{last}.h") and header.count("/") == 1:
             return f"{header.partition('/')[0]}/{last}"
     return ""
+
+
+def lower_interface(written: str, headers: Collection[str]) -> str:
+    """Return a type of ROS 1 whose name begins with a small letter, where a header of that name is included.
+
+    Args:
+        written: type of C++: ``autorally_msgs::runstop``.
+        headers: that are included anywhere: ``autorally_msgs/runstop.h``.
+    """
+    name, _ = type_name(written.replace(" const", " ").replace("const ", " ").strip())
+    found = "/".join(piece for piece in _without_end(name).split(".") if piece)
+    return found if found.count("/") == 1 and f"{found}.h" in headers else ""
 
 
 def of_generation(name: str, generation: str, kind: str) -> str:

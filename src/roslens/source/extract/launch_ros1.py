@@ -6,15 +6,17 @@ everything else of the file is still read.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
 
 from roslens.model.errors import DocumentError
 from roslens.source.extract.files import Files, joined
+from roslens.source.extract.gazebo_plugins import with_plugins
 from roslens.source.extract.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.parameter_file import ros1_parameters, type_of_text
+from roslens.source.extract.resolve_name import absolute
 from roslens.source.extract.ros1_nodelet import as_nodelet
 from roslens.source.extract.ros1_substitution import Scope, SubstitutionError, UnknownInsideError, substitute, truth
 from roslens.source.extract.text import Text, unknown
@@ -51,10 +53,11 @@ def evaluate_ros1(
     whole = _Whole(files, environment or {})
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
     whole.file(path, given, _Space(Text.of("/")), Evidence(path, 0), outer=True)
-    return Launch(
-        "ros1", tuple(whole.nodes), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
+    launch = Launch(
+        "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
         tuple(whole.unresolved),
     )  # fmt: skip
+    return with_plugins(launch, files, environment or {})
 
 
 class _Whole:
@@ -64,6 +67,7 @@ class _Whole:
         self.files = files
         self.environment = environment
         self.nodes: list[Launched] = []
+        self.set_before: list[int] = []
         self.settings: list[Setting] = []
         self.arguments: list[Argument] = []
         self.included: list[str] = []
@@ -100,6 +104,13 @@ class _Whole:
         _File(self, path, document, given, outer=outer).children(document.root, space, [])
         self._open.pop()
 
+    def overridden(self) -> Iterator[Launched]:
+        """Yield the nodes with the parameters of theirs that are set outside after them, which hold over their own."""
+        for node, before in zip(self.nodes, self.set_before, strict=True):
+            own = absolute(node.namespace, node.name).pattern + "/"
+            later = [one for one in self.settings[before:] if one.name.pattern.startswith(own)]
+            yield msgspec.structs.replace(node, settings=(*node.settings, *later)) if later else node
+
     def miss(self, text: str, evidence: Evidence, reason: str) -> None:
         """Note what could not be evaluated."""
         self.unresolved.append(Unresolved(text, evidence, reason))
@@ -114,7 +125,8 @@ class _File:
         self._document = document
         self._given = given
         self._outer = outer
-        self._known: dict[str, Text] = {}
+        # Arguments of the command line are seen without a declaration, as roslaunch has it.
+        self._known: dict[str, Text] = dict(given) if outer else {}
         folder = path.rpartition("/")[0]
         self._scope = Scope(whole.files, folder, self._known, whole.environment)
 
@@ -229,6 +241,7 @@ class _File:
             anonymous=any(hole.reason == "random end" for hole in name.holes),
         )
         self._whole.nodes.append(as_nodelet(launched))
+        self._whole.set_before.append(len(self._whole.settings))
         return space.private
 
     def _words(self, text: str) -> tuple[Text, ...]:
@@ -288,7 +301,8 @@ class _File:
             if source in given:
                 text = substitute(given[source], self._scope)
                 hole = f"output of {text}" if source == "command" else f"content of {text}"
-                return Setting(name, unknown(hole), self._place(element), "string")
+                words = self._words(given[source]) if source == "command" else (Text.of("cat"), text)
+                return Setting(name, unknown(hole), self._place(element), "string", words=words)
         self._miss(element, f"<param name={name}>", "it has no value; expected value, textfile, binfile or command")
         return None
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import msgspec
 
-from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.node_facts import EndpointFact, Evidence
 from roslens.source.extract.text import Text
 
 
@@ -22,6 +22,7 @@ class Setting(msgspec.Struct, frozen=True, omit_defaults=True):
         type: ``bool``, ``int``, ``double``, ``string``, ``list``, ``map`` or empty where unknown.
         node: pattern of nodes that a file of parameters is keyed to (``/**``, ``/ns/name``); empty where it stands for
             the node it is given to.
+        words: the command line whose output the value is; empty where it is another one.
     """
 
     name: Text
@@ -29,6 +30,7 @@ class Setting(msgspec.Struct, frozen=True, omit_defaults=True):
     evidence: Evidence
     type: str = ""
     node: str = ""
+    words: tuple[Text, ...] = ()
 
 
 class Remap(msgspec.Struct, frozen=True, array_like=True):
@@ -57,6 +59,8 @@ class Launched(msgspec.Struct, frozen=True, omit_defaults=True):
         kind: ``node``, ``lifecycle``, ``container``, ``component``, ``nodelet``, ``test`` or ``process``.
         machine: on which it runs; empty of this one.
         anonymous: whether its name gets a random end.
+        plugged: what plug-ins make that are loaded into it (Gazebo).
+        taken: remappings that plug-ins take for the namespace of their names.
     """
 
     package: Text
@@ -73,6 +77,8 @@ class Launched(msgspec.Struct, frozen=True, omit_defaults=True):
     kind: str = "node"
     machine: str = ""
     anonymous: bool = False
+    plugged: tuple[EndpointFact, ...] = ()
+    taken: tuple[Remap, ...] = ()
 
 
 class Argument(msgspec.Struct, frozen=True, omit_defaults=True):

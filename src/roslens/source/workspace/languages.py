@@ -83,7 +83,7 @@ _BY_SUFFIX = {
         ("cpp", "cc", "cxx", "c++", "cp", "C", "h", "hpp", "hh", "hxx", "h++", "H", "ipp", "inl", "tpp", "txx", "tcc"),
         Language.CPP,
     ),
-    **dict.fromkeys(("cppm", "ixx", "ino"), Language.CPP),
+    **dict.fromkeys(("cppm", "ixx", "ino", "cu", "cuh"), Language.CPP),
     **dict.fromkeys(("py", "pyw", "pyi"), Language.PYTHON),
     "cmake": Language.CMAKE,
     "launch": Language.LAUNCH_XML,

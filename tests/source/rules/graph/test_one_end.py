@@ -99,3 +99,13 @@ def test_a_candidate_outweighs_nodes_that_are_not_known():
     nodes = node("/a", end("sub", "/scan_row")), node("/b", end("pub", "/scan_raw")), node("/driver", known=False)
     (one,) = findings(*nodes)
     assert one.severity is Severity.WARNING
+
+
+def test_a_name_that_a_launch_file_gives_a_node_of_the_catalogue_is_meant():
+    how = "parameter ~imu0, set in config/ekf.yaml:3"
+    chosen = end("sub", "/imu/data_compass", given="{parameter ~imu0}", how=how, origin=Origin.CATALOGUE)
+    (one,) = findings(node("/ekf", chosen), node("/gazebo", end("pub", "/imu/data", origin=Origin.CATALOGUE)))
+    assert one.entity == "topic:/imu/data_compass"
+    assert "Candidate: /imu/data of /gazebo" in one.message
+    remapped = end("sub", "/narrow_scan", remapped=Proof("a.launch", 3), origin=Origin.CATALOGUE)
+    assert [one.entity for one in findings(node("/amcl", remapped))] == ["topic:/narrow_scan"]

@@ -32,3 +32,22 @@ def test_a_remapping_of_a_group_needs_one_node_that_it_is_for():
 
 def test_a_name_mapped_to_itself_and_code_that_says_nothing_are_none():
     assert not findings(node("/a", X, remaps=(remap("x", "x"),)), node("/b", remaps=(remap("x", "y", 2),)))
+
+
+def test_a_remapping_that_stands_behind_the_node_that_has_the_name():
+    group = remap("camera/left", "left_camera", uncertain=True)
+    simulator = node("/gazebo", end("pub", "/camera/left/image_raw"), line=36)
+    (one,) = findings(simulator, node("/a", known=False, remaps=(group,)), node("/b", known=False, remaps=(group,)))
+    assert (one.rule, one.entity, one.severity.value) == ("graph.remap", "node:/gazebo", "note")
+    assert "holds for 2 nodes" in one.message
+    assert "/gazebo (launch/robot.launch.xml:36) does, and is outside of it" in one.message
+
+
+def test_one_of_a_single_node_or_that_is_used_says_nothing_of_others():
+    one = remap("camera/left", "left_camera", uncertain=True)
+    simulator = node("/gazebo", end("pub", "/camera/left/image_raw"))
+    assert not findings(simulator, node("/a", known=False, remaps=(one,)))
+    used = node("/b", remaps=(remap("camera/left", "left_camera", used=True),))
+    assert not findings(simulator, node("/a", known=False, remaps=(one,)), used)
+    inside = node("/b", end("pub", "/camera/left"), remaps=(one,))
+    assert not findings(simulator, node("/a", known=False, remaps=(one,)), inside)

@@ -91,8 +91,17 @@ def _is_part_of_action(key: tuple[str, str], view: _View) -> bool:
 
 
 def _is_known_to_be_open(of_name: list[End]) -> bool:
-    """Whether only nodes from outside of the workspace use it: they offer more than one system needs."""
-    return all(end.one.proof.origin is Origin.CATALOGUE for end in of_name)
+    """Whether only nodes from outside of the workspace use it: they offer more than one system needs.
+
+    A name that they wait on is meant where the launch file chose it, by a parameter or a remapping.
+    """
+    return all(
+        end.one.proof.origin is Origin.CATALOGUE and not (end.role in _WAITING and _is_chosen(end)) for end in of_name
+    )
+
+
+def _is_chosen(end: End) -> bool:
+    return end.one.remapped is not None or (end.one.given != end.name and "set in " in end.one.proof.how)
 
 
 def _candidate(end: End, view: _View) -> _Candidate | None:

@@ -16,7 +16,8 @@ RULE = RuleInfo(
     "graph.remap",
     "Remapping that matches nothing",
     "A remapping names what none of the nodes that it holds for uses. Nodes whose code is unknown, or not understood "
-    "everywhere, are taken to use it. Correct the name, or remove the remapping.",
+    "everywhere, are taken to use it, except where a node outside of a remapping for several nodes has the name: it "
+    "holds only for what follows it in its group or file. Correct the name, or move or remove the remapping.",
     Severity.WARNING,
     ("ros", "graph", "names", "launch"),
     "The node keeps its name and the one meant stays unconnected; nothing says that a remapping had no effect.",
@@ -38,6 +39,51 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     for one, nodes in sorted(held.items(), key=lambda item: item[0]):
         if _key(one) not in effective:
             yield _told(one, nodes)
+    yield from _out_of_reach(configuration)
+
+
+def _out_of_reach(configuration: Configuration) -> Iterator[Finding]:
+    """Yield remappings for several nodes of which none is known to use them, while a node outside of them does."""
+    holders: dict[tuple[str, str, str], list[tuple[ConfiguredNode, ConfiguredRemap]]] = {}
+    for node in configuration.nodes:
+        for one in node.remaps:
+            holders.setdefault(_key(one), []).append((node, one))
+    for _place, held in sorted(holders.items(), key=lambda item: item[0]):
+        inside = {node.name for node, _one in held}
+        one = held[0][1]
+        if len(inside) < 2 or any(each.used for _node, each in held) or not any(each.uncertain for _node, each in held):
+            continue
+        name = _absolute(one.source, held[0][0])
+        users = [node for node in configuration.nodes if node.name not in inside and _uses(node, name)]
+        if users and not any(_uses(node, name) for node, _one in held):
+            yield _outside(one, held[0][0], len(inside), users)
+
+
+def _absolute(name: str, node: ConfiguredNode) -> str:
+    return name if name.startswith("/") else f"{node.name.rpartition('/')[0]}/{name}"
+
+
+def _uses(node: ConfiguredNode, name: str) -> bool:
+    """Whether a node has a name, or names below it: the namespace of a node handle is remapped too."""
+    return any(
+        end.endpoint.name == name or end.endpoint.name.startswith(f"{name}/")
+        for end in node.endpoints
+        if not end.implicit
+    )
+
+
+def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list[ConfiguredNode]) -> Finding:
+    severity, doubt = weighed(
+        RULE.severity, (one.proof,), node.conditions, more="the code of some nodes that it holds for is unknown"
+    )
+    who = listed([f"{user.name} ({user.proof.place})" for user in users])
+    message = (
+        f"remapping of `{one.source}` to `{one.target}` holds for {count} nodes, of which none is known to use the "
+        f"name. {who} does, and is outside of it: a remapping holds for what follows it in its group or file. "
+        f"Move it in front of the node, or into it.{doubt}"
+    )
+    context = f"{one.source}:={one.target}"
+    return told(RULE, message, one.proof, entity=f"node:{users[0].name}", severity=severity, context=context)
 
 
 def _key(one: ConfiguredRemap) -> tuple[str, str, str]:

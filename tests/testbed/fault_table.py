@@ -87,7 +87,10 @@ class Row:
     @property
     def right(self) -> bool:
         """Whether it was told, in time, and nothing else was."""
-        return self.alarm is not None and self.alarm <= self.allowed and self.ok is not None and not self.others
+        if self.over is None or self.alarm is None or self.ok is None or self.others:
+            return False
+        # How long the middleware takes to tell of a subscription is not ours to say.
+        return self.alarm <= self.allowed and (self.over <= LATE or MISFIT in self.told)
 
 
 def _both(*keys: Key) -> dict[str, frozenset[Key]]:
@@ -219,7 +222,9 @@ def run_case(watched: Watched, case: Case, needed: set[Key]) -> Row:
     if alarm is None:
         return Row(case.name, watched.generation, "", None, ok, (), _texts(others, began), case.allowed, load=load)
     window = case.window_of(watched.generation)
-    over = max(alarm[0] - (since or began) - window, 0.0)
+    # An alarm may come before its fact was looked for.
+    counted = since or (alarm[0] if case.fact else began)
+    over = max(alarm[0] - counted - window, 0.0)
     return Row(
         case.name, watched.generation, alarm[1], max(alarm[0] - began, 0.0), ok,
         _texts(following, began), _texts(others, began), case.allowed, window, over, load,

@@ -2,8 +2,9 @@
 
     python benchmarks/tap.py [PYTHON WITH RCLPY]
 
-One process publishes scans of 720 values at 1,000 Hz; in turn a subscription with an executor and a tap take them,
-each in a process of its own, and tell their CPU time a message. A Python with rclpy is taken from build/ros2 otherwise.
+One process publishes scans of 720 values at 1,000 Hz; a subscription with an executor and a tap take them at the same
+time, so that whatever else the machine does slows both, each in a process of its own, and tell their CPU time a
+message. A Python with rclpy is taken from build/ros2 otherwise.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROUNDS = 3
+ROUNDS = 5
 SECONDS = 4.0
 HERE = Path(__file__).resolve().parents[1]
 PUBLISHER = """
@@ -72,21 +73,26 @@ print((time.process_time() - begun) / max(tap.count, 1) * 1e6, tap.count)
 """
 
 
-def cost(python: str, program: str, environment: dict[str, str]) -> tuple[float, int]:
-    """Return CPU microseconds a message and how many messages came."""
+def started(python: str, program: str, environment: dict[str, str]) -> subprocess.Popen[str]:
+    """Start a process that takes messages."""
     command = [python, "-c", program, str(SECONDS), str(HERE / "src")]
-    ended = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=60)
-    microseconds, count = ended.stdout.split()[-2:]
-    return float(microseconds), int(count)
+    return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
+
+
+def costs(python: str, environment: dict[str, str]) -> list[tuple[float, int]]:
+    """Return CPU microseconds a message, and how many messages came, of a subscription and of a tap."""
+    both = [started(python, program, environment) for program in (SUBSCRIPTION, TAP)]
+    told = [process.communicate(timeout=60)[0].split()[-2:] for process in both]
+    return [(float(microseconds), int(count)) for microseconds, count in told]
 
 
 def main() -> None:
-    """Measure both in turn and print their medians and the ratio."""
+    """Measure both several times and print their medians and the ratio."""
     python = sys.argv[1] if len(sys.argv) > 1 else str(HERE / "build" / "ros2" / "bin" / "python")
     environment = {**os.environ, "ROS_DOMAIN_ID": "71", "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
     publisher = subprocess.Popen([python, "-c", PUBLISHER], env=environment)
     try:
-        pairs = [(cost(python, SUBSCRIPTION, environment), cost(python, TAP, environment)) for _ in range(ROUNDS)]
+        pairs = [costs(python, environment) for _ in range(ROUNDS)]
     finally:
         publisher.terminate()
         publisher.wait(10)

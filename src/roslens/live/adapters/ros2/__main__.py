@@ -164,7 +164,7 @@ def _without_events(host: str, error: Exception) -> Frame:
 
 
 class _Turns:
-    """What to do when: graph changes gathered, ends of processes at once, tallies once a period, taps each 10 ms."""
+    """What to do when: graph changes gathered, ends of processes at once, tallies once a period, taps each 40 ms."""
 
     def __init__(
         self, observation: Observation, speaker: _Speaker, ends: ProcessEnds, wakes: queue.SimpleQueue[int],

@@ -4,7 +4,7 @@ WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs lock lock-ros2 bench clean
+.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs known-mistakes lock lock-ros2 bench clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -58,6 +58,10 @@ parts:
 # Write the pages in docs/reference that come from declarations.
 docs: .venv/stamp
 	$(BIN)/python -m roslens.cli.reference docs/reference
+
+# Write docs/known_mistakes.md from its tables.
+known-mistakes: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m known_mistakes
 
 lock:
 	$(BIN)/python -m pip install --quiet uv

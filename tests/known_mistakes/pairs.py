@@ -1,0 +1,91 @@
+"""Pairs of a buggy and a fixed revision, and what `roslens graph --check` tells of both."""
+
+from __future__ import annotations
+
+import json
+from contextlib import redirect_stdout
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import yaml
+
+from known_mistakes.checkout import check_out
+
+ROOT = Path(__file__).parents[2]
+TABLE = ROOT / "tests" / "fixtures" / "extract" / "rosdiscover" / "pairs.yaml"
+
+
+class Pair(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A mistake and its correction.
+
+    Attributes:
+        id: as in the data set.
+        fault: in words.
+        peer: whether ROSDiscover finds it.
+        trees: by repository the buggy and the fixed commit.
+        beside: by repository a commit that is the same on both sides; ``name@part`` where a repository had parts.
+        launch: what runs together, inside of ``<launch>``; empty where it is not tried.
+        programs: what stands for ``{program}`` in it, buggy and fixed.
+        reported: rule and entity of the finding; empty where it is not found.
+        joined: topic that has both ends in the fixed revision.
+        why: it is not found.
+    """
+
+    id: str
+    fault: str
+    peer: bool
+    trees: dict[str, tuple[str, str]]
+    beside: dict[str, str] = {}
+    launch: str = ""
+    programs: tuple[str, str] = ("", "")
+    reported: tuple[str, ...] = ()
+    joined: str = ""
+    why: str = ""
+
+
+class Told(msgspec.Struct, frozen=True):
+    """What is told of one side: severity by rule and entity, and the names that have both ends."""
+
+    findings: dict[tuple[str, str], str]
+    joined: frozenset[str]
+
+
+def pairs() -> tuple[Pair, ...]:
+    """Return the table."""
+    return tuple(msgspec.convert(yaml.safe_load(TABLE.read_text())["pairs"], list[Pair]))
+
+
+def missing(pair: Pair, clones: Path) -> list[str]:
+    """Return the repositories of a pair of which there is no clone."""
+    names = {name.partition("@")[0] for name in (*pair.trees, *pair.beside)}
+    return sorted(name for name in names if not (clones / name).is_dir())
+
+
+def told(pair: Pair, side: int, clones: Path, folder: Path) -> Told:
+    """Lay out one side of a pair in a folder and return what is told of it; 0 is the buggy side."""
+    for name, commits in pair.trees.items():
+        check_out(clones / name, commits[side], folder / name)
+    for name, commit in pair.beside.items():
+        check_out(clones / name.partition("@")[0], commit, folder / name.replace("@", "_"))
+    launch = folder / "pair.launch"
+    launch.write_text(f"<launch>\n{pair.launch.replace('{program}', pair.programs[side])}</launch>\n")
+    checked = _run(folder, launch, "--check", "--fail-on", "never")
+    findings = {(one["rule"], one["entity"]): one["severity"] for one in checked}
+    (graph,) = _run(folder, launch)["configurations"]
+    roles: dict[str, set[str]] = {}
+    for node in graph["nodes"]:
+        for one in node.get("endpoints", ()):
+            roles.setdefault(one["endpoint"]["name"], set()).add(one["endpoint"]["role"])
+    both = {name for name, found in roles.items() if {"publisher", "subscription"} <= found}
+    return Told(findings, frozenset(both))
+
+
+def _run(folder: Path, launch: Path, *options: str) -> Any:
+    from roslens.cli.main import main
+
+    out = StringIO()
+    with redirect_stdout(out):
+        main(["graph", str(folder), "--launch", str(launch), "--format", "json", "-q", "--jobs", "0", *options])
+    return json.loads(out.getvalue())

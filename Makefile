@@ -4,7 +4,7 @@ WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
-.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs known-mistakes lock lock-ros2 bench clean
+.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs known-mistakes lock lock-ros2 bench sites clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -73,6 +73,10 @@ lock-ros2:
 	$(BIN)/python -m pip install --quiet uv
 	$(BIN)/uv pip compile --group ros2 --universal --python-version 3.10 --generate-hashes \
 		--no-emit-index-url --no-header --no-annotate -o requirements-ros2.lock
+
+# docs/endpoint_sites.md; CORPUS is a folder with clones of the repositories in tests/fixtures/extract.
+sites: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m endpoint_sites $(CORPUS) docs/endpoint_sites.md
 
 # Figures of the README; CORPUS is a folder with clones of ros_comm, navigation and navigation2.
 bench: .venv/stamp

@@ -94,3 +94,33 @@ class A : public rclcpp::Node { public: A() : Node("a") {
 """
     (facts,) = units(a_cpp=text)
     assert [(one.name.known, one.conditions) for one in facts.endpoints] == [("in", ()), ("out", ("ready_",))]
+
+
+def test_members_may_have_changed_when_a_callback_runs(units):
+    text = (
+        "#include <ros/ros.h>\n#include <std_msgs/String.h>\nclass A { public: A() : first_(true) {"
+        ' sub_ = nh_.subscribe("in", 1, &A::heard, this); }\n'
+        "void heard(const std_msgs::String::ConstPtr & msg) { if (first_) { first_ = false; return; }"
+        ' pub_ = nh_.advertise<std_msgs::String>("out", 1); }\n'
+        "bool first_; ros::NodeHandle nh_; ros::Subscriber sub_; ros::Publisher pub_; };\n"
+        'int main(int argc, char ** argv) { ros::init(argc, argv, "a"); A a; ros::spin(); }'
+    )
+    (main,) = [one for one in units(a_cpp=text) if one.unit == "main"]
+    assert [str(one.name) for one in main.endpoints] == ["in", "out"]
+
+
+def test_each_further_node_does_what_its_class_does(units):
+    text = (
+        "#include <rclcpp_lifecycle/lifecycle_node.hpp>\n#include <std_msgs/msg/string.hpp>\n"
+        "class Map : public rclcpp_lifecycle::LifecycleNode { public: explicit Map(std::string name)"
+        " : rclcpp_lifecycle::LifecycleNode(name) {}\nReturn on_configure(const rclcpp_lifecycle::State &) {"
+        ' pub_ = create_publisher<std_msgs::msg::String>("map", 1); } };\n'
+        'class A : public rclcpp_lifecycle::LifecycleNode { public: A() : rclcpp_lifecycle::LifecycleNode("a") {'
+        ' one_ = std::make_shared<Map>("one"); two_ = std::make_shared<Map>("two"); } };'
+    )  # fmt: skip
+    found = [one for one in units(a_cpp=text) if one.unit == "A"]
+    assert [(str(one.name), len(one.endpoints)) for one in sorted(found, key=lambda one: one.number)] == [
+        ("a", 0),
+        ("one", 1),
+        ("two", 1),
+    ]

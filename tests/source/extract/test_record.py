@@ -46,3 +46,39 @@ def test_a_parameter_gives_what_was_declared(node_of):
 def test_a_timer(node_of):
     facts = node_of("timer_ = create_wall_timer(std::chrono::milliseconds(500), [this]() {});")
     assert [one.period_s for one in facts.timers] == [0.5]
+
+
+ADAPTED = "#include <std_msgs/msg/string.hpp>\n#include <rclcpp/type_adapter.hpp>"
+
+
+def types(facts):
+    return [str(one.type) for one in facts.endpoints]
+
+
+def test_a_type_that_is_adapted_is_that_of_the_message(node_of):
+    members = "using Own = rclcpp::TypeAdapter<std::string, std_msgs::msg::String>;"
+    assert types(node_of('create_publisher<Own>("a", 1);', members, ADAPTED)) == ["std_msgs/msg/String"]
+    before = f"{ADAPTED}\nRCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE(own::Text, std_msgs::msg::String);"
+    assert types(node_of('create_publisher<own::Text>("a", 1);', "", before)) == ["std_msgs/msg/String"]
+
+
+def test_a_class_is_no_interface(node_of):
+    assert types(node_of('create_publisher<own::Text>("a", 1);')) == ["{the type own::Text}"]
+
+
+def test_a_type_of_a_module_that_is_used_whole(units):
+    text = "import rospy\nfrom std_msgs.msg import *\nfrom p.srv import *\nrospy.init_node('a')\n"
+    text += "rospy.Publisher('x', String, queue_size=1)\nrospy.Service('y', Ask, print)\n"
+    (facts,) = units(a_py=text)
+    assert types(facts) == ["std_msgs/String", "p/Ask"]
+
+
+def test_a_type_of_the_namespace_that_the_package_includes(units):
+    header = "#include <own/Pose.h>\n"
+    text = (
+        '#include <ros/ros.h>\n#include "b.h"\nnamespace own { class A { public: A() { ros::NodeHandle nh;'
+        ' pub_ = nh.advertise<Pose>("x", 1); } ros::Publisher pub_; }; }\n'
+        'int main(int argc, char ** argv) { ros::init(argc, argv, "a"); own::A a; }'
+    )
+    found = [one for one in units(a_cpp=text, b_h=header) if one.unit == "main"]
+    assert types(found[0]) == ["own/Pose"]

@@ -80,3 +80,58 @@ rospy.Publisher(rospy.get_param('~t', 'x'), String, queue_size=1)
         ("publisher", "{parameter ~t}", "std_msgs/String", 1),
     ]
     assert [one.period_s for one in facts.timers] == [0.5]
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        (
+            'auto ops = ros::SubscribeOptions::create<std_msgs::String>("in", 5, heard, x, &q); nh.subscribe(ops);',
+            ("subscription", "in", "std_msgs/String", 5, False),
+        ),
+        (
+            'ros::SubscribeOptions ops; ops.init<std_msgs::String>("a", 5, heard); ops.topic="b"; nh.subscribe(ops);',
+            ("subscription", "b", "std_msgs/String", 5, False),
+        ),
+        (
+            'ros::AdvertiseOptions ops; ops.init<std_msgs::String>("out", 5); ops.latch = true; nh.advertise(ops);',
+            ("publisher", "out", "std_msgs/String", 5, True),
+        ),
+        (
+            'nh.advertiseService(ros::AdvertiseServiceOptions::create<std_srvs::Empty>("ask", heard, x, &q));',
+            ("service_server", "ask", "std_srvs/Empty", -1, False),
+        ),
+    ],
+)
+def test_endpoints_by_options(main_of, body, expected):
+    before = "#include <std_srvs/Empty.h>\nvoid heard(const std_msgs::String::ConstPtr & msg) {}"
+    (one,) = main_of(body, before).endpoints
+    assert (one.role.value, str(one.name), str(one.type), one.queue, one.latched) == expected
+
+
+def test_a_service_that_is_called_by_its_name(main_of):
+    body = (
+        'std_srvs::Empty::Request req; std_srvs::Empty::Response res; while (!ros::service::call("ask", req, res)) {}'
+    )
+    (one,) = main_of(body, "#include <std_srvs/Empty.h>").endpoints
+    assert (one.role.value, str(one.name), str(one.type)) == ("service_client", "ask", "std_srvs/Empty")
+
+
+def test_a_key_that_is_looked_for_is_not_known(main_of):
+    body = (
+        'std::string key, topic; if (!nh.searchParam("of", key)) { key = "of"; }\n'
+        'nh.param(key, topic, std::string("in")); nh.advertise<std_msgs::String>(topic, 1);'
+    )
+    (one,) = main_of(body).endpoints
+    assert (one.name.usual, one.evidence.sure.value) == ("in", "likely")
+    assert "the key at which of is found" in str(one.name)
+
+
+def test_who_gives_a_handle_knows_its_namespace(units):
+    text = (
+        "#include <ros/ros.h>\n#include <std_msgs/String.h>\n"
+        "class A { public: A(const ros::NodeHandle & nh) : nh_(nh) {"
+        ' pub_ = nh_.advertise<std_msgs::String>("out", 1); }\n ros::NodeHandle nh_; ros::Publisher pub_; };'
+    )
+    ((one,),) = (facts.endpoints for facts in units(a_cpp=text))
+    assert (one.name.pattern, one.evidence.sure.value) == ("*/out", "possible")

@@ -76,3 +76,14 @@ def test_modules_of_python_are_found_by_the_end_of_their_path(index_of):
 
 def test_packages_are_first_folders_where_nothing_else_is_said(index_of):
     assert index_of(a_cpp="").package("pkg/a.cpp") == "pkg"
+
+
+def test_methods_that_are_defined_outside_of_their_namespace(index_of):
+    header = "namespace a { namespace b { class C { public: C(); void f(); }; class D { public: void g(); }; } }"
+    source = (
+        'using a::b::C;\nusing namespace a::b;\nC::C() { g("x"); }\nvoid C::f() { g("x"); }\nvoid D::g() { g("x"); }'
+    )
+    index = index_of(c_hpp=header, c_cpp=source)
+    for name, methods in (("C", ["C", "f"]), ("D", ["g"])):
+        defined = index.class_of(name, "pkg/c.cpp", "")
+        assert [one.what.name for one in index.methods_of(defined)] == methods

@@ -20,7 +20,8 @@ _PARENTHESES = re.compile(r"\(*\([^()]*\)\)*")
 _COMMENT = re.compile(rb"/\*.*?\*/|//[^\n]*", re.DOTALL)
 _CONSTANTS = {"true": True, "false": False, "NULL": None, "nullptr": None}
 _REGISTRATION = re.compile(
-    rb"\b((?:RCLCPP_COMPONENTS_REGISTER|PLUGINLIB_(?:EXPORT|DECLARE|REGISTER)|NODELET_REGISTER|CLASS_LOADER_REGISTER)_\w+)"
+    rb"\b((?:RCLCPP_COMPONENTS_REGISTER|PLUGINLIB_(?:EXPORT|DECLARE|REGISTER)|NODELET_REGISTER|CLASS_LOADER_REGISTER)_\w+"
+    rb"|RCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE)"
     rb"[ \t]*\(([^(){};]{1,500})\)"
 )
 _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
@@ -78,7 +79,7 @@ def registrations(content: bytes, tree: Tree) -> Iterator[Evaluate]:
         content: the bytes of the file.
         tree: of the same, to tell comments apart.
     """
-    if b"_REGISTER" not in content and b"PLUGINLIB_" not in content:
+    if b"_REGISTER" not in content and b"PLUGINLIB_" not in content and b"_CUSTOM_TYPE_AS_" not in content:
         return
     for match in _REGISTRATION.finditer(content):
         start = match.start()

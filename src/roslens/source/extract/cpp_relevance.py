@@ -16,7 +16,7 @@ from enum import IntEnum
 _SHORT = 120
 _ENDPOINTS = (
     rb"create_(?:publisher|subscription|generic_\w+|service|client|server|timer|wall_timer|callback_group|sub_node|rate)"
-    rb"|advertise|subscribe|[sS]erviceClient"
+    rb"|advertise|subscribe|[sS]erviceClient|service::call|waitForMessage"
 )
 _ENDPOINT = re.compile(rb"(?:%s|[pP]aram|declare_)\w*\s*[<(]" % _ENDPOINTS)
 _WHOLE = re.compile(

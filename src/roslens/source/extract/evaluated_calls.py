@@ -249,5 +249,8 @@ class Calls(Expressions):
         bound = engine.frame.templates
         if bound:
             written = _WORD.sub(lambda found: bound.get(found[0], found[0]), written)
+        whole = engine.index.alias(dotted(written), engine.frame.path, engine.frame.scope)
+        if "<" in whole and "<" not in written:
+            return whole
         meaning = engine.index.meaning(dotted(written), engine.frame.path, engine.frame.scope)
         return meaning.replace(".", "::") if "<" not in written and meaning != dotted(written) else written

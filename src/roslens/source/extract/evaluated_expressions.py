@@ -25,6 +25,7 @@ from roslens.source.extract.program import (
 )
 from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.vocabulary_streams import HELD, written_to
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -164,6 +165,8 @@ class Expressions:
             engine.assign(expression.operands[0], value)
             return value
         values = [self.value(one) for one in expression.operands]
+        if operator == "<<" and isinstance(values[0], Obj) and HELD in values[0].fields:
+            return written_to(values[0], values[1:])
         if operator in ("+", "<<"):
             whole = values[0]
             for one in values[1:]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.abstract_value import Callable, Obj, Unknown
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import (
@@ -124,6 +124,9 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
         of = engine.value(target.of)
         if isinstance(of, Obj):
             of.fields[target.name] = value
+        if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
+            # A member of what is not in the workspace: options that hold callbacks.
+            engine.called_outer(value)
     elif isinstance(target, Item):
         of, key = engine.value(target.of), engine.value(target.key)
         if isinstance(of, dict):

@@ -120,7 +120,7 @@ def facts_of_main(index: Index, path: str, reached: Reached | None = None) -> li
     def run() -> None:
         engine.frame = Frame(path, "")
         engine.call(Callable(main, path), [Unknown("argc"), Unknown("argv")], {})
-        engine.run_later()
+        _run_callbacks(engine)
         if len(engine.made) > 1:
             # Which node of several is which only this evaluation knows.
             _run_made(engine)
@@ -146,7 +146,7 @@ def facts_of_module(index: Index, path: str, function: str = "", reached: Reache
                     block(engine, statement.then)
                 elif isinstance(statement, Evaluate):
                     engine.value(statement.expression)
-        engine.run_later()
+        _run_callbacks(engine)
 
     return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
 
@@ -190,6 +190,14 @@ def _run_made(engine: Evaluation, first: Obj | None = None) -> None:
                 _run_methods(engine, one, again=True)
             finally:
                 engine.node = outer
+
+
+def _run_callbacks(engine: Evaluation) -> None:
+    """Run the callbacks of a program: by then, members of their objects may have changed."""
+    for callback, _ in engine.later:
+        if isinstance(callback.self, Obj):
+            _forget(engine, callback.self)
+    engine.run_later()
 
 
 def _forget(engine: Evaluation, thing: Obj) -> None:

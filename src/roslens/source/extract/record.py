@@ -24,6 +24,7 @@ from roslens.source.extract.node_facts import EndpointFact, Evidence, ParameterF
 from roslens.source.extract.program import Call, Name
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, node_of
+from roslens.source.extract.workspace_index import type_arguments, type_name
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -129,13 +130,48 @@ def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Tex
         written = kind.type
     if not written:
         return unknown(kind.reason if isinstance(kind, Unknown) else "its type is not written")
-    name = interface_name(written)
+    written = _adapted(engine, written)
+    name = _as_interface(written, generation)
     if not name:
         meaning = engine.index.meaning(written.replace("::", "."), engine.frame.path, engine.frame.scope)
-        name = interface_name(meaning)
+        name = _as_interface(meaning, generation)
     if not name:
         name = included_interface(written, engine.index.programs[engine.frame.path])
+    if not name:
+        name = _in_scope(engine, written, KINDS[role])
     return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
+
+
+def _as_interface(written: str, generation: str) -> str:
+    """Return the name of an interface; those of ROS 2 are in a namespace of their own: what is not is a class."""
+    name = interface_name(written)
+    return "" if generation == "ros2" and name.count("/") == 1 and "/" not in written else name
+
+
+def _adapted(engine: Evaluation, written: str) -> str:
+    """Return the message that a type is adapted to: ``rclcpp::TypeAdapter<Custom, Message>``, or a registered class."""
+    name, inside = type_name(written)
+    if name == "rclcpp.TypeAdapter" and len(arguments := type_arguments(inside)) == 2:
+        return arguments[1]
+    if name.startswith("rclcpp.adapt_type") and "." in inside:
+        return inside
+    return engine.index.adapted(name, engine.frame.path, engine.frame.scope) or written
+
+
+def _in_scope(engine: Evaluation, written: str, kind: str) -> str:
+    """Return the interface that a name without package means: of a module that is used whole, or of its namespace."""
+    program = engine.index.programs[engine.frame.path]
+    if not written.isidentifier():
+        return ""
+    if program.language == "python":
+        known = {f"{one.replace('.', '/')}/{written}" for one in program.using if one.endswith(f".{kind}")}
+        return next(iter(known)) if len(known) == 1 else ""
+    scope = engine.frame.scope
+    while scope := scope.rpartition(".")[0]:
+        last = scope.rpartition(".")[2]
+        if engine.index.includes(f"{last}/{written}.h", engine.frame.path):
+            return f"{last}/{written}"
+    return ""
 
 
 def type_of_callback(engine: Evaluation, callback: Any, place: int = 0) -> str:
@@ -163,7 +199,7 @@ def parameter(
         node.parameters.append(fact)
     known = written.known or written.pattern
     usual = text.usual if text is not None else declared_default(node, written)
-    return Text((Hole(node.said(f"parameter {known}"), known, usual),))
+    return Text((Hole(node.said(f"parameter {written}"), known, usual),))
 
 
 def declared_default(node: Building, name: Text) -> str | None:

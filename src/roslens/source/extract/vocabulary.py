@@ -1,8 +1,7 @@
 """What classes, functions and methods of ROS do that are not in the workspace: found by name, one function each.
 
-The words are in :mod:`~roslens.source.extract.vocabulary_ros1`, :mod:`~roslens.source.extract.vocabulary_ros2`,
-:mod:`~roslens.source.extract.vocabulary_shared`, :mod:`~roslens.source.extract.vocabulary_options` and
-:mod:`~roslens.source.extract.vocabulary_trees`; each registers itself by :func:`outer` and :func:`method`.
+The words are in the modules beside this one whose names begin with ``vocabulary_``; each registers itself by
+:func:`outer` and :func:`method`.
 """
 
 from __future__ import annotations
@@ -54,7 +53,14 @@ Word = Function1[["Evaluation", Any, Called], Any]
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
-_MODULES = ("vocabulary_options", "vocabulary_ros2", "vocabulary_ros1", "vocabulary_shared", "vocabulary_trees")
+_MODULES = (
+    "vocabulary_options",
+    "vocabulary_ros2",
+    "vocabulary_ros1",
+    "vocabulary_shared",
+    "vocabulary_images",
+    "vocabulary_trees",
+)
 
 
 def outer(*names: str) -> Function1[[Word], Word]:

@@ -9,7 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
 from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, method, node_of, outer
 
 if TYPE_CHECKING:
@@ -43,11 +43,15 @@ def _handle(engine: Evaluation, called: Called) -> Handle:
     engine.node.generation = "ros1"
     prefix = Text()
     node: Building = engine.node
-    for value in called.arguments:
+    for place, value in enumerate(called.arguments[:2]):
         if isinstance(value, Handle):
             node, prefix = value.node, value.prefix
         elif isinstance(value, Text):
             prefix = below(Handle(node, prefix), _trimmed(value))
+        elif isinstance(value, Unknown | Obj | Named):
+            # A copy of a handle that somebody gives, or a text: who gives it knows the namespace.
+            given = unknown(f"namespace of the handle: {as_text(value).holes[0].reason}")
+            prefix = below(Handle(node, prefix), given) if place else given
     return Handle(node, prefix)
 
 
@@ -101,6 +105,8 @@ def advertise(engine: Evaluation, thing: Any, called: Called) -> Any:
         thing = called.arguments[0]
         called = msgspec.structs.replace(called, arguments=called.arguments[1:], written=called.written[1:])
     kind = called.templates[0] if called.templates else Unknown("its type")
+    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+        return _by_options(engine, thing, called, Role.PUBLISHER, options)
     latched = called.argument(2) is True or called.argument(4) is True
     return endpoint(
         engine, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=_queue(called.argument(1)),
@@ -111,6 +117,8 @@ def advertise(engine: Evaluation, thing: Any, called: Called) -> Any:
 @method("handle", "subscribe", anywhere=True)
 def subscribe(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A subscription."""
+    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+        return _by_options(engine, thing, called, Role.SUBSCRIPTION, options)
     if not isinstance(thing, Handle) and not called.templates and len(called.arguments) < 2:
         return Unknown("result of subscribe()")
     callback = _callback(engine, called, 2)
@@ -135,6 +143,8 @@ def _callback(engine: Evaluation, called: Called, place: int) -> Any:
 @method("handle", "advertiseService", anywhere=True)
 def advertise_service(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A server of a service."""
+    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+        return _by_options(engine, thing, called, Role.SERVICE_SERVER, options)
     callback = _callback(engine, called, 1)
     written = called.templates[0] if called.templates else type_of_callback(engine, callback)
     kind: Any = written or Unknown("the type its callback takes")
@@ -151,8 +161,15 @@ def service_client(engine: Evaluation, thing: Any, called: Called) -> Any:
 @outer("ros.service.call", "ros.service.createClient")
 def call_once(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A service is called by its name."""
-    kind = called.templates[0] if called.templates else called.argument(1)
+    kind = called.templates[0] if called.templates else _declared_type(engine, called)
     return endpoint(engine, Handle(engine.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
+
+
+def _declared_type(engine: Evaluation, called: Called) -> Any:
+    """Return the type of the request, or of what holds request and response."""
+    value = called.argument(1)
+    del engine
+    return value if isinstance(value, Obj | Named) else Unknown("its type")
 
 
 @outer("ros.topic.waitForMessage", "rospy.wait_for_message")
@@ -191,7 +208,16 @@ def write(engine: Evaluation, thing: Any, called: Called) -> Any:
     return None
 
 
-@method("handle", "hasParam", "searchParam", "deleteParam", "ok", "shutdown")
+@method("handle", "searchParam")
+def search(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A parameter is looked for in the namespaces above too."""
+    name = as_text(called.argument(0))
+    if len(called.written) > 1:
+        engine.assign(called.written[1], Text((Hole(f"the key at which {name} is found", default=name.usual),)))
+    return Unknown("whether the parameter is found")
+
+
+@method("handle", "hasParam", "deleteParam", "ok", "shutdown")
 def ask(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     """Something is asked that only a run can answer."""
     return Unknown(f"result of {called.name}()")
@@ -298,8 +324,40 @@ def _here(engine: Evaluation) -> Handle:
     return Handle(engine.node)
 
 
+def _by_options(engine: Evaluation, thing: Any, called: Called, role: Role, options: Obj) -> Any:
+    fields = options.fields
+    name = fields.get("topic", fields.get("service", Unknown("a name that is not set in the options")))
+    return endpoint(
+        engine, thing, called, role, name, fields.get("-type", Unknown("its type")),
+        queue=_queue(fields.get("queue_size")), latched=fields.get("latch") is True, callback=fields.get("-callback"),
+    )  # fmt: skip
+
+
+@outer(*_OPTIONS, *(f"{name}.create" for name in _OPTIONS))
+def endpoint_options(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Options of an endpoint: name, size of the queue and callback in one; of a service it has no queue."""
+    found = Obj(called.name.removesuffix(".create"))
+    if called.name.endswith(".create") or called.arguments:
+        return fill_options(engine, found, called)
+    return found
+
+
+def fill_options(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """Let options hold what they are made of, or what ``init`` gives them."""
+    service = thing.type.endswith("ServiceOptions")
+    thing.fields["service" if service else "topic"] = as_text(called.argument(0))
+    if not service:
+        thing.fields["queue_size"] = called.argument(1)
+    callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
+    thing.fields["-callback"] = callback
+    thing.fields["latch"] = thing.type == "ros.AdvertiseOptions" and called.argument(6) is True
+    kind = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    thing.fields["-type"] = kind or Unknown("its type")
+    return thing
+
+
 for _name in _OPTIONS:
-    outer(_name)(lambda _engine, _thing, called: Obj(called.name))
+    method(_name, "init", "initByFullCallbackType")(fill_options)
 
 
 __all__ = ["node_of"]

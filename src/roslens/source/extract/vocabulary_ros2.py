@@ -7,21 +7,21 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from roslens.model.graph import Role
-from roslens.model.qos import Qos
 from roslens.source.extract.abstract_value import (
     Callable,
     Group,
     Handle,
     Named,
     Obj,
-    QosValue,
     Unknown,
     as_text,
 )
+from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.vocabulary_options import given_options, take_options
+from roslens.source.extract.vocabulary_qos import quality_of
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -29,42 +29,6 @@ if TYPE_CHECKING:
 _NODES = ("rclcpp.Node", "rclpy.node.Node", "rclpy.create_node", "rclcpp.Node.make_shared", "rclpy.Node")
 _LIFECYCLE = ("rclcpp_lifecycle.LifecycleNode", "rclpy.lifecycle.LifecycleNode", "rclpy.lifecycle.Node",
               "rclpy.lifecycle.node.LifecycleNode")  # fmt: skip
-_PRESETS = {
-    "SensorDataQoS": Qos("best_effort", "volatile", "keep_last", 5),
-    "qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
-    "SystemDefaultsQoS": Qos(),
-    "qos_profile_system_default": Qos(),
-    "ServicesQoS": Qos("reliable", "volatile", "keep_last", 10),
-    "qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
-    "ParametersQoS": Qos("reliable", "volatile", "keep_last", 1000),
-    "qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
-    "ParameterEventsQoS": Qos("reliable", "volatile", "keep_last", 1000),
-    "qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
-    "ClockQoS": Qos("best_effort", "volatile", "keep_last", 1),
-    "RosoutQoS": Qos("reliable", "transient_local", "keep_last", 1000),
-    "BestAvailableQoS": Qos("best_available", "best_available", "keep_last", 10),
-    "rmw_qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
-    "qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
-    "rmw_qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
-    "rmw_qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
-}
-_WORDS = {
-    "reliable": "reliable",
-    "best_effort": "best_effort",
-    "besteffort": "best_effort",
-    "volatile": "volatile",
-    "transient_local": "transient_local",
-    "transientlocal": "transient_local",
-    "keep_last": "keep_last",
-    "keeplast": "keep_last",
-    "keep_all": "keep_all",
-    "keepall": "keep_all",
-    "automatic": "automatic",
-    "manual_by_topic": "manual_by_topic",
-    "manualbytopic": "manual_by_topic",
-    "best_available": "best_available",
-    "bestavailable": "best_available",
-}
 
 
 @outer(*_NODES)
@@ -103,22 +67,6 @@ def _node(engine: Evaluation, thing: Any, called: Called, kind: str) -> Any:
     return Obj("rclcpp.Node", None, {}, building)
 
 
-def _quality(value: Any) -> Any:
-    """Return what is given as quality of service as one; a number is a depth."""
-    if isinstance(value, bool):
-        return None
-    if isinstance(value, int):
-        return QosValue(Qos("reliable", "volatile", "keep_last", value))
-    if isinstance(value, Obj) and isinstance(value.fields.get("qos"), QosValue):
-        return value.fields["qos"]
-    if isinstance(value, Named) and value.name.rpartition(".")[2] in _PRESETS:
-        return QosValue(_PRESETS[value.name.rpartition(".")[2]])
-    if isinstance(value, Text | Unknown):
-        reason = value.reason if isinstance(value, Unknown) else str(value)
-        return QosValue(Qos(), reason)
-    return value if isinstance(value, QosValue) else None
-
-
 def _group(called: Called, *places: int) -> Any:
     for value in (*(called.argument(place) for place in places), *called.keywords.values()):
         if isinstance(value, Group):
@@ -147,7 +95,7 @@ def publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
             called.templates[0] if called.templates else Unknown("its type"),
             called.argument(1),
         )
-    return endpoint(engine, thing, called, Role.PUBLISHER, name, kind, qos=_quality(qos))
+    return endpoint(engine, thing, called, Role.PUBLISHER, name, kind, qos=quality_of(qos))
 
 
 @method("node", "create_subscription", anywhere=True)
@@ -162,7 +110,7 @@ def subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
             qos, callback = callback, qos
         kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
     return endpoint(
-        engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=_quality(qos), callback=callback,
+        engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=quality_of(qos), callback=callback,
         group=_group(called, 3, 4),
     )  # fmt: skip
 
@@ -382,96 +330,28 @@ def own_name(engine: Evaluation, thing: Any, called: Called) -> Any:
     return Text((Hole(node_.said("name of the node"), default=node_.name.usual),))
 
 
-@outer("rclcpp.QoS", "rclpy.qos.QoSProfile", "rclpy.qos.QoSPresetProfiles.get_from_short_key")
-def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A quality of service."""
-    value = _from_words(called)
-    if isinstance(thing, Obj):
-        thing.fields["qos"] = value
-        return thing
-    return value
+@method("node", "resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name")
+def resolved(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A name is resolved: what is relative is below the namespace of the node, where it is remapped."""
+    node_ = node_of(engine, thing)
+    name = as_text(called.argument(0, "topic", "service"))
+    return _expanded(name, node_.said("namespace of the node"), node_.said("full name of the node"))
 
 
-def _from_words(called: Called) -> QosValue:
-    base = QosValue(Qos("reliable", "volatile", "keep_last", 0))
-    first = called.argument(0, "depth", "history_depth")
-    if isinstance(first, QosValue):
-        base = first
-    elif isinstance(first, int) and not isinstance(first, bool):
-        base = QosValue(Qos("reliable", "volatile", "keep_last", first))
-    elif isinstance(first, Named):
-        base = _quality(first) or base
-    elif isinstance(first, Text | Unknown):
-        reason = first.reason if isinstance(first, Unknown) else str(first)
-        base = QosValue(Qos("reliable", "volatile", "keep_last", 0), f"its depth is {reason}")
-    for name, value in called.keywords.items():
-        if name in ("reliability", "durability", "history", "liveliness"):
-            base = _with(base, name, value)
-    return base
+@outer("rclcpp.expand_topic_or_service_name")
+def expanded(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A name is expanded below the namespace that is given."""
+    space = as_text(called.argument(2))
+    reason = space.holes[0].reason if len(space.parts) == 1 and space.holes else ""
+    if not reason.startswith("namespace of the node"):
+        return Unknown("an expanded name")
+    return _expanded(as_text(called.argument(0)), reason, reason.replace("namespace", "full name", 1))
 
 
-def _with(base: QosValue, name: str, value: Any) -> QosValue:
-    word = _WORDS.get(value.name.rpartition(".")[2].lower(), "") if isinstance(value, Named) else ""
-    if not word:
-        return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is not known")
-    return QosValue(msgspec.structs.replace(base.qos, **{name: word}), base.unknown)
-
-
-@outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
-def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """How many messages are kept."""
-    if called.name.endswith("from_rmw"):
-        return _quality(called.argument(0)) or QosValue(Qos(), "a profile of the middleware")
-    if called.name.endswith("All"):
-        return QosValue(Qos("reliable", "volatile", "keep_all", 0))
-    depth = called.argument(0)
-    return _quality(depth) if depth is not None else QosValue()
-
-
-@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in _PRESETS))
-def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A quality of service that has a name."""
-    value = QosValue(_PRESETS[called.name.rpartition(".")[2]])
-    if isinstance(thing, Obj):
-        thing.fields["qos"] = value
-        return thing
-    return value
-
-
-@method("qos", "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
-        "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
-        "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
-        "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
-def refined(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A quality of service with one policy changed."""
-    del engine
-    base = thing.fields["qos"] if isinstance(thing, Obj) else thing
-    found = _refined(base, called)
-    if isinstance(thing, Obj):
-        thing.fields["qos"] = found
-        return thing
-    return found
-
-
-for _name in ("QoS", "rclcpp.QoS", "rclcpp.SensorDataQoS", "rclcpp.SystemDefaultsQoS", "rclcpp.ServicesQoS"):
-    method(_name, "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
-           "reliability", "durability", "history", "deadline", "lifespan", "liveliness")(refined)  # fmt: skip
-
-
-def _refined(base: QosValue, called: Called) -> QosValue:
-    name, qos_ = called.name, base.qos
-    fixed = {"reliable": {"reliability": "reliable"}, "best_effort": {"reliability": "best_effort"},
-             "transient_local": {"durability": "transient_local"}, "durability_volatile": {"durability": "volatile"},
-             "keep_all": {"history": "keep_all"}, "reliability_best_available": {"reliability": "best_available"},
-             "durability_best_available": {"durability": "best_available"}}  # fmt: skip
-    if name in fixed:
-        return QosValue(msgspec.structs.replace(qos_, **fixed[name]), base.unknown)
-    first = called.argument(0)
-    if name == "keep_last" and isinstance(first, int):
-        return QosValue(msgspec.structs.replace(qos_, history="keep_last", depth=first), base.unknown)
-    if name in ("reliability", "durability", "history", "liveliness") and first is not None:
-        return _with(base, name, first)
-    fields = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
-    if name in fields and isinstance(first, int | float):
-        return QosValue(msgspec.structs.replace(qos_, **{fields[name]: float(first)}), base.unknown)
-    return base
+def _expanded(name: Text, space: str, whole: str) -> Text:
+    first = name.parts[0] if name.parts else ""
+    if not isinstance(first, str):
+        return name if is_namespace(first) else Text((msgspec.structs.replace(first, below=space), *name.parts[1:]))
+    if first.startswith("~"):
+        return Text.of(Hole(whole, default="~"), first[1:], *name.parts[1:])
+    return name if first.startswith("/") else Text.of(Hole(space, default=""), "/", name)

@@ -1,4 +1,4 @@
-"""The vocabulary of libraries of both generations: transforms, images, filters of messages, actions, diagnostics."""
+"""The vocabulary of libraries of both generations: transforms, filters of messages, actions, diagnostics."""
 
 from __future__ import annotations
 
@@ -16,14 +16,12 @@ from roslens.source.extract.vocabulary import Called, method, node_of, outer
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
-_IMAGE = "sensor_msgs::msg::Image"
-_CAMERA = "sensor_msgs::msg::CameraInfo"
 _TF = "tf2_msgs::msg::TFMessage"
 _DYNAMIC = QosValue(Qos("reliable", "volatile", "keep_last", 100))
 _STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
 
 
-def _at(engine: Evaluation, called: Called) -> Any:
+def handle_of(engine: Evaluation, called: Called) -> Any:
     """Return the first argument that stands for a node."""
     for value in (*called.arguments, *called.keywords.values()):
         if isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None):
@@ -45,7 +43,7 @@ def _listening(engine: Evaluation, called: Called) -> Handle:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
     given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
     if given or engine.node.generation != "ros2" or called.evidence.path.endswith(".py"):
-        return Handle(node_of(engine, _at(engine, called)))
+        return Handle(node_of(engine, handle_of(engine, called)))
     if any(isinstance(one, Unknown) for one in called.arguments[1:]):
         return Handle(engine.node)
     name = Text.of("transform_listener_impl_", Hole("random end"))
@@ -56,7 +54,7 @@ def _listening(engine: Evaluation, called: Called) -> Handle:
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
 def broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A broadcaster of transforms."""
-    node = Handle(node_of(engine, _at(engine, called)))
+    node = Handle(node_of(engine, handle_of(engine, called)))
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
     return Obj(called.name)
 
@@ -65,7 +63,7 @@ def broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
 def static_broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A broadcaster of transforms that stay."""
-    node = Handle(node_of(engine, _at(engine, called)))
+    node = Handle(node_of(engine, handle_of(engine, called)))
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
     return Obj(called.name)
 
@@ -93,7 +91,7 @@ def _filtered(engine: Evaluation, found: Obj, called: Called) -> None:
         kind = templates[0] if templates else Unknown("its type")
     quality = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, QosValue)), None)
     queue = next((one for one in called.arguments if isinstance(one, int) and not isinstance(one, bool)), -1)
-    endpoint(engine, _at(engine, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
+    endpoint(engine, handle_of(engine, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
 
 
 @method("message_filters.Subscriber", "subscribe")
@@ -101,58 +99,6 @@ def filtered_later(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A filtered subscription is made."""
     _filtered(engine, thing, called)
     return None
-
-
-@outer("image_transport.ImageTransport")
-def images(engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """What images are published and subscribed to with."""
-    return Obj("image_transport.ImageTransport", None, {"handle": _at(engine, called)})
-
-
-def _handle(thing: Any, engine: Evaluation) -> Any:
-    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.node)
-
-
-@method("image_transport.ImageTransport", "advertise", "advertiseCamera")
-def image_publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A publisher of images, and with a camera of what is known of it."""
-    handle, queue = _handle(thing, engine), called.argument(1)
-    size = queue if isinstance(queue, int) else -1
-    made = endpoint(engine, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
-    if called.name.endswith("Camera"):
-        endpoint(engine, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
-    return made
-
-
-@method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
-def image_subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A subscription to images, and with a camera to what is known of it."""
-    handle, queue = _handle(thing, engine), called.argument(1)
-    size = queue if isinstance(queue, int) else -1
-    callback = called.argument(2)
-    made = endpoint(
-        engine, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback
-    )
-    if called.name.endswith("Camera"):
-        endpoint(engine, handle, called, Role.SUBSCRIPTION, _camera(called.argument(0)), _CAMERA, queue=size)
-    return made
-
-
-@outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
-def camera(engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """An image with what is known of its camera, in ROS 2."""
-    role = Role.PUBLISHER if called.name.endswith("publisher") else Role.SUBSCRIPTION
-    made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE)
-    endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
-    return made
-
-
-def _camera(image: Any) -> Any:
-    """Return the topic of the camera's information beside a topic of images."""
-    if not isinstance(image, Text) or image.known is None:
-        return Unknown("the topic beside that of the image")
-    folder, slash, _ = image.known.rpartition("/")
-    return Text.of(f"{folder}{slash}camera_info")
 
 
 @outer("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer",
@@ -178,7 +124,7 @@ def _action(engine: Evaluation, called: Called, role: Role) -> Any:
     if isinstance(kind, str):
         kind = kind.removesuffix("Action")
     callback = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)), None)
-    return endpoint(engine, _at(engine, called), called, role, name, kind, callback=callback)
+    return endpoint(engine, handle_of(engine, called), called, role, name, kind, callback=callback)
 
 
 @outer("dynamic_reconfigure.Server", "dynamic_reconfigure.server.Server")
@@ -205,7 +151,7 @@ def reconfigured(engine: Evaluation, _thing: Any, called: Called) -> Any:
 @outer("diagnostic_updater.Updater")
 def updater(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A publisher of diagnostics."""
-    node = Handle(node_of(engine, _at(engine, called)))
+    node = Handle(node_of(engine, handle_of(engine, called)))
     kind = "diagnostic_msgs::msg::DiagnosticArray"
     quality = QosValue(Qos("reliable", "volatile", "keep_last", 1))
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/diagnostics"), kind, qos=quality, queue=1)

@@ -10,7 +10,9 @@ import msgspec
 from roslens.source.extract.program import (
     Assign,
     Branch,
+    Call,
     Class,
+    Evaluate,
     Expression,
     Function,
     Loop,
@@ -25,6 +27,7 @@ _SMART = frozenset(
      "std.optional", "boost.optional", "std.reference_wrapper", "std.atomic", "shared_ptr", "unique_ptr", "weak_ptr"}
 )  # fmt: skip
 _POINTER_NAMES = frozenset({"SharedPtr", "WeakPtr", "UniquePtr", "ConstSharedPtr", "ConstWeakPtr", "ConstUniquePtr"})
+_CUSTOM = Name("RCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE")
 _QUALIFIERS = frozenset(
     {"const", "constexpr", "static", "inline", "mutable", "typename", "struct", "class", "volatile"}
 )
@@ -65,8 +68,12 @@ class Index:
         self._found_classes: dict[tuple[str, str, str], Defined | None] = {}
         self._found_functions: dict[tuple[str, str, str], list[Defined]] = {}
         self._generations: dict[str, int] = {}
+        self._adapted: dict[str, str] = {}
+        self._included: dict[str, set[str]] = {}
         for path in sorted(self.programs):
             self._add(path, self.programs[path])
+        for path in sorted(self.programs):
+            self._add_functions(path, self.programs[path])
 
     def _add(self, path: str, program: Program) -> None:
         # Modules of Python have names of their own; what C++ defines is known by its whole name everywhere.
@@ -76,7 +83,6 @@ class Index:
             for place in range(len(pieces)):
                 self._modules.setdefault(".".join(pieces[place:]), []).append(path)
         self._add_classes(path, program, before)
-        self._add_functions(path, program, before)
         for statement in program.body:
             if not isinstance(statement, Assign) or not isinstance(statement.target, Name):
                 continue
@@ -105,8 +111,11 @@ class Index:
                 if field.value is not None:
                     self._constants.setdefault(f"{before}{one.qualified_name}.{field.name}", (path, field.value))
 
-    def _add_functions(self, path: str, program: Program, before: str) -> None:
+    def _add_functions(self, path: str, program: Program) -> None:
+        before = _before(path, program)
         for function in program.functions:
+            if function.class_name and not before and function.class_name not in self._classes:
+                function = self._of_class_elsewhere(function, program)
             if function.name == "lambda" or not self._outer.isdisjoint((function.qualified_name, function.class_name)):
                 continue
             defined = Defined(path, function)
@@ -115,6 +124,17 @@ class Index:
                 self._methods.setdefault(before + function.class_name, []).append(defined)
             elif not before:
                 self._functions_by_last.setdefault(function.name, []).append(defined)
+
+    def _of_class_elsewhere(self, function: Function, program: Program) -> Function:
+        """Return a method that is defined outside of its namespace, by a ``using`` of its class or namespace."""
+        head, dot, rest = function.class_name.partition(".")
+        alias = program.imports.get(head)
+        meanings = [dotted(alias) + dot + rest] if alias else []
+        for whole in (*meanings, *(f"{using}.{function.class_name}" for using in program.using)):
+            if whole in self._classes:
+                last = function.qualified_name.removeprefix(function.class_name)
+                return msgspec.structs.replace(function, class_name=whole, qualified_name=whole + last)
+        return function
 
     def named(self, name: str, path: str, scope: str) -> Iterator[str]:
         """Yield what a name may mean in a scope of a file, the likeliest first."""
@@ -162,6 +182,32 @@ class Index:
                 for name in (self.package(other), ""):
                     self._generations[name] = self._generations.get(name, 0) + vote_
         return self._generations.get(self.package(path), 0) or self._generations.get("", 0)
+
+    def adapted(self, name: str, path: str, scope: str) -> str:
+        """Return the message that a class is registered to stand for; empty where it is not."""
+        if not self._adapted:
+            self._adapted[""] = ""
+            for program in self.programs.values():
+                for one in program.body:
+                    call = one.expression if isinstance(one, Evaluate) else None
+                    if isinstance(call, Call) and call.function == _CUSTOM and len(call.arguments) == 2:
+                        custom, message = (getattr(two, "name", "") for two in call.arguments)
+                        self._adapted[custom] = message.replace(".", "::")
+        if len(self._adapted) == 1:
+            return ""
+        return next((self._adapted[one] for one in self.named(name, path, scope) if one in self._adapted), "")
+
+    def includes(self, header: str, path: str) -> bool:
+        """Return whether any file of the package of a file includes a header."""
+        package = self.package(path)
+        if package not in self._included:
+            self._included[package] = {
+                name.strip('<>"')
+                for other, program in self.programs.items()
+                if self.package(other) == package
+                for name, _ in program.includes
+            }
+        return header in self._included[package]
 
     def key(self, defined: Defined) -> str:
         """Return the name by which what a class defines is kept."""

@@ -1,0 +1,95 @@
+"""The vocabulary of image_transport, of both generations."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.model.graph import Role
+from roslens.source.extract.abstract_value import Callable, Handle, Obj, Unknown
+from roslens.source.extract.record import endpoint
+from roslens.source.extract.text import Text
+from roslens.source.extract.vocabulary import Called, method, outer
+from roslens.source.extract.vocabulary_shared import handle_of
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_IMAGE = "sensor_msgs::msg::Image"
+_CAMERA = "sensor_msgs::msg::CameraInfo"
+
+
+@outer("image_transport.ImageTransport")
+def images(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """What images are published and subscribed to with."""
+    return Obj("image_transport.ImageTransport", None, {"handle": handle_of(engine, called)})
+
+
+def _handle(thing: Any, engine: Evaluation) -> Any:
+    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.node)
+
+
+@method("image_transport.ImageTransport", "advertise", "advertiseCamera")
+def image_publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A publisher of images, and with a camera of what is known of it."""
+    handle, queue = _handle(thing, engine), called.argument(1)
+    size = queue if isinstance(queue, int) else -1
+    made = endpoint(engine, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
+    if called.name.endswith("Camera"):
+        endpoint(engine, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
+    return made
+
+
+@method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
+def image_subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A subscription to images, and with a camera to what is known of it."""
+    handle, queue = _handle(thing, engine), called.argument(1)
+    size = queue if isinstance(queue, int) else -1
+    callback = called.argument(2)
+    made = endpoint(
+        engine, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback
+    )
+    if called.name.endswith("Camera"):
+        endpoint(engine, handle, called, Role.SUBSCRIPTION, _camera(called.argument(0)), _CAMERA, queue=size)
+    return made
+
+
+@outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
+def camera(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """An image with what is known of its camera, in ROS 2."""
+    role = Role.PUBLISHER if called.name.endswith("publisher") else Role.SUBSCRIPTION
+    callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
+    made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
+    endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
+    return made
+
+
+@outer("image_transport.getCameraInfoTopic")
+def camera_topic(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The topic of what is known of a camera, beside that of its images."""
+    return _camera(called.argument(0))
+
+
+@outer("image_transport.SubscriberFilter")
+def filtered_images(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A subscription to images that are filtered; without arguments it is made by ``subscribe`` later."""
+    found = Obj("image_transport.SubscriberFilter")
+    if called.arguments:
+        filtered_images_later(engine, found, called)
+    return found
+
+
+@method("image_transport.SubscriberFilter", "subscribe")
+def filtered_images_later(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A filtered subscription to images is made: ``subscribe(node, topic, transport)``, in ROS 1 of a transport."""
+    first = called.argument(0)
+    given = _handle(first, engine) if isinstance(first, Obj) and first.node is None else first
+    return endpoint(engine, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE)
+
+
+def _camera(image: Any) -> Any:
+    """Return the topic of the camera's information beside a topic of images."""
+    last = image.parts[-1] if isinstance(image, Text) and image.parts else None
+    if not isinstance(last, str) or ("/" not in last and len(image.parts) > 1):
+        return Unknown("the topic beside that of the image")
+    folder, slash, _ = last.rpartition("/")
+    return Text.of(*image.parts[:-1], f"{folder}{slash}camera_info")

@@ -1,0 +1,163 @@
+"""The vocabulary of quality of service of rclcpp and rclpy."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.qos import Qos
+from roslens.source.extract.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.text import Text
+from roslens.source.extract.vocabulary import Called, method, outer
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_PRESETS = {
+    "SensorDataQoS": Qos("best_effort", "volatile", "keep_last", 5),
+    "qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
+    "SystemDefaultsQoS": Qos(),
+    "qos_profile_system_default": Qos(),
+    "ServicesQoS": Qos("reliable", "volatile", "keep_last", 10),
+    "qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
+    "ParametersQoS": Qos("reliable", "volatile", "keep_last", 1000),
+    "qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
+    "ParameterEventsQoS": Qos("reliable", "volatile", "keep_last", 1000),
+    "qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
+    "ClockQoS": Qos("best_effort", "volatile", "keep_last", 1),
+    "RosoutQoS": Qos("reliable", "transient_local", "keep_last", 1000),
+    "BestAvailableQoS": Qos("best_available", "best_available", "keep_last", 10),
+    "rmw_qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
+    "qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
+    "rmw_qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
+    "rmw_qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
+}
+_WORDS = {
+    "reliable": "reliable",
+    "best_effort": "best_effort",
+    "besteffort": "best_effort",
+    "volatile": "volatile",
+    "transient_local": "transient_local",
+    "transientlocal": "transient_local",
+    "keep_last": "keep_last",
+    "keeplast": "keep_last",
+    "keep_all": "keep_all",
+    "keepall": "keep_all",
+    "automatic": "automatic",
+    "manual_by_topic": "manual_by_topic",
+    "manualbytopic": "manual_by_topic",
+    "best_available": "best_available",
+    "bestavailable": "best_available",
+}
+
+
+def quality_of(value: Any) -> Any:
+    """Return what is given as quality of service as one; a number is a depth."""
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, int):
+        return QosValue(Qos("reliable", "volatile", "keep_last", value))
+    if isinstance(value, Obj) and isinstance(value.fields.get("qos"), QosValue):
+        return value.fields["qos"]
+    if isinstance(value, Named) and value.name.rpartition(".")[2] in _PRESETS:
+        return QosValue(_PRESETS[value.name.rpartition(".")[2]])
+    if isinstance(value, Text | Unknown):
+        reason = value.reason if isinstance(value, Unknown) else str(value)
+        return QosValue(Qos(), reason)
+    return value if isinstance(value, QosValue) else None
+
+
+@outer("rclcpp.QoS", "rclpy.qos.QoSProfile", "rclpy.qos.QoSPresetProfiles.get_from_short_key")
+def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A quality of service."""
+    value = _from_words(called)
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = value
+        return thing
+    return value
+
+
+def _from_words(called: Called) -> QosValue:
+    base = QosValue(Qos("reliable", "volatile", "keep_last", 0))
+    first = called.argument(0, "depth", "history_depth")
+    if isinstance(first, QosValue):
+        base = first
+    elif isinstance(first, int) and not isinstance(first, bool):
+        base = QosValue(Qos("reliable", "volatile", "keep_last", first))
+    elif isinstance(first, Named):
+        base = quality_of(first) or base
+    elif isinstance(first, Text | Unknown):
+        reason = first.reason if isinstance(first, Unknown) else str(first)
+        base = QosValue(Qos("reliable", "volatile", "keep_last", 0), f"its depth is {reason}")
+    for name, value in called.keywords.items():
+        if name in ("reliability", "durability", "history", "liveliness"):
+            base = _with(base, name, value)
+    return base
+
+
+def _with(base: QosValue, name: str, value: Any) -> QosValue:
+    word = _WORDS.get(value.name.rpartition(".")[2].lower(), "") if isinstance(value, Named) else ""
+    if not word:
+        return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is not known")
+    return QosValue(msgspec.structs.replace(base.qos, **{name: word}), base.unknown)
+
+
+@outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
+def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """How many messages are kept."""
+    if called.name.endswith("from_rmw"):
+        return quality_of(called.argument(0)) or QosValue(Qos(), "a profile of the middleware")
+    if called.name.endswith("All"):
+        return QosValue(Qos("reliable", "volatile", "keep_all", 0))
+    depth = called.argument(0)
+    return quality_of(depth) if depth is not None else QosValue()
+
+
+@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in _PRESETS))
+def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A quality of service that has a name."""
+    value = QosValue(_PRESETS[called.name.rpartition(".")[2]])
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = value
+        return thing
+    return value
+
+
+@method("qos", "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
+        "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
+        "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
+        "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
+def refined(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """A quality of service with one policy changed."""
+    del engine
+    base = thing.fields["qos"] if isinstance(thing, Obj) else thing
+    found = _refined(base, called)
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = found
+        return thing
+    return found
+
+
+for _name in ("QoS", "rclcpp.QoS", "rclcpp.SensorDataQoS", "rclcpp.SystemDefaultsQoS", "rclcpp.ServicesQoS"):
+    method(_name, "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
+           "reliability", "durability", "history", "deadline", "lifespan", "liveliness")(refined)  # fmt: skip
+
+
+def _refined(base: QosValue, called: Called) -> QosValue:
+    name, qos_ = called.name, base.qos
+    fixed = {"reliable": {"reliability": "reliable"}, "best_effort": {"reliability": "best_effort"},
+             "transient_local": {"durability": "transient_local"}, "durability_volatile": {"durability": "volatile"},
+             "keep_all": {"history": "keep_all"}, "reliability_best_available": {"reliability": "best_available"},
+             "durability_best_available": {"durability": "best_available"}}  # fmt: skip
+    if name in fixed:
+        return QosValue(msgspec.structs.replace(qos_, **fixed[name]), base.unknown)
+    first = called.argument(0)
+    if name == "keep_last" and isinstance(first, int):
+        return QosValue(msgspec.structs.replace(qos_, history="keep_last", depth=first), base.unknown)
+    if name in ("reliability", "durability", "history", "liveliness") and first is not None:
+        return _with(base, name, first)
+    fields = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
+    if name in fields and isinstance(first, int | float):
+        return QosValue(msgspec.structs.replace(qos_, **{fields[name]: float(first)}), base.unknown)
+    return base

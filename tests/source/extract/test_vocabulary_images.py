@@ -1,0 +1,77 @@
+"""image_transport of both generations."""
+
+import pytest
+
+IMAGES = "#include <image_transport/image_transport.hpp>\n#include <image_transport/subscriber_filter.hpp>"
+
+
+def told(facts):
+    return [(one.role.value, str(one.name), str(one.type).rpartition("/")[2]) for one in facts.endpoints]
+
+
+def test_a_filtered_subscription_is_made_when_it_is_told_to(node_of):
+    body = (
+        "auto base = get_node_base_interface();\n"
+        'std::string topic = base->resolve_topic_or_service_name("a/raw", false);\n'
+        'sub_.subscribe(this, topic, "raw");\n'
+        "info_.subscribe(this, base->resolve_topic_or_service_name(image_transport::getCameraInfoTopic(topic), false));"
+    )
+    members = (
+        "image_transport::SubscriberFilter sub_;\nmessage_filters::Subscriber<sensor_msgs::msg::CameraInfo> info_;"
+    )
+    assert told(node_of(body, members, IMAGES)) == [
+        ("subscription", "{namespace of the node}/a/raw", "Image"),
+        ("subscription", "{namespace of the node}/a/camera_info", "CameraInfo"),
+    ]
+
+
+def test_what_is_filtered_may_be_made_at_once(main_of):
+    body = 'image_transport::ImageTransport it(nh); image_transport::SubscriberFilter sub(it, "image", 1);'
+    assert told(main_of(body, "#include <image_transport/subscriber_filter.h>")) == [("subscription", "image", "Image")]
+
+
+def test_what_is_known_of_a_camera_is_beside_its_images(node_of):
+    body = (
+        'auto pub = image_transport::create_camera_publisher(this, "left/image");\n'
+        'std::string own = "left/" + declare_parameter("image", "raw");\n'
+        "auto other = image_transport::create_camera_publisher(this, own);"
+    )
+    assert told(node_of(body, "", IMAGES)) == [
+        ("publisher", "left/image", "Image"),
+        ("publisher", "left/camera_info", "CameraInfo"),
+        ("publisher", "left/{parameter image}", "Image"),
+        ("publisher", "{the topic beside that of the image}", "CameraInfo"),
+    ]
+
+
+def test_callbacks_that_options_hold_are_followed(node_of, names):
+    body = (
+        "rclcpp::PublisherOptions options;\n"
+        "options.event_callbacks.matched_callback = [this](rclcpp::MatchedInfo & s) {"
+        ' if (s.current_count) { sub_ = create_subscription<std_msgs::msg::String>("in", 1, nullptr); } };\n'
+        'pub_ = create_publisher<std_msgs::msg::String>("out", 1, options);'
+    )
+    assert sorted(names(node_of(body))) == [("publisher", "out"), ("subscription", "in")]
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ('base->resolve_topic_or_service_name("/a", false)', "/a"),
+        ('base->resolve_topic_or_service_name("~/a", false)', "{full name of the node}/a"),
+        ('rclcpp::expand_topic_or_service_name("a", get_name(), get_namespace())', "{namespace of the node}/a"),
+        ('rclcpp::expand_topic_or_service_name("a", "b", "c")', "{an expanded name}"),
+    ],
+)
+def test_names_that_code_resolves_itself(node_of, call, expected):
+    body = f"auto base = get_node_base_interface();\ncreate_publisher<std_msgs::msg::String>({call}, 1);"
+    assert [str(one.name) for one in node_of(body).endpoints] == [expected]
+
+
+def test_a_relative_name_that_a_parameter_decides_is_below_the_namespace(node_of):
+    body = (
+        'auto topic = get_node_base_interface()->resolve_topic_or_service_name(declare_parameter("of", "a"), false);\n'
+        "create_publisher<std_msgs::msg::String>(topic, 1);"
+    )
+    ((hole,),) = (one.name.parts for one in node_of(body).endpoints)
+    assert (hole.parameter, hole.below) == ("of", "namespace of the node")

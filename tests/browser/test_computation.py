@@ -48,7 +48,7 @@ def test_noise_is_left_out_and_comes_back(visit: Visit) -> None:
     page.get_by_label("/rosout", exact=True).uncheck()
     page.get_by_label("what every node has").uncheck()
     assert "/rosout" in shown(page)
-    expect(page).to_have_url(re.compile("noise=events%2Cparameters"))
+    expect(page).to_have_url(re.compile("noise=events%2Cparameters%2Clifecycle"))
     page.reload()
     assert "/rosout" in shown(page)
     page.get_by_label("/tf", exact=True).check()
@@ -69,6 +69,9 @@ def test_topics_become_lines_and_marks_again(visit: Visit) -> None:
     page.get_by_label("Topics", exact=True).select_option("lines")
     expect(page).to_have_url(re.compile("topics=lines"))
     assert "/scan" not in shown(page)
+    page.locator(".wires path").evaluate_all(
+        "found => found.forEach(one => one.dispatchEvent(new PointerEvent('pointerover', { bubbles: true })))"
+    )
     assert page.locator(".wires path title").filter(has_text="/scan").count() == 1
     page.get_by_label("Topics", exact=True).select_option("marks")
     assert page.locator(".wires path").count() == marks

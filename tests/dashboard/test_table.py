@@ -64,3 +64,13 @@ def test_whole_columns_show_no_empty_digits() -> None:
     assert shown(COLUMNS[1], whole.rows[0][1], 0) == "3"
     assert shown(COLUMNS[1], broken.rows[0][1], broken.digits()[1]) == "3.0"
     assert shown(COLUMNS[1], Cell(None)) == "\N{EN DASH}"
+
+
+def test_columns_that_no_row_fills_are_not_on_the_page_but_in_its_twins() -> None:
+    columns = (Column("name", "Name"), Column("why", "Why", sparse=True), Column("how", "How", sparse=True))
+    found = Table("t", "T", columns, ((Cell("a"), Cell(""), Cell("b")), (Cell("c"), Cell(None), Cell(""))))
+    assert [column.key for column in found.on_page().columns] == ["name", "how"]
+    assert [len(row) for row in found.on_page().rows] == [2, 2]
+    assert to_csv(found).splitlines()[0] == "name,why,how"
+    whole = table(("a", 1.0))
+    assert whole.on_page() is whole

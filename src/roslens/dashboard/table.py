@@ -17,7 +17,7 @@ Value = str | float | int | None
 class Column(msgspec.Struct, frozen=True):
     """A column. ``kind`` is text, code, number or mark (a severity or a rating); ``bar`` draws the share of the most.
 
-    ``optional`` columns are the first to go on a narrow screen.
+    ``optional`` columns are the first to go on a narrow screen; ``sparse`` ones are not shown where no row fills them.
     """
 
     key: str
@@ -28,6 +28,7 @@ class Column(msgspec.Struct, frozen=True):
     decimals: int = 0
     bar: bool = False
     optional: bool = False
+    sparse: bool = False
     ref: PageRef | None = None
 
 
@@ -65,6 +66,20 @@ class Table(msgspec.Struct, frozen=True):
     def cut(self) -> bool:
         """Whether rows are left out."""
         return self.total > len(self.rows)
+
+    def on_page(self) -> Table:
+        """Return the table without the sparse columns that no row fills."""
+        kept = [
+            place
+            for place, column in enumerate(self.columns)
+            if not column.sparse or any(row[place].value not in (None, "") for row in self.rows)
+        ]
+        if len(kept) == len(self.columns):
+            return self
+        columns = tuple(self.columns[place] for place in kept)
+        return msgspec.structs.replace(
+            self, columns=columns, rows=tuple(tuple(row[place] for place in kept) for row in self.rows)
+        )
 
     def digits(self) -> list[int]:
         """Return for each column how many digits behind the point its numbers need: none where all are whole."""

@@ -14,6 +14,8 @@ from roslens.dashboard.computation.noise import DEFAULT, kinds_of_noise, matches
         ("/robot/rosout_agg", ("rosout",)),
         ("/parameter_events", ("events",)),
         ("/planner/set_parameters", ("parameters",)),
+        ("/planner/change_state", ("lifecycle",)),
+        ("/planner/transition_event", ("lifecycle",)),
         ("/tf_static", ("tf",)),
         ("/planner/debug/costs", ("debug",)),
         ("/scan", ()),
@@ -34,6 +36,6 @@ def test_a_pattern_without_a_wildcard_means_what_lies_below_too() -> None:
 
 
 def test_an_address_names_presets() -> None:
-    assert presets_of("") == DEFAULT == {"implicit", "rosout", "events", "parameters"}
+    assert presets_of("") == DEFAULT == {"implicit", "rosout", "events", "parameters", "lifecycle"}
     assert presets_of("none") == frozenset()
     assert presets_of("tf,nonsense") == {"tf"}

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.boundary import CLEAN, NOT_ANALYSED
@@ -18,13 +17,13 @@ if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
 
 TEXT = "Show which node publishes, subscribes, serves and calls what, from source and launch files."
-FORMATS = ("text", "json", "dot", "mermaid", "nodl", "rosgraph", "markdown")
+FORMATS = ("text", "json", "dot", "mermaid", "svg", "nodl", "rosgraph", "markdown")
 _ONE = ("rosgraph",)
 EXAMPLES = """\
   roslens graph                                    every node of the packages below this folder
   roslens graph --launch rover_bringup/rover.launch.py --arg navigation:=false
   roslens graph --package rover_base --node base_node --all
-  roslens graph --launch rover_bringup/rover.launch.py --format dot | dot -Tsvg > rover.svg
+  roslens graph --launch rover_bringup/rover.launch.py --format svg -o rover.svg
   roslens graph --launch rover_bringup/rover.launch.py --html rover.html
   roslens graph --launch rover_bringup/rover.launch.py --check --fail-on warning
   roslens graph --launch rover_bringup/rover.launch.py --diff origin/main HEAD --format markdown
@@ -50,8 +49,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--diff",
         nargs=2,
         metavar=("A", "B"),
-        help="compare two revisions of git (. is the files as they are), two launch files (FILE[:arg=value,...]) or two "
-        "files written by --format json",
+        help="compare two revisions of git (. is the files as they are), two launch files (FILE[:arg=value,...]) or "
+        "two files written by --format json",
     )
     parser.add_argument("-o", "--output", metavar="FILE", help="write the result there instead")
     parser.add_argument("--html", metavar="FILE", help="draw it: one HTML file that needs nothing else")
@@ -97,8 +96,10 @@ def run(options: argparse.Namespace) -> int:
 
             return check(source, found, options) or _complete(source, found)
         require_nodes(found, options.node)
-        if options.html:
-            _html(source, found, options)
+        if options.html or options.format == "svg":
+            from roslens.cli.graph_picture import draw
+
+            draw(source, found, options)
             return _complete(source, found)
         code = _complete(source, found)
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
@@ -134,24 +135,6 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
         )
     writer = _writer(options.format)
     return "\n".join(writer(one) for one in configurations)
-
-
-def _html(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
-    from roslens.cli.graph_choice import chosen
-    from roslens.cli.graph_findings import findings_of
-    from roslens.cli.graph_source import arguments_of
-    from roslens.dashboard.computation.pages import computation_file
-
-    names = [Path(one.title.partition(" ")[0]).name or one.generation for one in found]
-    if len(set(names)) < len(names):
-        names = [f"{name}-{one.generation}" for name, one in zip(names, found, strict=True)]
-    shown = {name: chosen(one, options.node, implicit=True) for name, one in zip(names, found, strict=True)}
-    given = arguments_of(options.arg)
-    findings = {
-        name: findings_of(source, one, options.launch or "", given) for name, one in zip(names, found, strict=True)
-    }
-    computation_file(shown, Path(options.html), findings, title=Path(options.path).resolve().name)
-    print(options.html)
 
 
 def _writer(form: str) -> Callable[[Configuration], str]:

@@ -125,7 +125,7 @@ def _view(
     shown: dict[str, object],
 ) -> View:
     page = "node" if element.kind is Kind.NODE else "topic"
-    findings = system.findings_on(element)
+    findings = sorted(system.findings_on(element), key=lambda one: -one.severity.rank)
     ordered = [
         sort_rows(table, request.query.get(f"sort_{table.name}"), None if request.complete else request.limits.rows)
         for table in tables
@@ -188,11 +188,11 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
         Column("value", "Value", "code"),
         Column("type", "Type", "code"),
         Column("default", "Default", "code"),
-        Column("range", "Range", "code"),
+        Column("range", "Range", "code", sparse=True),
         Column("access", "In code"),
         Column("place", "Declared or read at", "code"),
-        Column("set_by", "Set at", "code"),
-        Column("conditions", "Only if", "code", optional=True),
+        Column("set_by", "Set at", "code", sparse=True),
+        Column("conditions", "Only if", "code", optional=True, sparse=True),
     )
     rows = tuple(
         (
@@ -216,7 +216,7 @@ def _timers(book: Book, node: ConfiguredNode) -> Table:
         Column("period", "Period", "number", unit="s", decimals=3),
         Column("rate", "Rate", "number", unit="Hz", decimals=2),
         Column("callback", "Callback", "code"),
-        Column("group", "Callback group"),
+        Column("group", "Callback group", sparse=True),
         Column("place", "Made at", "code"),
     )
     rows = tuple(

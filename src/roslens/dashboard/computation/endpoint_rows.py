@@ -15,13 +15,13 @@ COLUMNS = {
     "does": Column("does", "Does"),
     "name": Column("name", "Name"),
     "type": Column("type", "Type", "code"),
-    "qos": Column("qos", "Quality of service"),
+    "qos": Column("qos", "Quality of service", sparse=True),
     "place": Column("place", "Made at", "code"),
-    "conditions": Column("conditions", "Only if", "code"),
+    "conditions": Column("conditions", "Only if", "code", sparse=True),
     "sure": Column("sure", "Sure"),
-    "callback": Column("callback", "Callback", "code", optional=True),
-    "hash": Column("hash", "Hash", "code", optional=True),
-    "more": Column("more", "Notes", optional=True),
+    "callback": Column("callback", "Callback", "code", optional=True, sparse=True),
+    "hash": Column("hash", "Hash", "code", optional=True, sparse=True),
+    "more": Column("more", "Notes", optional=True, sparse=True),
 }
 
 
@@ -68,10 +68,24 @@ def _cells(book: Book, system: System, end: End) -> dict[str, Cell]:
         "place": book.place(one.proof),
         "conditions": Cell(" and ".join(one.conditions)),
         "sure": Cell(one.proof.sure if one.resolved else f"{one.proof.sure}, name not resolved", hint=one.proof.how),
-        "callback": Cell(one.callback),
+        "callback": _callback(one.callback),
         "hash": Cell(one.endpoint.hash),
-        "more": Cell(notes(one)),
+        "more": _notes(one),
     }
+
+
+def _callback(name: str) -> Cell:
+    """Return a callback by the last two parts of its name: the class and the function."""
+    parts = name.split(".")
+    return Cell(name, text=".".join(parts[-2:]), hint=name) if len(parts) > 2 else Cell(name)
+
+
+def _notes(one: ConfiguredEndpoint) -> Cell:
+    """Return the notes; the place of a remapping, long and without a gap, is left to the hint."""
+    text = notes(one)
+    if one.remapped is None or not one.remapped.place:
+        return Cell(text)
+    return Cell(text, text=text.replace(f" at {one.remapped.place}", "", 1), hint=text)
 
 
 def notes(one: ConfiguredEndpoint) -> str:

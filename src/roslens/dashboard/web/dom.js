@@ -35,7 +35,10 @@ export function glyph(name) {
 /** 12,345.6 with at most `decimals` digits behind the point; a dash for nothing. */
 export function figure(value, decimals = 0) {
   if (value === null || value === undefined) return "–";
-  return value.toLocaleString("en-US", { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+  // The browser's own words for numbers take many milliseconds to load for the first one.
+  const [whole, part] = value.toFixed(decimals).split(".");
+  const grouped = whole.replace(/\B(?=(\d{3})+$)/g, ",");
+  return part ? `${grouped}.${part}` : grouped;
 }
 
 /** Whether a key press belongs to a field and not to the page. */

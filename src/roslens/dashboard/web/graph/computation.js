@@ -13,6 +13,8 @@ const split = (text) => (text || "").split(",").map((part) => part.trim()).filte
 const same = (a, b) => a.length === b.length && a.every((one, place) => one === b[place]);
 const counted = (count, what) => `${figure(count)} ${what}${count === 1 ? "" : "s"}`;
 const MOST = 40;
+const cellOf = (row, key) => row.cells[[...row.closest("table").tHead.rows[0].cells].findIndex((head) => head.dataset.key === key)];
+const textOf = (row, key) => cellOf(row, key)?.textContent.trim() || "";
 const SEVERITIES = ["error", "warning", "note"];
 
 const SHAPE = {
@@ -36,6 +38,7 @@ class ComputationView extends Stage {
     this.shown = [];
     this.drawnAs = null;
     this.start();
+    this.scene.wires.addEventListener("pointerover", (event) => event.target.tagName === "path" && this.titleLine(event.target));
     const find = this.form.elements.find;
     find.addEventListener("input", settled(() => this.find(find.value), 120));
     find.addEventListener("keydown", (event) => event.key === "Enter" && this.nextFound());
@@ -167,7 +170,6 @@ class ComputationView extends Stage {
     if (this.drawnAs === null && ready && lines === drawn.lines) {
       // The page came with this picture.
       this.drawnAs = as;
-      this.titleLines();
       return;
     }
     if (as && as === this.drawnAs) return;
@@ -185,7 +187,6 @@ class ComputationView extends Stage {
     this.scene.titles.replaceChildren(...boxes.map((box) => draw("text", { class: `d${Math.min(box.depth, 2)}`, x: box.x + 7, y: box.y + 3, text: box.depth ? box.name.slice(box.name.lastIndexOf("/") + 1) : box.name })));
     this.scene.wires.setAttribute("class", `wires${this.shown.length > 200 ? " many" : ""}`);
     this.scene.wires.replaceChildren(...this.shown.map((one) => this.path(one)));
-    this.titleLines();
   }
 
   /** In which column an element stands: by flow, in a focus as seen from it. */
@@ -202,9 +203,10 @@ class ComputationView extends Stage {
     return draw("path", { class: style, d: one.path });
   }
 
-  titleLines() {
-    if (!this.settings.lines) return;
-    [...this.scene.wires.children].forEach((path, place) => path.replaceChildren(draw("title", { text: (this.shown[place].by || []).map((one) => this.graph.nodes[one].name).join("\n") })));
+  /** A line between nodes tells by which topics it is, from when somebody points at it. */
+  titleLine(path) {
+    const by = this.shown[[...this.scene.wires.children].indexOf(path)]?.by;
+    if (by?.length && !path.firstChild) path.append(draw("title", { text: by.map((one) => this.graph.nodes[one].name).join("\n") }));
   }
 
   recolour() {}
@@ -275,8 +277,8 @@ class ComputationView extends Stage {
     const row = this.rows.nodes.get(number);
     return [
       make("h2", { text: node.name }),
-      make("p", { class: "quiet", text: [isNode && row ? row.cells[1].textContent : node.kind, node.sure === "certain" ? "" : node.sure, node.severity].filter(Boolean).join(", ") }),
-      ...(isNode && row ? [this.placeOf("Started at ", row.cells[4]), this.placeOf("Defined at ", row.cells[5]), this.placeOf("Only if ", row.cells[6])] : []),
+      make("p", { class: "quiet", text: [isNode && row ? textOf(row, "kind") : node.kind, node.sure === "certain" ? "" : node.sure, node.severity].filter(Boolean).join(", ") }),
+      ...(isNode && row ? [this.placeOf("Started at ", cellOf(row, "started")), this.placeOf("Defined at ", cellOf(row, "defined")), this.placeOf("Only if ", cellOf(row, "conditions"))] : []),
       make(
         "div",
         { class: "actions" },
@@ -289,7 +291,7 @@ class ComputationView extends Stage {
   }
 
   placeOf(title, cell) {
-    return cell.textContent.trim() ? make("p", { class: "where" }, title, ...this.copied(cell)) : null;
+    return cell?.textContent.trim() ? make("p", { class: "where" }, title, ...this.copied(cell)) : null;
   }
 
   copied(cell) {
@@ -308,7 +310,7 @@ class ComputationView extends Stage {
       const other = wire.source === number ? wire.target : wire.source;
       for (const end of wire.ends) {
         const row = this.rows.endpoints.get(end);
-        const does = row ? row.cells[1].textContent.trim() : "";
+        const does = row ? textOf(row, "does") : "";
         groups.set(does, [...(groups.get(does) || []), this.endItem(other, row)]);
       }
     });
@@ -324,13 +326,9 @@ class ComputationView extends Stage {
   endItem(other, row) {
     const item = this.pick(other);
     if (!row) return item;
-    const text = (place) => row.cells[place].textContent.trim();
-    const lines = [
-      [text(3), text(4)].filter(Boolean).join(" · "),
-      text(6) && `only if ${text(6)}`,
-      text(7) !== "certain" && text(7),
-    ].filter(Boolean);
-    item.append(make("div", { class: "quiet" }, ...lines.map((one) => make("div", { text: one })), make("div", { class: "where" }, ...this.copied(row.cells[5]))));
+    const [type, qos, conditions, sure] = ["type", "qos", "conditions", "sure"].map((key) => textOf(row, key));
+    const lines = [[type, qos].filter(Boolean).join(" · "), conditions && `only if ${conditions}`, sure !== "certain" && sure].filter(Boolean);
+    item.append(make("div", { class: "quiet" }, ...lines.map((one) => make("div", { text: one })), make("div", { class: "where" }, ...this.copied(cellOf(row, "place")))));
     return item;
   }
 }

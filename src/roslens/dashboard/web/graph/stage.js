@@ -79,9 +79,10 @@ export class Stage {
     this.canvas.addEventListener("dblclick", (event) => this.doubleClicked(event));
     this.canvas.addEventListener("dragstart", (event) => event.preventDefault());
     this.canvas.addEventListener("keydown", (event) => this.pressed(event));
-    let width = this.canvas.clientWidth;
+    // The observer tells the first width too; to ask for it here would lay the page out once more.
+    let width = -1;
     new ResizeObserver(() => {
-      if (!width && this.canvas.clientWidth) this.showStart();
+      if (width === 0 && this.canvas.clientWidth) this.showStart();
       width = this.canvas.clientWidth;
     }).observe(this.canvas);
     const here = (action) => (event) => (this.root.checkVisibility() ? action(event) : false);

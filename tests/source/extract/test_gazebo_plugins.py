@@ -52,7 +52,8 @@ def test_every_line_of_the_catalogue_tells_an_endpoint_and_its_source():
 def test_what_a_plugin_is_given_names_its_topics():
     imu = plugin("hector_gazebo_ros_imu", "<robotNamespace>$(arg ns)</robotNamespace><topicName>imu/data</topicName>")
     found = gazebo(imu)
-    assert names(found) == ["/imu/data", "/imu/data/bias", "/imu/data/set_accel_bias", "/imu/data/set_rate_bias"]
+    assert names(found)[:2] == ["/imu/data", "/imu/data/bias"]
+    assert {"/imu/data/calibrate", "/imu/data/set_accel_bias", "/imu/data/yaw/set_parameters"} < set(names(found))
     assert (found.plugged[0].evidence.path, found.plugged[0].evidence.line) == ("robot/r.xacro", 1)
 
 

@@ -216,8 +216,34 @@ def test_the_command_line_of_ros1():
             generation="ros1",
         )
     )
-    assert (node.name, names(node)) == ("/other", ["/said"])
-    assert [(one.name, one.value) for one in node.parameters] == [("/other/rate", "5")]
+    # roslaunch gives the name after the arguments, and the last one counts.
+    assert (node.name, names(node)) == ("/t", ["/said"])
+    assert [(one.name, one.value) for one in node.parameters] == [("/t/rate", "5")]
+
+
+def test_arguments_and_what_else_a_launch_file_says():
+    # As rclpy and rospy of Jazzy and Noetic take the words that launch_ros and roslaunch give them.
+    for generation, words, expected in (
+        (
+            "ros2",
+            "--ros-args -r __node:=args -r __ns:=/args -r chatter:=/args -p rate:=1",
+            ("/args/args", "/args", "2"),
+        ),
+        ("ros1", "__name:=args __ns:=/args chatter:=/args _rate:=1", ("/args/launch", "/launch", "1")),
+    ):
+        node = only(
+            configured(
+                talker(generation=generation),
+                started(
+                    name=Text.of("launch"), arguments=tuple(map(Text.of, words.split())), namespace=Text.of("/launch"),
+                    remaps=(Remap(Text.of("chatter"), Text.of("/launch"), START),),
+                    settings=(Setting(Text.of("~rate"[generation == "ros2" :]), Text.of("2"), YAML, "int"),),
+                ),
+                generation=generation,
+            )
+        )  # fmt: skip
+        rate = next(one.value for one in node.parameters if one.name.endswith("rate"))
+        assert (node.name, names(node)[0], rate) == expected
 
 
 COMPONENT = Target(

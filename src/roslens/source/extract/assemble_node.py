@@ -67,16 +67,19 @@ class Given(msgspec.Struct, frozen=True):
 
 
 def place_of(given: Given, facts: NodeFacts) -> Place:
-    """Return the name and namespace of a node: what the launch file says holds over what its code says."""
+    """Return the name and namespace of a node: what the launch file says holds over what its code says.
+
+    roslaunch gives the name after the arguments, and the last one counts in ROS 1; launch_ros gives it after them too,
+    and the first one counts in ROS 2 (rcl, remap.c).
+    """
     launched, generation = given.launched, given.generation
     own = _usual(facts.name)
     rules = (*_own_rules(facts), *given.line.rules)
     name_rule = renamed("__node", own.known or "", rules, generation)
     namespace_rule = renamed("__ns", own.known or "", rules, generation)
-    local = name_rule is not None and name_rule in _own_rules(facts)
-    name = launched.name if launched.name.parts and not local else name_rule.target if name_rule else own
-    if name_rule is not None and generation == "ros1":
-        name = name_rule.target
+    name = name_rule.target if name_rule is not None else own
+    if launched.name.parts and (name_rule is None or generation == "ros1"):
+        name = launched.name
     namespace = launched.namespace
     if generation == "ros2" and launched.namespace.parts in ((), ("/",)):
         namespace = absolute(TOP, _usual(facts.namespace))
@@ -110,9 +113,10 @@ def values_of(given: Given, facts: NodeFacts) -> Values:
     """Return the parameters that are set for a node: what code gives it holds over what launch files say."""
     place = Evidence(facts.path, facts.line)
     own = [Setting(name, value, place, kind_of_value(value)) for name, value in facts.settings]
-    settings = (
-        *given.outside, *given.launched.settings, *given.line.settings, *own_line(facts).settings, *own,
-    )  # fmt: skip
+    # Parameters of a launch file come after the arguments; those that ROS 1 is given as arguments the node sets itself.
+    told = (given.launched.settings, given.line.settings)
+    first, second = told if given.generation == "ros1" else reversed(told)
+    settings = (*given.outside, *first, *second, *own_line(facts).settings, *own)  # fmt: skip
     return Values(place_of(given, facts), settings, rules_of(given, facts))
 
 
@@ -121,8 +125,8 @@ def rules_of(given: Given, facts: NodeFacts) -> tuple[Rule, ...]:
     launched = tuple(rule(one.source, one.target, one.evidence) for one in given.launched.remaps)
     if given.generation == "ros1":
         launched = tuple(Rule(one.source, one.target, one.evidence) for one in given.launched.remaps)
-        return (*launched, *given.line.rules)
-    return (*_own_rules(facts), *launched, *given.line.rules)
+        return (*given.line.rules, *launched)
+    return (*_own_rules(facts), *given.line.rules, *launched)
 
 
 def assembled(given: Given, facts: NodeFacts, meant: Meant) -> tuple[ConfiguredNode, list[Unresolved]]:

@@ -1,7 +1,9 @@
 from roslens.source.extract.abstract_value import Building, Handle, Obj, Unknown
+from roslens.source.extract.evaluation import Evaluation
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, below, find_outer, known_names
+from roslens.source.extract.workspace_index import Index
 
 NODE = Building("A", "a.cpp", 1, "ros1")
 
@@ -18,8 +20,9 @@ def test_arguments_by_name_or_place():
 
 def test_words_are_found_by_whole_names():
     assert {"ros.init", "rclcpp.Node", "tf2_ros.TransformListener", "BT.InputPort"} <= known_names()
-    assert find_outer(None, "rclcpp.Node") is not None
-    assert find_outer(None, "my.Node") is None
+    engine = Evaluation(Index({}), NODE)
+    assert find_outer(engine, "rclcpp.Node") is not None
+    assert find_outer(engine, "my.Node") is None
 
 
 def test_names_below_a_handle():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, Unknown, as_text
 from roslens.source.extract.evaluated_expressions import Expressions
@@ -42,7 +42,7 @@ class Calls(Expressions):
 
     def called(self, expression: Call) -> Any:
         """Return the result of a call."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         function = expression.function
         templates = tuple(self.template(one) for one in expression.templates)
         if isinstance(function, Member):
@@ -70,7 +70,7 @@ class Calls(Expressions):
     def _called_name(
         self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         thing = engine.frame.self
         if isinstance(thing, Obj) and "." not in name:
             method = engine.methods(thing, name, len(arguments))
@@ -95,7 +95,7 @@ class Calls(Expressions):
         self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
         """Return the result of calling something outside of the workspace."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         called = self._call_of(expression, name, arguments, keywords, templates)
         known = find_outer(engine, name)
         if known is not None:
@@ -107,7 +107,7 @@ class Calls(Expressions):
 
     def _may_set(self, expression: Call, arguments: list[Any], name: str) -> None:
         """Texts that are empty when they are given to what is not known may be what it sets."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         if engine.index.programs[engine.frame.path].language != "cpp":
             return
         for written, value in zip(expression.arguments, arguments, strict=False):
@@ -116,20 +116,20 @@ class Calls(Expressions):
 
     def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
         """Return an object of a class outside of the workspace."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         called = Called(name, arguments, keywords, templates, (), engine.site)
         known = find_outer(engine, name)
         return known(engine, None, called) if known is not None else Obj(name)
 
     def construct_outer(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> None:
         """Construct a base of an object that is outside of the workspace."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         known = find_outer(engine, name)
         if known is not None:
             known(engine, thing, Called(name, arguments, keywords, (), (), engine.site))
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Any:
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         name = function.name
         of_super = (
             isinstance(function.of, Call)
@@ -167,7 +167,7 @@ class Calls(Expressions):
 
     def _of_base(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """Call a method of the next class after the one that is evaluated."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         if thing.defined is None:
             return Unknown(f"{name} of a base")
         chain = engine.index.chain(thing.defined)
@@ -194,7 +194,7 @@ class Calls(Expressions):
 
     def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """Call a function of a class: of a base with the object, or a static one."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         found = engine.index.methods(of.defined, name)
         if name == "__init__" and arguments and isinstance(arguments[0], Obj):
             engine.construct_as(arguments[0], of.defined, arguments[1:], keywords)
@@ -206,7 +206,7 @@ class Calls(Expressions):
     def _apply(
         self, of: Any, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         if isinstance(of, Callable):
             return engine.call(of, arguments, keywords, expression.arguments, templates)
         if isinstance(of, Class):
@@ -239,13 +239,13 @@ class Calls(Expressions):
     def _call_of(
         self, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Called:
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         place = Evidence(engine.frame.path, expression.line, expression.column)
         return Called(name, arguments, keywords, templates, expression.arguments, place)
 
     def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         bound = engine.frame.templates
         if bound:
             written = _WORD.sub(lambda found: bound.get(found[0], found[0]), written)

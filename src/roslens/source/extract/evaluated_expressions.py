@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable as Function1
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text
 from roslens.source.extract.evaluation_frame import Frame
@@ -32,28 +32,42 @@ if TYPE_CHECKING:
 
 
 class Expressions:
-    """Values of expressions; what they need of the evaluation is in it."""
+    """Values of expressions; what they need of the evaluation is in it.
+
+    Attributes:
+        kinds: what evaluates each kind of expression.
+    """
+
+    kinds: ClassVar[dict[type[Any], Function1[[Any, Any], Any]]] = {}
+
+    def __init_subclass__(cls) -> None:
+        """Look up once what evaluates each kind of expression."""
+        cls.kinds = {kind: getattr(cls, name) for kind, name in _KINDS.items() if hasattr(cls, name)}
 
     def value(self, expression: Expression) -> Any:
         """Return the value of an expression."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         engine.step()
-        return getattr(engine, _KINDS[type(expression)])(expression)
+        return engine.kinds[type(expression)](engine, expression)
 
     def literal(self, expression: Literal) -> Any:
         """Return a literal."""
-        return Text.of(expression.value) if isinstance(expression.value, str) else expression.value
+        value = expression.value
+        if not isinstance(value, str):
+            return value
+        return Text((value,)) if value else Text()
 
     def name(self, expression: Name) -> Any:
         """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         frame, name = engine.frame, expression.name
         if name in frame.names:
             return frame.names[name]
-        if name in ("self", "this"):
-            return frame.self if frame.self is not None else Unknown("self")
-        if isinstance(frame.self, Obj) and name in frame.self.fields:
-            return frame.self.fields[name]
+        thing = frame.self
+        if name == "self" or name == "this":
+            return thing if thing is not None else Unknown("self")
+        if isinstance(thing, Obj) and name in thing.fields:
+            return thing.fields[name]
         if engine.globals:
             whole = engine.index.global_name(name, frame.path, frame.scope)
             if whole in engine.globals:
@@ -65,7 +79,7 @@ class Expressions:
 
     def defined(self, name: str) -> Any:
         """Return what the workspace defines under a name; None where it does not."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         frame = engine.frame
         if isinstance(frame.self, Obj) and frame.self.defined is not None and "." not in name:
             method = engine.method(frame.self, name)
@@ -89,7 +103,7 @@ class Expressions:
         return None
 
     def _constant(self, name: str, found: tuple[str, Expression]) -> Any:
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         path, expression = found
         if (path, name) in engine.constants:
             return engine.constants[path, name]
@@ -103,7 +117,7 @@ class Expressions:
 
     def member(self, expression: Member) -> Any:
         """Return a member of an object."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         of = self.value(expression.of)
         return self.member_of(of, expression.name, engine)
 
@@ -151,7 +165,7 @@ class Expressions:
 
     def operation(self, expression: Operation) -> Any:
         """Return the result of an operator."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         operator = expression.operator
         if operator in ("and", "or"):
             return self._boolean(operator, expression.operands)
@@ -189,7 +203,7 @@ class Expressions:
         return one if not isinstance(one, Unknown) else other
 
     def _boolean(self, operator: str, operands: tuple[Expression, ...]) -> Any:
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         stops = operator == "or"
         known = True
         for one in operands:
@@ -241,7 +255,7 @@ class Expressions:
 
     def closure(self, expression: Lambda) -> Any:
         """Return a function without name."""
-        engine = cast("Evaluation", self)
+        engine: Evaluation = self  # type: ignore[assignment]
         frame = engine.frame
         program = engine.index.programs[frame.path]
         return Callable(program.functions[expression.function], frame.path, frame.self, frame.names)

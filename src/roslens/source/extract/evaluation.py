@@ -21,6 +21,7 @@ from roslens.source.extract.abstract_value import (
     Unknown,
     as_text,
 )
+from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluated_statements import assign, block, initialise
 from roslens.source.extract.evaluation_frame import Frame
@@ -70,6 +71,7 @@ class Evaluation(Calls):
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
         self._steps = 0
+        self._again = Again()
         self._stack: list[tuple[str, int]] = []
         self.constants: dict[tuple[str, str], Any] = {}
         self.site = Evidence(node.path, node.line)
@@ -86,6 +88,10 @@ class Evaluation(Calls):
         """Note which call is made next."""
         self.site = Evidence(self.frame.path, call.line, call.column)
         self.written = call.arguments
+
+    def touched(self) -> None:
+        """Note that a word of the vocabulary is said, or a callback given away."""
+        self._again.touched += 1
 
     def step(self) -> None:
         """Count a step.
@@ -146,19 +152,48 @@ class Evaluation(Calls):
         what = function.function
         key = (function.path, what.line)
         if key in self._stack or len(self._stack) >= MOST_DEPTH:
+            if key in self._stack:
+                self._again.cuts.add(key)
             return Unknown(f"result of {what.name}()")
         self.reached.add(key)
         if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
             return self._computed_by(what, [*function.arguments, *arguments])
-        site = self.site
         arguments = [*function.arguments, *arguments]
-        outer = self.frame
-        frame = Frame(function.path, what.qualified_name, function.self, dict(function.names or {}))
-        if isinstance(function.self, Obj):
-            frame.templates.update(function.self.templates)
+        plain = not keywords and not function.names
+        done = self._again.known(key, function.self, (arguments, templates), self._stack) if plain else None
+        if done is None:
+            frame = self._followed(function, arguments, keywords, written, templates)
+            result, names = frame.result if frame.returned else None, frame.names
+        else:
+            result, names, self.site = done.result, done.names, done.site
+            if isinstance(function.self, Obj):
+                function.self.fields.update(done.fields)
+        for parameter, expression in zip(what.parameters, written, strict=False):
+            if parameter.type.endswith("&") and "const" not in parameter.type.split() and parameter.name:
+                self.assign(expression, names.get(parameter.name))
+        return result
+
+    def _followed(
+        self,
+        function: Callable,
+        arguments: list[Any],
+        keywords: dict[str, Any],
+        written: tuple[Expression, ...],
+        templates: tuple[str, ...],
+    ) -> Frame:
+        """Evaluate the body of a function; return its names and what it returned."""
+        what, again, thing, outer = function.function, self._again, function.self, self.frame
+        key = (function.path, what.line)
+        frame = Frame(function.path, what.qualified_name, thing, dict(function.names or {}))
+        if isinstance(thing, Obj):
+            frame.templates.update(thing.templates)
         frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
         frame.depth = len(self.conditions)
+        site = self.site
         self._bind(what, arguments, keywords, frame)
+        around, again.cuts = again.cuts, set()
+        steps, touched = self._steps, again.touched
+        before = dict(thing.fields) if isinstance(thing, Obj) else {}
         self._stack.append(key)
         self.calls.append((site, what, written))
         self.frame = frame
@@ -170,10 +205,13 @@ class Evaluation(Calls):
             self.frame = outer
             self._stack.pop()
             self.calls.pop()
-        for parameter, expression in zip(what.parameters, written, strict=False):
-            if parameter.type.endswith("&") and "const" not in parameter.type.split() and parameter.name:
-                self.assign(expression, frame.names.get(parameter.name))
-        return frame.result if frame.returned else None
+        again.cuts.discard(key)
+        if self._steps - steps > HEAVY and again.touched == touched and not keywords and not function.names:
+            given = (arguments, templates)
+            again.keep(key, Done(what, thing, given, len(self._stack), frame, before, again.cuts, self.site))
+        around |= again.cuts
+        again.cuts = around
+        return frame
 
     def _computed_by(self, what: Function, arguments: list[Any]) -> Any:
         """Return the result of a function that only computes; what decides its arguments decides it."""
@@ -391,7 +429,10 @@ class Evaluation(Calls):
     def called_outer(self, callback: Any, note: str = "") -> str:
         """Remember that a callback was given away; return its name."""
         if isinstance(callback, Callable):
-            self.later.append((callback, note))
+            # What was followed already is not followed later.
+            if (callback.path, callback.function.line) not in self.reached:
+                self.touched()
+                self.later.append((callback, note))
             return callback.function.qualified_name
         return str(callback) if isinstance(callback, Text) else ""
 
@@ -406,6 +447,8 @@ _PLAIN = frozenset(
 
 def _overload(found: list[Defined], count: int) -> Defined | None:
     """Return the function that takes so many arguments, else the one with the most to say."""
+    if len(found) < 2:
+        return found[0] if found and isinstance(found[0].what, Function) else None
     functions = [one for one in found if isinstance(one.what, Function)]
     fit = [
         one

@@ -53,6 +53,7 @@ Word = Function1[["Evaluation", Any, Called], Any]
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
+_QUIET: set[Word] = set()
 _MODULES = (
     "vocabulary_options",
     "vocabulary_ros2",
@@ -63,29 +64,37 @@ _MODULES = (
 )
 
 
-def outer(*names: str) -> Function1[[Word], Word]:
-    """Register what a function or constructor does, by whole names joined by ``.``."""
+def outer(*names: str, quiet: bool = False) -> Function1[[Word], Word]:
+    """Register what a function or constructor does, by whole names joined by ``.``.
+
+    Args:
+        names: of it.
+        quiet: whether it only answers: it makes nothing, and changes nothing of a node.
+    """
 
     def keep(word: Word) -> Word:
         _OUTER.update(dict.fromkeys(names, word))
+        _QUIET.update({word} if quiet else ())
         return word
 
     return keep
 
 
-def method(kind: str, *names: str, anywhere: bool = False) -> Function1[[Word], Word]:
+def method(kind: str, *names: str, anywhere: bool = False, quiet: bool = False) -> Function1[[Word], Word]:
     """Register what a method of a kind of object does.
 
     Args:
         kind: ``node``, ``handle``, ``qos``, ``made``, or the whole name of a class.
         names: of the method.
         anywhere: whether it is meant where the object is unknown too.
+        quiet: whether it only answers.
     """
 
     def keep(word: Word) -> Word:
         _METHODS.update({(kind, name): word for name in names})
         if anywhere:
             _ANYWHERE.update(dict.fromkeys(names, word))
+        _QUIET.update({word} if quiet else ())
         return word
 
     return keep
@@ -103,10 +112,16 @@ def known_names() -> frozenset[str]:
     return frozenset(_OUTER)
 
 
-def find_outer(_engine: Evaluation, name: str) -> Word | None:
+def find_outer(engine: Evaluation, name: str) -> Word | None:
     """Return what calling a function or class by its whole name does."""
     _load()
-    return _OUTER.get(name)
+    return _said(engine, _OUTER.get(name))
+
+
+def _said(engine: Evaluation, word: Word | None) -> Word | None:
+    if word is not None and word not in _QUIET:
+        engine.touched()
+    return word
 
 
 def find_method(engine: Evaluation, receiver: Any, called: Called) -> Word | None:
@@ -115,9 +130,9 @@ def find_method(engine: Evaluation, receiver: Any, called: Called) -> Word | Non
     for kind in kinds_of(engine, receiver):
         word = _METHODS.get((kind, called.name))
         if word is not None:
-            return word
+            return _said(engine, word)
     if isinstance(receiver, Unknown | None) or (isinstance(receiver, Obj) and receiver.defined is None):
-        return _ANYWHERE.get(called.name)
+        return _said(engine, _ANYWHERE.get(called.name))
     return None
 
 

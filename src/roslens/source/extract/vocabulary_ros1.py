@@ -217,7 +217,7 @@ def search(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return Unknown("whether the parameter is found")
 
 
-@method("handle", "hasParam", "deleteParam", "ok", "shutdown")
+@method("handle", "hasParam", "deleteParam", "ok", "shutdown", quiet=True)
 def ask(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     """Something is asked that only a run can answer."""
     return Unknown(f"result of {called.name}()")

@@ -207,7 +207,7 @@ def wall_timer(engine: Evaluation, thing: Any, called: Called) -> Any:
 @outer("ms", "us", "ns", "s", "std.chrono.milliseconds", "std.chrono.seconds", "std.chrono.microseconds",
        "std.chrono.nanoseconds", "std.chrono.duration", "rclcpp.Duration", "ros.Duration", "ros.WallDuration",
        "rospy.Duration", "rclcpp.Rate", "ros.Rate", "rclcpp.WallRate", "std.chrono_literals.ms",
-       "std.chrono_literals.s")  # fmt: skip
+       "std.chrono_literals.s", quiet=True)  # fmt: skip
 def duration(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A stretch of time in seconds."""
     value = called.argument(0)

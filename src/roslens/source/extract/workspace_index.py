@@ -70,6 +70,13 @@ class Index:
         self._generations: dict[str, int] = {}
         self._adapted: dict[str, str] = {}
         self._included: dict[str, set[str]] = {}
+        self._found_aliases: dict[tuple[str, str, str], str] = {}
+        self._found_constants: dict[tuple[str, str, str], tuple[str, Expression] | None] = {}
+        self._found_globals: dict[tuple[str, str, str], str] = {}
+        self._macros: dict[str, Expression] = {}
+        for program in self.programs.values():
+            for name, value in program.macros.items():
+                self._macros.setdefault(name, value)
         for path in sorted(self.programs):
             self._add(path, self.programs[path])
         for path in sorted(self.programs):
@@ -224,6 +231,13 @@ class Index:
 
     def alias(self, name: str, path: str, scope: str) -> str:
         """Return what a name without scope is an alias of, as written; empty where it is none."""
+        key = (name, path, scope)
+        found = self._found_aliases.get(key)
+        if found is None:
+            found = self._found_aliases[key] = self._alias(name, path, scope)
+        return found
+
+    def _alias(self, name: str, path: str, scope: str) -> str:
         program = self.programs.get(path)
         for prefix in _prefixes(scope) if program else ():
             full = f"{prefix}.{name}" if prefix else name
@@ -299,22 +313,30 @@ class Index:
 
     def constant(self, name: str, path: str, scope: str) -> tuple[str, Expression] | None:
         """Return the file and value of a constant outside of functions."""
+        key = (name, path, scope)
+        if key not in self._found_constants:
+            self._found_constants[key] = self._constant(name, path, scope)
+        return self._found_constants[key]
+
+    def _constant(self, name: str, path: str, scope: str) -> tuple[str, Expression] | None:
         for one in self.named(name, path, scope):
             if one in self._constants:
                 return self._constants[one]
         program = self.programs.get(path)
         if program and name in program.macros:
             return path, program.macros[name]
-        for other in self.programs.values() if name.isupper() else ():
-            if name in other.macros:
-                return path, other.macros[name]
-        return None
+        return (path, self._macros[name]) if name.isupper() and name in self._macros else None
 
     def global_name(self, name: str, path: str, scope: str) -> str:
         """Return the whole name of a variable of C++ outside of functions; empty where it is none."""
         if self._is_python(path):
             return ""
-        return next((one for one in self.named(name, path, scope) if one in self._globals), "")
+        key = (name, path, scope)
+        found = self._found_globals.get(key)
+        if found is None:
+            found = next((one for one in self.named(name, path, scope) if one in self._globals), "")
+            self._found_globals[key] = found
+        return found
 
     def declaration(self, qualified_name: str) -> Function | None:
         """Return how a function is declared elsewhere, with the defaults of its parameters."""

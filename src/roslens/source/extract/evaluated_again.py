@@ -1,0 +1,111 @@
+"""Calls that would do again what they did: heavy ones that made nothing, on the same object with equal values.
+
+What computes or writes files may be called from hundreds of places, and from each would be followed into all that it
+calls. If that made no fact of a node and gave no new callback away, it does not the next time either: what it returned,
+and left in the members of its object, it returns and leaves again.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.program import Function
+from roslens.source.extract.workspace_index import assigned_names
+
+HEAVY = 100
+"""So many steps are worth remembering; what takes fewer is followed each time."""
+
+Key = tuple[str, int]
+"""File and line of a function."""
+
+
+Given = tuple[list[Any], tuple[str, ...]]
+"""Arguments of a call, and its template arguments."""
+
+
+class Done:
+    """What a call did.
+
+    Attributes:
+        result: what it returned.
+        names: what it left in its parameters.
+        fields: what it left in the members of its object that it assigns, or that were another before.
+        cuts: functions around it that it would have called.
+        site: the last call in it.
+    """
+
+    __slots__ = ("_depth", "_given", "_thing", "cuts", "fields", "names", "result", "site")
+
+    def __init__(
+        self,
+        function: Function,
+        thing: Any,
+        given: Given,
+        depth: int,
+        frame: Frame,
+        before: dict[str, Any],
+        cuts: set[Key],
+        site: Evidence,
+    ) -> None:
+        """Remember a call on ``thing`` in ``depth`` others; ``before`` is what the members of the object were."""
+        self._thing = thing
+        self._given = given
+        self._depth = depth
+        self.result = frame.result if frame.returned else None
+        self.names = frame.names
+        after = thing.fields if isinstance(thing, Obj) else {}
+        own = assigned_names(function.body)
+        self.fields = {
+            name: value
+            for name, value in after.items()
+            if name in own or name not in before or before[name] is not value
+        }
+        self.cuts = cuts
+        self.site = site
+
+    def fits(self, thing: Any, given: Given, stack: list[Key]) -> bool:
+        """Whether a call would do the same: why values are unknown does not matter for what it makes."""
+        return (
+            self._thing is thing
+            and self._depth <= len(stack)
+            and self._given[1] == given[1]
+            and len(self._given[0]) == len(given[0])
+            and all(map(_same, self._given[0], given[0]))
+            and self.cuts.issubset(stack)
+        )
+
+
+class Again:
+    """The heavy calls of an evaluation that made nothing.
+
+    Attributes:
+        touched: how often a word of the vocabulary was said, or a callback given away.
+        cuts: functions that the current call would call, were they not around it.
+    """
+
+    def __init__(self) -> None:
+        """Begin without any."""
+        self.touched = 0
+        self.cuts: set[Key] = set()
+        self._done: dict[Key, list[Done]] = {}
+
+    def known(self, key: Key, thing: Any, given: Given, stack: list[Key]) -> Done | None:
+        """Return what a call did that would do the same again; None where there was none."""
+        for one in self._done.get(key, ()):
+            if one.fits(thing, given, stack):
+                self.cuts |= one.cuts
+                return one
+        return None
+
+    def keep(self, key: Key, done: Done) -> None:
+        """Remember what a call did."""
+        self._done.setdefault(key, []).append(done)
+
+
+def _same(one: Any, other: Any) -> bool:
+    if isinstance(one, Unknown):
+        return isinstance(other, Unknown)
+    return one is other or (type(one) is type(other) and bool(one == other))

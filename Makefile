@@ -1,4 +1,4 @@
-# The commands to learn: demo, demo-live, demo-ros2, test, quick, lint, docs, lock, bench, testbed.
+# The commands to learn: demo, demo-live, demo-ros2, test, quick, lint, docs, accuracy, lock, bench, testbed.
 PYTHON ?= python3
 WS ?= examples/workspace
 PORT ?= 8080
@@ -62,6 +62,13 @@ docs: .venv/stamp
 # Write docs/known_mistakes.md from its tables.
 known-mistakes: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m known_mistakes
+
+# Run nodes, compare their graph with what source says of it, and write docs/accuracy.md. What cannot run here keeps the
+# graph that was recorded: clones of public code are looked for in $ROSLENS_CORPORA, a Python with launch_ros in
+# $ROSLENS_ROS2_PYTHON, see CONTRIBUTING.md.
+accuracy: parts
+	sh .ci/ros-source ros-geometry ros-robot-state-publisher
+	PYTHONPATH=tests $(BIN)/python -m accuracy $(ARGS)
 
 lock:
 	$(BIN)/python -m pip install --quiet uv

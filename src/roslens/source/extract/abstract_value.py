@@ -103,6 +103,7 @@ class Obj(msgspec.Struct, eq=False):
         fields: its members.
         node: of the node that it is, where it is one.
         templates: what the template parameters of its class stand for.
+        base_templates: those of its bases, by the qualified name of the base.
     """
 
     type: str
@@ -110,6 +111,11 @@ class Obj(msgspec.Struct, eq=False):
     fields: dict[str, Any] = {}
     node: Building | None = None
     templates: dict[str, str] = {}
+    base_templates: dict[str, dict[str, str]] = {}
+
+    def templates_of(self, class_name: str) -> dict[str, str]:
+        """Return what the template parameters stand for in its class, or in a base of it."""
+        return self.base_templates.get(class_name, self.templates)
 
 
 class Handle(msgspec.Struct, frozen=True, eq=False):

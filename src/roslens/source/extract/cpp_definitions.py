@@ -13,7 +13,7 @@ from roslens.source.extract.cpp_lowered import Lowered, name_of, opaque
 from roslens.source.extract.cpp_macros import is_registration, macro_value
 from roslens.source.extract.cpp_parameters import Parameters
 from roslens.source.extract.cpp_statements import StatementLowering
-from roslens.source.extract.cpp_types import declared_name, declared_type, dotted
+from roslens.source.extract.cpp_types import declared_name, declared_type, dotted, name_and_templates
 from roslens.source.extract.cpp_variables import Statements
 from roslens.source.extract.program import (
     Assign,
@@ -152,7 +152,8 @@ class Definitions:
         self._fields = fields
         self.add(body.named_children, out)
         self._leave(around)
-        lowered.classes[place] = Class(simple, qualified, node.start_point.row + 1, bases, tuple(fields), own)
+        line, arguments = node.start_point.row + 1, _base_arguments(node, lowered.source)
+        lowered.classes[place] = Class(simple, qualified, line, bases, tuple(fields), own, arguments)
 
     def _field(self, node: Node, out: Statements) -> None:
         type_ = node.child_by_field_name("type")
@@ -377,3 +378,15 @@ _HANDLERS = _table(
     }
 )
 _OUTSIDE = _table({"nested": "ERROR", "variable": "declaration", "field": "field_declaration"})
+
+
+def _base_arguments(node: Node, source: bytes) -> tuple[tuple[str, ...], ...]:
+    """Return the template arguments of each base of a class; empty where none has any."""
+    clause = next((child for child in node.named_children if child.type == "base_class_clause"), None)
+    if clause is None or b"<" not in source[clause.start_byte : clause.end_byte]:
+        return ()
+    bases = [one for one in clause.named_children if one.type in _BASES]
+    return tuple(name_and_templates(source[one.start_byte : one.end_byte])[1] for one in bases)
+
+
+_BASES = frozenset({"type_identifier", "qualified_identifier", "template_type"})

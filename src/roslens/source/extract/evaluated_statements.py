@@ -75,7 +75,9 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
     base = engine.index.class_of(written, engine.frame.path, engine.frame.scope)
     if base is not None:
         names = getattr(base.what, "templates", ())
-        thing.templates.update(zip(names, (engine.template(one) for one in call.templates), strict=False))
+        if call.templates:
+            given = dict(zip(names, (engine.template(one) for one in call.templates), strict=False))
+            thing.base_templates[base.what.qualified_name] = given
     if base is None:
         name = engine.index.meaning(written, engine.frame.path, engine.frame.scope)
         # The name of a base is known in a class without its scope.

@@ -206,7 +206,10 @@ class Field(msgspec.Struct, frozen=True, array_like=True):
 
 
 class Class(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A class: ``bases`` as written without template arguments of their own, scope joined by ``.``."""
+    """A class: ``bases`` as written without template arguments of their own, scope joined by ``.``.
+
+    ``base_templates`` are these arguments, for each base; empty where no base has any.
+    """
 
     name: str
     qualified_name: str
@@ -214,6 +217,7 @@ class Class(msgspec.Struct, frozen=True, omit_defaults=True):
     bases: tuple[str, ...] = ()
     fields: tuple[Field, ...] = ()
     templates: tuple[str, ...] = ()
+    base_templates: tuple[tuple[str, ...], ...] = ()
 
 
 class Program(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -7,6 +7,7 @@ import re
 import time
 from html.parser import HTMLParser
 from pathlib import Path
+from types import ModuleType
 from urllib.parse import unquote
 
 import pytest
@@ -132,6 +133,22 @@ def test_the_file_takes_the_place_of_an_older_one(bare_site: Site, tmp_path: Pat
     single_file(bare_site, out)
     assert out.read_text(encoding="utf-8") == single_page(bare_site)
     assert [path.name for path in out.parent.iterdir()] == ["report.html"]
+
+
+def test_many_graphs_leave_room_for_the_rest_and_what_is_missing_is_said(bare_site: Site, made_up: ModuleType) -> None:
+    large = made_up.large()
+    site = Site(
+        bare_site.view,
+        quantities=bare_site.quantities,
+        models=bare_site.models,
+        configurations={f"large_{number}": large for number in range(9)},
+    )
+    text = single_page(site)
+    assert len(text.encode()) < 5_000_000
+    held = sum(f'id="computation/large_{number}"' in text for number in range(9))
+    assert 1 <= held < 9
+    assert re.search(rf"Computation graphs.*?{held}.*?9", text, re.DOTALL)
+    assert set(Single(text).links) >= {"#computation/large_0"}
 
 
 def test_a_folder_in_its_place_is_said(bare_site: Site, tmp_path: Path) -> None:

@@ -24,12 +24,14 @@ LARGEST = 4_800_000
 """Bytes that the file may have: what a mail server takes, with room for its encoding left out."""
 
 SOURCE_BUDGET = 1_500_000
+GRAPH_BUDGET = 1_600_000
 _MAIN = ("overview", "graph", "packages", "findings", "metrics", "rules", "failures", "help")
 _FEW, _MANY = (
     Limits(findings=24, per_group=4, groups=12, entities=8, rows=25, lines=800, excerpts=False),
     Limits(findings=12, per_group=3, groups=8, entities=5, rows=15, lines=800, excerpts=False),
 )
 _MAIN_LIMITS = Limits(findings=120, per_group=6, groups=25, entities=20, rows=5000)
+_GRAPH_LIMITS = Limits(rows=400)
 _FEW_PACKAGES = 60
 _TRIES = 12
 _INDEXED_FILES = 2000
@@ -104,13 +106,14 @@ def single_page(site: Site) -> str:
     book = _Book(site)
     for page in _MAIN:
         book.add(PageRef(page), book.render(PageRef(page), _MAIN_LIMITS))
-    for slug in site.book.systems:
-        book.add(PageRef("computation", slug), book.render(PageRef("computation", slug), _MAIN_LIMITS))
+    graphs = _graphs(book)
     frame = _frame(book, "", ())
     book.size += len(frame.encode()) + 100 * min(_INDEXED_FILES, len(site.places))
     for package in site.packages:
         book.add(PageRef("package", package.id), _brief(book, package.id))
     contents = _fill_up(book)
+    if graphs < len(site.book.systems):
+        contents.append(("Computation graphs", graphs, len(site.book.systems)))
     book.sections["overview"] = book.sections["overview"].removesuffix("</section>\n") + (
         book.renderer.text("contents.html", contents=contents, cut=any(held < total for _, held, total in contents))
         + "</section>\n"
@@ -118,6 +121,15 @@ def single_page(site: Site) -> str:
     ordered = [book.sections[name] for ref in pages_of(site) if (name := section_id(ref)) in book.sections]
     sections = with_live_links("".join(ordered))
     return _frame(book, sections, _index(book))
+
+
+def _graphs(book: _Book) -> int:
+    """Add the computation graphs, the first whatever it takes; return how many."""
+    refs = [PageRef("computation", slug) for slug in book.site.book.systems]
+    start = book.size
+    for ref in refs[:1]:
+        book.add(ref, book.render(ref, _GRAPH_LIMITS))
+    return len(refs[:1]) + book.fill(refs[1:], _GRAPH_LIMITS, max(0, GRAPH_BUDGET - (book.size - start)))
 
 
 def _fill_up(book: _Book) -> list[tuple[str, int, int]]:

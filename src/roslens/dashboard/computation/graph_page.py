@@ -27,11 +27,7 @@ def build(book: Book, request: Request) -> View | None:
     wanted = query.get("topics")
     as_lines = graph.many if wanted not in {"lines", "marks"} else wanted == "lines"
     nodes = sort_rows(_nodes(book, system), query.get("sort_nodes"))
-    endpoints = sort_rows(
-        endpoint_table(book, system, enumerate(system.ends), _ENDPOINTS, "endpoints", "Endpoints"),
-        query.get("sort_endpoints"),
-        None if request.complete else request.limits.rows,
-    )
+    endpoints = _endpoints(book, system, request)
     return View(
         ref=PageRef("computation", system.slug, query=query.pairs),
         title=f"Computation graph: {system.configuration.title}",
@@ -68,6 +64,16 @@ def build(book: Book, request: Request) -> View | None:
             "hidden": len(system.elements) - len(graph.topics.places),
         },
     )
+
+
+def _endpoints(book: Book, system: System, request: Request) -> Table:
+    """Return the table of endpoints; where it is cut, what every node has goes first."""
+    most = None if request.complete else request.limits.rows
+    ends = list(enumerate(system.ends))
+    if most is not None and len(ends) > most:
+        ends.sort(key=lambda pair: pair[1].configured.implicit)
+    table = endpoint_table(book, system, ends, _ENDPOINTS, "endpoints", "Endpoints")
+    return sort_rows(table, request.query.get("sort_endpoints"), most)
 
 
 def noise_text(presets: frozenset[str]) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from copy import copy
 from typing import Union
 
@@ -12,14 +11,17 @@ from roslens.model.tally import Moments, Tally
 from roslens.model.tally_columns import Row
 
 
-class Sums(msgspec.Struct, gc=False):
+class Sums:
     """Moments that grow in place, so that taking more in builds nothing."""
 
-    count: int
-    total: float
-    squares: float
-    least: float
-    greatest: float
+    __slots__ = ("count", "greatest", "least", "squares", "total")
+
+    def __init__(self, count: int, total: float, squares: float, least: float, greatest: float) -> None:
+        self.count = count
+        self.total = total
+        self.squares = squares
+        self.least = least
+        self.greatest = greatest
 
     @classmethod
     def of(cls, one: Moments) -> Sums:
@@ -131,6 +133,44 @@ class Bucket(msgspec.Struct, gc=False):
             period, latency, age, processing,
         )  # fmt: skip
 
+    def extend_row(self, row: Row, previous: float) -> None:
+        """Take a tally as :meth:`of_row` does, which begins where this bucket ends."""
+        _, end, count, size, first, last, period, latency, age, lost, _, _, processing, longest_at = row
+        gap = self.gap
+        if gap >= 0 and not self.gap_at:
+            self.gap_at = self.gap_began
+        self.end = end
+        if first and not self.first:
+            self.first = first
+        if last:
+            self.last = last
+        self.count += count
+        if size >= 0:
+            self.bytes += size
+            self.sized += count
+        if lost >= 0:
+            self.lost += lost
+            self.losable += count
+            self.losses_counted = True
+        self.intervals += count
+        self.span += period.total
+        if period.greatest > gap:
+            self.gap, self.gap_at, self.before = period.greatest, longest_at, previous or first
+        sums = self.period
+        if type(sums) is Sums:
+            sums.take(period)
+        else:
+            self.period = joined(sums, period)
+        if latency.count:
+            sums = self.latency
+            if type(sums) is Sums:
+                sums.take(latency)
+            else:
+                self.latency = joined(sums, latency)
+        if age.count or processing.count:
+            self.age = joined(self.age, age)
+            self.processing = joined(self.processing, processing)
+
     def twin(self) -> Bucket:
         """Return a bucket that grows by itself."""
         one = copy(self)
@@ -188,45 +228,6 @@ class Bucket(msgspec.Struct, gc=False):
             self.age = joined(self.age, tally.age)
             self.processing = joined(self.processing, tally.processing)
 
-    def extend_all(self, rows: list[Row], previous: list[float]) -> None:
-        """Take tallies as :meth:`of_row` does, each of which begins where the one before ends; none is no tally."""
-        end, count, first, last, span = self.end, 0, self.first, self.last, self.span
-        gap, gap_at, before = self.gap, self.gap_at, self.before
-        for row, known in zip(rows, previous, strict=True):
-            if not gap_at and gap >= 0:
-                earliest = before or self.start
-                gap_at = (earliest + max((last or end) - gap, earliest)) / 2
-            period = row[6]
-            greatest, end = period.greatest, row[1]
-            first, last = first or row[4], row[5] or last
-            count += row[2]
-            span += period.total
-            if greatest > gap:
-                gap, gap_at, before = greatest, row[13], known or row[4]
-        self.end, self.first, self.last, self.span = end, first, last, span
-        self.gap, self.gap_at, self.before = gap, gap_at, before
-        self.count += count
-        self.intervals += count
-        self._extend_sizes(rows)
-        self.period = _grown(self.period, [row[6] for row in rows])
-        self.latency = _grown(self.latency, [row[7] for row in rows])
-        self.age = _grown(self.age, [row[8] for row in rows])
-        self.processing = _grown(self.processing, [row[12] for row in rows])
-
-    def _extend_sizes(self, rows: list[Row]) -> None:
-        sizes = [row[3] for row in rows]
-        if min(sizes) >= 0:
-            self.bytes += sum(sizes)
-            self.sized += sum([row[2] for row in rows])
-        elif max(sizes) >= 0:
-            self.bytes += sum(size for size in sizes if size >= 0)
-            self.sized += sum(row[2] for row in rows if row[3] >= 0)
-        counted = [row for row in rows if row[9] >= 0]
-        if counted:
-            self.lost += sum(row[9] for row in counted)
-            self.losable += sum(row[2] for row in counted)
-            self.losses_counted = True
-
     def absorb(self, later: Bucket) -> None:
         """Become the bucket of both; ``later`` begins where this one ends."""
         if later.gap > self.gap:
@@ -260,26 +261,3 @@ def joined(one: Series, other: Series) -> Series:
     grown = one if type(one) is Sums else Sums.of(one)  # type: ignore[arg-type]
     grown.take(other)
     return grown
-
-
-def _grown(one: Series, others: Iterable[Moments]) -> Series:
-    """Return the moments of all, added in this order."""
-    count, total, squares, least, greatest = one.count, one.total, one.squares, one.least, one.greatest
-    more = False
-    for other in others:
-        if not other.count:
-            continue
-        more = True
-        if not count:
-            count, total, squares, least, greatest = (
-                other.count, other.total, other.squares, other.least, other.greatest,
-            )  # fmt: skip
-            continue
-        count += other.count
-        total += other.total
-        squares += other.squares
-        if other.least < least:
-            least = other.least
-        if other.greatest > greatest:
-            greatest = other.greatest
-    return Sums(count, total, squares, least, greatest) if more else one

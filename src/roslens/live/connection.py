@@ -8,7 +8,7 @@ from roslens.live.connection_name import connection_id
 from roslens.live.measured import Measured
 from roslens.live.traffic import MEASURES, percentile_of
 from roslens.live.verdict_state import NEVER
-from roslens.live.window import MAX_BUCKETS, RANK, Window, patience_of
+from roslens.live.window import MAX_BUCKETS, RANK, Window
 from roslens.model.tally import Observer, Tally
 
 if TYPE_CHECKING:
@@ -88,8 +88,6 @@ class Connection(Measured):
         ):
             self.envelope = None
             self.patience = now + _PAUSE_S
-        if self.envelope is not None:
-            self.envelope.follow()
         return news
 
     def wake(self) -> None:
@@ -101,11 +99,6 @@ class Connection(Measured):
         """Let the windows know when news came that nobody has looked at."""
         if self.envelope is not None:
             self.envelope.notice()
-
-    def fold(self) -> None:
-        """Put into the windows what came and is pending."""
-        if self.envelope is not None:
-            self.envelope.fold()
 
     def resize(self, lengths: tuple[float, ...], most: int) -> None:
         """Keep a window of each of these lengths, of at most so many buckets."""
@@ -126,11 +119,6 @@ class Connection(Measured):
 
     def heard(self, envelope: Envelope, now: float) -> bool:
         """Note when news came to a connection with an envelope; False where it is silent for too long."""
-        newest = envelope.round
-        if newest is not None and newest.time is not None:
-            # The windows need not know yet.
-            self.due = newest.time + patience_of(envelope.spacing) - _INSTANT_S
-            return self.due > now
         envelope.notice()
         windows = self._order[0]
         first = windows[0]
@@ -143,12 +131,9 @@ class Connection(Measured):
     def settle(self, now: float) -> None:
         """Bring every window to ``now``."""
         if self.settled == now:
-            self.fold()
             return
         self.settled = now
         self.catch_up()
-        if self.envelope is not None:
-            self.envelope.round = None  # what is settled is noticed, before its round ends
         for windows in self._order:
             for window in windows:
                 window.settle(now)

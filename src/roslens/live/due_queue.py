@@ -13,7 +13,10 @@ _FAR = 2.0**60
 
 
 def _stretch(time: float) -> int:
-    return int(max(min(time * _PER_SECOND, _FAR), -_FAR))
+    number = time * _PER_SECOND
+    if -_FAR < number < _FAR:
+        return int(number)
+    return int(_FAR if number > 0 else -_FAR)
 
 
 class DueQueue:
@@ -46,16 +49,27 @@ class DueQueue:
     def take(self, now: float) -> list[Measured]:
         """Return the entities that are due, each once."""
         found: list[Measured] = []
-        later: list[Measured] = []
+        moved: list[Measured] = []
+        again: dict[int, list[Measured]] = {}
         numbers = self._numbers
         while numbers and numbers[0] <= now * _PER_SECOND:
             number = heapq.heappop(numbers)
+            early: list[Measured] = []
             for entity in self._stretches.pop(number):
-                planned = entity.planned
+                planned, due = entity.planned, entity.due
                 if planned == NEVER or _stretch(planned) != number:
                     continue
+                if due > now and _stretch(due) == number:
+                    entity.planned = due
+                    early.append(entity)
+                    continue
                 entity.planned = NEVER
-                (found if entity.due <= now else later).append(entity)
-        for entity in later:
+                (found if due <= now else moved).append(entity)
+            if early:
+                again[number] = early
+        for number, early in again.items():
+            self._stretches[number] = early
+            heapq.heappush(numbers, number)
+        for entity in moved:
             self.put(entity)
         return found

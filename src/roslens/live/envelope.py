@@ -25,8 +25,6 @@ _BEFORE = -EPSILON_S
 _Bounds = tuple[float, float, float]
 _BOUNDLESS = (-inf, inf, inf)
 _MEANS = ("latency", "age", "processing")
-_MOST_PENDING = 30
-"""Of tallies and rounds: folding many at once is cheaper, keeping them takes memory."""
 
 
 class Envelope:
@@ -45,14 +43,10 @@ class Envelope:
         processing: those of it.
         windows: of the connection.
         round: in which the newest tally inside came; None where that was noticed.
-        pending: tallies inside that no window has yet, and rounds behind what came in them.
-        until: end of the newest tally.
-        spacing: of the windows with what is pending.
     """
 
     __slots__ = (
-        "age", "centre", "fast", "gap", "latency", "loss", "pending", "processing", "round", "scatter", "size", "slow",
-        "spacing", "until", "windows",
+        "age", "centre", "fast", "gap", "latency", "loss", "processing", "round", "scatter", "size", "slow", "windows",
     )  # fmt: skip
 
     def __init__(self, windows: list[Window]) -> None:
@@ -67,21 +61,20 @@ class Envelope:
         self.processing: _Bounds | None = None
         self.windows = windows
         self.round: Round | None = None
-        self.pending: list[Row | Round] = []
-        self.until = self.spacing = 0.0
-        self.follow()
 
     def takes(self, row: Row, now: Round) -> bool:
-        """Keep a tally for the windows that is plausible, follows the last one, and lies inside; else return False.
+        """Put a tally into the windows that is plausible, follows the last one, and lies inside; else return False.
 
         What is asked is never true of a value that is no number. Long, because a call costs as much as ten questions.
         """
+        windows = self.windows
+        window = windows[0]
         start, end, count, size, first, last, period, latency, age, lost, observer, _, processing, longest_at = row
-        until, spacing = self.until, self.spacing
-        length, quiet = end - until, end - last
+        until = window.until
+        hole, length, quiet = start - until, end - until, end - last
         gap, span, squares, centre = period.greatest, period.total, period.squares, self.centre
         if not (
-            _BEFORE <= start - until <= spacing
+            _BEFORE <= hole <= window.spacing
             and length > EPSILON_S
             and period.count == count > 0 <= period.least <= gap <= self.gap >= quiet
             and self.slow * (span + quiet - gap if quiet > gap else span) <= count <= self.fast * span
@@ -91,7 +84,7 @@ class Envelope:
             )
             and lost >= -1
             and start - 1 <= first <= last <= end + 1
-            and observer is self.windows[0].observer
+            and observer is window.observer
         ):
             return False
         finite = squares + gap + end + longest_at
@@ -103,40 +96,18 @@ class Envelope:
             finite += _within(processing, self.processing) if processing.least >= 0 else inf
         if finite - finite != 0 or (self.loss is not None and not self._loss_within(lost, count)):
             return False
-        pending = self.pending
-        if not pending:
-            for window in self.windows:
-                if not window.buckets:  # all of it is over, as after frames that came late
-                    return False
+        for window in windows:
+            if not window.buckets:  # all of it is over, as after frames that came late
+                return False
         if now is not self.round:
-            if self.round is not None:
-                pending.append(self.round)
+            self.notice()
             self.round = now
-        pending.append(row)
-        self.until = end
-        spacing *= 0.9
-        self.spacing = length if length > spacing else spacing  # noqa: FURB136
-        if len(pending) > _MOST_PENDING:
-            self.fold()
+        for window in windows:
+            window.follow_row(row, length, hole)
         return True
-
-    def follow(self) -> None:
-        """Begin where the windows end now."""
-        window = self.windows[0]
-        self.until, self.spacing = window.until, window.spacing
-
-    def fold(self) -> None:
-        """Put what is pending into the windows."""
-        pending = self.pending
-        if pending:
-            until = self.windows[0].until
-            for window in self.windows:
-                window.follow_all(pending, until)
-            pending.clear()
 
     def notice(self) -> None:
         """Let windows know when the newest tally inside was noticed; nothing is known of one since the last tick."""
-        self.fold()
         if self.round is not None and self.round.time is not None:
             for window in self.windows:
                 if window.news:

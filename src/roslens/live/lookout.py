@@ -100,8 +100,6 @@ class Lookout:
 
     def look_again(self, now: float) -> list[Judged]:
         """Bring values to the present that nobody had to look at; return what changed."""
-        for connection in self._world.connections.values():
-            connection.fold()
         self._plan(self.waiting, now)
         changed: list[Judged] = []
         if self.suspended:

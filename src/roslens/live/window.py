@@ -7,10 +7,9 @@ clock that is hours away, or a tally that is always a second late, changes nothi
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from roslens.live.bucket import Bucket
-from roslens.live.round import Round
 from roslens.model.tally import Observer, Tally
 from roslens.model.tally_columns import Row
 
@@ -151,54 +150,29 @@ class Window:
         self.news = True
         self._summed = False
 
-    def follow_all(self, rows: Sequence[Row | Round], until: float) -> None:
-        """Take what many calls of :meth:`follow` would, the first ``until``; after a round, what came is noticed."""
+    def follow_row(self, row: Row, length: float, hole: float) -> None:
+        """Do what :meth:`follow` does, of a tally that counted messages and every time between them."""
+        spacing = 0.9 * self.spacing
+        self.spacing = length if length > spacing else spacing  # noqa: FURB136
         if self._strange:
             self._strange.clear()
-        place, many = 0, len(rows)
-        while place < many:
-            row = rows[place]
-            if isinstance(row, Round):
-                if self.news and row.time is not None:
-                    self.notice(row.time)
-                place += 1
-                continue
-            start, end = row[0], row[1]
-            if end - self.buckets[-1].start > self._grain:
-                length, spacing = end - until, 0.9 * self.spacing
-                self.spacing = length if length > spacing else spacing  # noqa: FURB136
-                self._append(Bucket.of_row(row, self.last if start - until <= _SLACK_S else 0.0))
-                until = end
-                place += 1
-            else:
-                place, until = self._extend(rows, place, until)
-
-    def _extend(self, rows: Sequence[Row | Round], place: int, until: float) -> tuple[int, float]:
-        """Put rows into the newest bucket as long as they fit; return the place of the first that does not."""
-        newest = self.buckets[-1]
-        begun, last, spacing = newest.start, self.last, self.spacing
-        fitting: list[Row] = []
-        previous: list[float] = []
-        for row in rows[place:]:
-            if isinstance(row, Round) or row[1] - begun > self._grain:
-                break
-            end, latest = row[1], row[5]
-            length = end - until
-            spacing *= 0.9
-            if length > spacing:
-                spacing = length
-            fitting.append(row)
-            previous.append(last if row[0] - until <= _SLACK_S else 0.0)
-            until = end
-            if latest > last:
-                last = latest
-            elif not latest:
-                last = end
-        newest.extend_all(fitting, previous)
-        self.until, self.last, self.spacing = until, last, spacing
+        buckets = self.buckets
+        newest = buckets[-1]
+        known = self.last
+        end, last = row[1], row[5]
+        self.until = end
+        if last > known:
+            self.last = last
+        elif not last:
+            self.last = end
         self.news = True
         self._summed = False
-        return place + len(fitting), until
+        if end - newest.start <= self._grain:
+            newest.extend_row(row, known if hole <= _SLACK_S else 0.0)
+            return
+        buckets.append(Bucket.of_row(row, known if hole <= _SLACK_S else 0.0))
+        if len(buckets) > self.most:
+            self._shrink()
 
     def notice(self, now: float) -> None:
         """Note when news came, without looking at it yet."""
@@ -232,7 +206,7 @@ class Window:
     @property
     def patience(self) -> float:
         """Seconds without news after which an observer is taken to have seen nothing."""
-        return patience_of(self.spacing)
+        return 1.5 * self.spacing + 0.05
 
     @property
     def silent(self) -> bool:
@@ -276,9 +250,12 @@ class Window:
         self.buckets.append(bucket)
         self._end(bucket.last, bucket.count, bucket.end)
         if len(self.buckets) > self.most:
-            self._drop(self.until - self.length)
-            if len(self.buckets) > self.most:
-                self._merge()
+            self._shrink()
+
+    def _shrink(self) -> None:
+        self._drop(self.until - self.length)
+        if len(self.buckets) > self.most:
+            self._merge()
 
     def _end(self, last: float, count: int, end: float) -> None:
         """Note how far the window reaches now."""
@@ -374,11 +351,6 @@ class Window:
             self.spacing = max(one.end - self.until, self.spacing)
             self._append(Bucket.of(one, self.last))
         return True
-
-
-def patience_of(spacing: float) -> float:
-    """Return the seconds without news after which an observer is taken to have seen nothing."""
-    return 1.5 * spacing + 0.05
 
 
 def _cut(tally: Tally, start: float, count: int, share: float) -> Tally:

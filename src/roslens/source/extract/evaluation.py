@@ -21,6 +21,7 @@ from roslens.source.extract.abstract_value import (
     Unknown,
     as_text,
 )
+from roslens.source.extract.base_templates import bind_bases
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluated_statements import assign, block, initialise
@@ -186,7 +187,7 @@ class Evaluation(Calls):
         key = (function.path, what.line)
         frame = Frame(function.path, what.qualified_name, thing, dict(function.names or {}))
         if isinstance(thing, Obj):
-            frame.templates.update(thing.templates)
+            frame.templates.update(thing.templates_of(what.class_name))
         frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
         frame.depth = len(self.conditions)
         site = self.site
@@ -245,6 +246,7 @@ class Evaluation(Calls):
 
     def prepare(self, thing: Obj) -> None:
         """Give an object the members that its classes declare."""
+        bind_bases(self, thing)
         for one in reversed(self.index.chain(thing.defined)) if thing.defined is not None else ():
             initialised = self._initialised(one)
             for field in getattr(one.what, "fields", ()):
@@ -252,7 +254,7 @@ class Evaluation(Calls):
                     thing.fields[field.name] = Unknown(field.name)
                     continue
                 outer, self.frame = self.frame, Frame(one.path, one.what.qualified_name, thing)
-                self.frame.templates.update(thing.templates)
+                self.frame.templates.update(thing.templates_of(one.what.qualified_name))
                 self.site = Evidence(one.path, field.line)
                 try:
                     if field.value is not None:

@@ -1,9 +1,11 @@
 import argparse
+from urllib.request import urlopen
 
 import pytest
 
 from roslens.cli.main import main
-from roslens.cli.watch_publish import publish_through, wanted
+from roslens.cli.watch_live import _serve
+from roslens.cli.watch_publish import publish_through, unpublished, wanted
 from roslens.judge.expectation import Presence, PresenceMode, Reference, Selector, Told
 from roslens.live.child_source import ChildSource, Publishes
 from roslens.live.publish.turns import PERIOD_S
@@ -101,3 +103,15 @@ def test_what_is_too_long_for_a_message_is_a_failure_and_no_crash():
 def test_a_recording_publishes_nothing(words, capsys):
     assert main(["watch", "--bag", "none.bag", *words]) == 2
     assert f"{words[0]} with --bag" in capsys.readouterr().err
+
+
+def test_what_was_not_published_is_counted_for_prometheus(capsys):
+    sources = [source(Line(lost=2)), source(Line(lost=3)), source(None), object()]
+    assert unpublished(sources) == 5
+    endpoint = _serve(0, Session(REFERENCE, start=0.0), sources)
+    try:
+        with urlopen(endpoint.url, timeout=20) as answer:
+            assert b"roslens_unpublished_total 5.0\n" in answer.read()
+    finally:
+        endpoint.close()
+    assert endpoint.url in capsys.readouterr().err

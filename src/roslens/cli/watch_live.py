@@ -9,7 +9,7 @@ import platform
 import shutil
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -19,7 +19,7 @@ from roslens.cli.about_nothing import about_nothing, kinds_of
 from roslens.cli.graph_file import write_graph
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
-from roslens.cli.watch_publish import publish_through, wanted
+from roslens.cli.watch_publish import publish_through, unpublished, wanted
 from roslens.cli.watch_screen import screen, time_of_day
 from roslens.live.reported_levels import is_reported
 from roslens.live.session import Session, Source, run
@@ -67,7 +67,7 @@ def _watched(
         if publishes is not None:
             sinks.append(publish_through(sources, session, lambda: files.reference, publishes))
         if options.prometheus is not None:
-            stack.callback(_serve(options.prometheus, session).close)
+            stack.callback(_serve(options.prometheus, session, sources).close)
         page = None
         if options.serve is not None:
             from roslens.cli.watch_serve import address_of, page_beside
@@ -241,13 +241,14 @@ def _keep(session: Session, history: History) -> Callable[[Step], None]:
     return keep
 
 
-def _serve(port: int, session: Session) -> Endpoint:
+def _serve(port: int, session: Session, sources: Sequence[object]) -> Endpoint:
     from roslens.live.publish.endpoint import Endpoint
     from roslens.live.publish.prometheus import prometheus_text
 
     def page() -> str:
         counters = {"records_total": float(session.records), "shed_total": float(session.monitor.shed)}
         counters["cpu_seconds_total"] = time.process_time()
+        counters["unpublished_total"] = float(unpublished(sources))
         return prometheus_text(session.readings(time.time()), session.monitor.standing(), counters)
 
     try:

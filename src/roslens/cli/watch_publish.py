@@ -43,7 +43,7 @@ def publish_through(
     Raises:
         UsageError: there is no observer of ROS.
     """
-    lines = [source.downlink for source in sources if isinstance(source, ChildSource) and source.downlink is not None]
+    lines = _downlinks(sources)
     if not lines:
         option = "--diagnostics" if publishes.diagnostics else "--publish-statistics"
         raise UsageError(
@@ -53,6 +53,15 @@ def publish_through(
         _Watched(session), reference, platform.node(), diagnostics=publishes.diagnostics, rated=bool(publishes.rated)
     )
     return _Publishing(turns, lines, session).take
+
+
+def unpublished(sources: Sequence[object]) -> int:
+    """Return how many messages the observers among ``sources`` should have published and did not get."""
+    return sum(line.lost for line in _downlinks(sources))
+
+
+def _downlinks(sources: Sequence[object]) -> list[Downlink]:
+    return [source.downlink for source in sources if isinstance(source, ChildSource) and source.downlink is not None]
 
 
 class _Watched:

@@ -215,17 +215,25 @@ def _gaps_between(entries: list[Entries], size: int, overhead: int) -> list[Ints
     # Those of each channel mostly rise already, and a stable sort merges what is sorted.
     order = np.argsort(offsets, kind="stable")
     ordered = offsets[order]
+    gaps = np.empty_like(offsets)
+    np.subtract(ordered[1:], ordered[:-1], out=gaps[:-1])
+    gaps[-1] = max(size - int(ordered[-1]), 0)
+    gaps -= overhead
+    np.maximum(gaps, 0, out=gaps)
     sizes = np.empty_like(offsets)
-    sizes[order[:-1]] = ordered[1:] - ordered[:-1]
-    sizes[order[-1]] = max(size - int(ordered[-1]), 0)
-    sizes -= overhead
-    return _parted(np.maximum(sizes, 0, out=sizes), entries)
+    sizes[order] = gaps
+    return _parted(sizes, entries)
 
 
 def _parted(numbers: Ints, entries: list[Entries]) -> list[Ints]:
     """Cut numbers of all entries into those of each."""
-    ends = np.cumsum([len(entry.times) for entry in entries]).tolist()
-    return [numbers[end - len(entry.times) : end] for entry, end in zip(entries, ends, strict=True)]
+    parts = []
+    begin = 0
+    for entry in entries:
+        end = begin + len(entry.times)
+        parts.append(numbers[begin:end])
+        begin = end
+    return parts
 
 
 def _defining(chunks: Sequence[Chunk]) -> set[int]:

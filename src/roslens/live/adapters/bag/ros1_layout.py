@@ -77,13 +77,12 @@ def operation(fields: dict[str, bytes]) -> int:
 class _Form(NamedTuple):
     """How the header of an index record is written: those of a bag differ in two numbers alone.
 
-    ``around`` is what stands before, between and behind the numbers, of which ``first`` and ``second`` are the places;
-    ``turned`` says that the count comes first.
+    ``around`` is what stands before, between and behind the numbers; ``parts`` reads these, the numbers between them,
+    and the length of the content; ``turned`` says that the count comes first.
     """
 
     around: tuple[bytes, bytes, bytes]
-    first: int
-    second: int
+    parts: struct.Struct
     turned: bool
 
     @classmethod
@@ -94,24 +93,19 @@ class _Form(NamedTuple):
             return None
         channel, count = head.index(b"conn=") + 5, head.index(b"count=") + 6
         first, second = min(channel, count), max(channel, count)
-        return cls((head[:first], head[first + 4 : second], head[second + 4 :]), first, second, first == count)
+        around = head[:first], head[first + 4 : second], head[second + 4 :]
+        parts = struct.Struct("<{}sI{}sI{}sI".format(*map(len, around)))
+        return cls(around, parts, first == count)
 
     def read(self, region: bytes, at: int) -> tuple[int, int, int, int] | None:
         """Return channel, count, and start and length of the content, of a record of this form; None if it is none."""
-        before, between, behind = self.around
-        end = at + self.second + 4 + len(behind)
-        if (
-            end + 4 > len(region)
-            or not region.startswith(before, at)
-            or not region.startswith(between, at + self.first + 4)
-            or not region.startswith(behind, at + self.second + 4)
-        ):
+        start = at + self.parts.size
+        if start > len(region):
             return None
-        first, second = _U32.unpack_from(region, at + self.first)[0], _U32.unpack_from(region, at + self.second)[0]
-        length = _U32.unpack_from(region, end)[0]
-        if length > len(region) - end - 4:
+        before, first, between, second, behind, length = self.parts.unpack_from(region, at)
+        if (before, between, behind) != self.around or length > len(region) - start:
             return None
-        return (second, first, end + 4, length) if self.turned else (first, second, end + 4, length)
+        return (second, first, start, length) if self.turned else (first, second, start, length)
 
 
 class Ros1Layout:
@@ -163,8 +157,10 @@ class Ros1Layout:
         if not pieces:
             return []
         table = np.frombuffer(b"".join([piece for _, piece in pieces]), "<u4").reshape(-1, 3)
-        times = table[:, 0] * np.int64(_SECOND)
-        times += table[:, 1]
+        # Made wide before it is computed with: to compute across widths takes three times as long.
+        times = table[:, 0].astype(np.int64)
+        times *= _SECOND
+        times += table[:, 1].astype(np.int64)
         return cut([(channel, len(piece) // 12) for channel, piece in pieces], times, table[:, 2].astype(np.int64))
 
     def locate(self, content: Bytes, offsets: Ints) -> tuple[Ints, Ints] | None:

@@ -126,7 +126,10 @@ class Steps:
     def _tallies(self, lane: Lane, times: Ints, sizes: Ints, stamps: Ints | None, last: int | None) -> dict[int, Tally]:
         numbers, edges = self._parted(times)
         ends = np.append(edges[1:], len(times)) - 1
-        of_gaps, gap_edges, gaps = numbers, edges, np.diff(times, prepend=times[0] if last is None else last)
+        of_gaps, gap_edges = numbers, edges
+        gaps = np.empty_like(times)
+        np.subtract(times[1:], times[:-1], out=gaps[1:])
+        gaps[0] = 0 if last is None else int(times[0]) - last
         if last is None:  # the first of all has nothing before it
             gaps = gaps[1:]
             gap_edges = np.maximum(edges - 1, 0)

@@ -4,7 +4,7 @@ import pytest
 
 from roslens.cli.graph_source import GraphSource, arguments_of
 from roslens.model.errors import UsageError
-from roslens.source.settings import SourceSettings
+from roslens.source.settings import SourceSettings, WorkspaceSettings
 
 EXAMPLE = str(Path(__file__).parents[2] / "examples" / "workspace")
 
@@ -62,3 +62,12 @@ def test_the_generation_of_a_launch_file_is_told_by_its_content(tmp_path, name, 
     (tmp_path / name).write_text(content)
     with source(str(tmp_path)) as found:
         assert found.launched(name, {}).generation == generation
+
+
+def test_the_environment_of_the_robot_is_that_of_the_settings(tmp_path):
+    (tmp_path / "package.xml").write_text("<package><name>a</name></package>")
+    launch = tmp_path / "a.launch"
+    launch.write_text('<launch><node pkg="a" type="b" name="$(env ROBOT)" if="$(optenv THERE 0)"/></launch>')
+    settings = SourceSettings(workspace=WorkspaceSettings(environment={"ROBOT": "r1", "THERE": "1"}))
+    with GraphSource(str(tmp_path), settings, "roslens.toml", {}) as found:
+        assert [node.name for node in found.launched(str(launch), {}).nodes] == ["/r1"]

@@ -73,13 +73,19 @@ def told(pair: Pair, side: int, clones: Path, folder: Path) -> Told:
     launch.write_text(f"<launch>\n{pair.launch.replace('{program}', pair.programs[side])}</launch>\n")
     checked = _run(folder, launch, "--check", "--fail-on", "never")
     findings = {(one["rule"], one["entity"]): one["severity"] for one in checked}
-    (graph,) = _run(folder, launch)["configurations"]
+    graph = read_graph(folder, launch)
     roles: dict[str, set[str]] = {}
     for node in graph["nodes"]:
         for one in node.get("endpoints", ()):
             roles.setdefault(one["endpoint"]["name"], set()).add(one["endpoint"]["role"])
     both = {name for name, found in roles.items() if {"publisher", "subscription"} <= found}
     return Told(findings, frozenset(both))
+
+
+def read_graph(folder: Path, launch: Path, *options: str) -> Any:
+    """Return the graph of a launch file as JSON."""
+    (graph,) = _run(folder, launch, *options)["configurations"]
+    return graph
 
 
 def _run(folder: Path, launch: Path, *options: str) -> Any:

@@ -108,7 +108,7 @@ class GraphSource:
         key = (path, tuple(sorted(arguments.items())))
         if key not in self._evaluated:
             evaluate = evaluate_ros1 if self._is_ros1(path) else evaluate_ros2
-            self._evaluated[key] = evaluate(path, self.facts.files, arguments, None)
+            self._evaluated[key] = evaluate(path, self.facts.files, arguments, self.settings.workspace.environment)
         return path, self._evaluated[key]
 
     def packages(self, names: Sequence[str]) -> tuple[Configuration, ...]:

@@ -10,7 +10,7 @@ class WorkspaceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
 
     Patterns are globs on the path below the workspace root, with ``**`` for any depth; one without ``/`` matches at
     any depth. A pattern that matches a folder matches all below. ``own`` wins over the other roles.
-    ``environment`` is what conditions of manifests (REP-149) see.
+    ``environment`` is what conditions of manifests (REP-149) and launch files (``$(env X)``) see.
     """
 
     ignore: tuple[str, ...] = ()

@@ -1,3 +1,6 @@
+import pytest
+
+
 def test_the_name_is_said_by_the_caller(node_of):
     facts = node_of(
         'make("left");\nmake("right");',
@@ -74,3 +77,13 @@ int main(int argc, char ** argv) { ros::init(argc, argv, "a"); A a; }
 """
     facts = next(one for one in units(a_cpp=text) if one.unit == "main")
     assert [(str(one.name), one.type.known) for one in facts.endpoints] == [("go", "demo/Go")]
+
+
+@pytest.mark.parametrize(
+    "script",
+    ["import pkg.lib\npkg.lib.main([])\n", "from pkg import lib\nlib.main([])\n", "import lib\nlib.main([])\n"],
+)
+def test_a_function_of_a_module(units, script):
+    module = "import rospy\ndef main(words):\n    rospy.Publisher('said', String, queue_size=1)\n"
+    found = {one.path: [str(end.name) for end in one.endpoints] for one in units(lib_py=module, run_py=script)}
+    assert found["pkg/run.py"] == ["said"]

@@ -107,3 +107,12 @@ def test_what_is_missing_of_a_description_is_told():
         "a.launch", Written(f'<node pkg="gazebo_ros" type="gzserver" name="g"/>{DESCRIBE}{SPAWN}', "<xacro:arm/>")
     )
     assert [(one.text, one.evidence.path) for one in launch.unresolved] == [("xacro:arm", "robot/r.xacro")]
+
+
+def test_the_command_may_come_from_an_argument():
+    laser = plugin("gazebo_ros_laser", "<topicName>scan</topicName>")
+    describe = (
+        '<arg name="c" value="xacro.py \'$(find robot)/r.xacro\'"/><param name="robot_description" command="$(arg c)"/>'
+    )
+    launch = f'{describe}{SPAWN}<node pkg="gazebo_ros" type="gzserver" name="gazebo"/>'
+    assert names(evaluate_ros1("a.launch", Written(launch, laser)).nodes[-1]) == ["/scan"]

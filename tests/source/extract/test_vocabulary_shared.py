@@ -52,3 +52,10 @@ def test_the_name_of_an_endpoint(main_of):
     body = 'auto p = nh.advertise<std_msgs::String>("a", 1);\n'
     body += 'auto q = nh.advertise<std_msgs::String>(p.getTopic() + "b", 1);'
     assert [str(one.name) for one in main_of(body).endpoints] == ["a", "ab"]
+
+
+@pytest.mark.parametrize("made", ["it.reset(new {0}(nh));", "it = boost::shared_ptr<{0}>(new {0}(nh));"])
+def test_what_a_pointer_is_given(main_of, made):
+    kind = "image_transport::ImageTransport"
+    facts = main_of(f'boost::shared_ptr<{kind}> it; {made.format(kind)}\nauto p = it->advertise("image", 1);')
+    assert [str(one.name) for one in facts.endpoints] == ["image"]

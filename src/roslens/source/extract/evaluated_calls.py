@@ -9,7 +9,7 @@ from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, U
 from roslens.source.extract.evaluated_expressions import Expressions
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.plain_methods import plain_method
-from roslens.source.extract.program import Call, Function, Member, Name
+from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, find_method, find_outer
@@ -31,10 +31,21 @@ _CASTS = frozenset(
      "std.static_pointer_cast", "move", "static_cast", "dynamic_cast", "std.const_pointer_cast",
      "std.make_optional", "std.addressof"}
 )  # fmt: skip
+_OWNERS = frozenset(
+    {f"{space}{kind}_ptr" for space in ("std.", "boost.", "") for kind in ("shared", "unique", "scoped")}
+)
 _FROM_THIS = frozenset({"shared_from_this", "weak_from_this"})
 _BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.bind_front"})
 _TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
 _WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
+
+
+def _dotted(expression: Expression) -> str:
+    """Return names joined by dots as they are written; empty where something else is among them."""
+    if isinstance(expression, Name):
+        return expression.name
+    before = _dotted(expression.of) if isinstance(expression, Member) else ""
+    return f"{before}.{expression.name}" if before and isinstance(expression, Member) else ""
 
 
 class Calls(Expressions):
@@ -59,7 +70,7 @@ class Calls(Expressions):
         if name in _POINTERS and templates:
             kind, inside = type_name(templates[0])
             return engine.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
-        if name in _CASTS and arguments:
+        if (name in _CASTS and arguments) or (name in _OWNERS and len(arguments) == 1):
             return arguments[0]
         if name in _TEXTS and arguments:
             return as_text(arguments[0])
@@ -144,7 +155,7 @@ class Calls(Expressions):
         if of_super and isinstance(of, Obj):
             return self._of_base(of, name, arguments, keywords)
         if isinstance(of, Named):
-            return self.outer(f"{of.name}.{name}", expression, arguments, keywords, (*of.templates, *templates))
+            return self._of_module(of, expression, function, arguments, keywords, templates)
         if isinstance(of, Class):
             return self._of_class(of, expression, name, arguments, keywords)
         if isinstance(of, Obj):
@@ -164,6 +175,17 @@ class Calls(Expressions):
             for one in arguments:
                 engine.called_outer(one)
         return found
+
+    def _of_module(
+        self, of: Named, expression: Call, function: Member, arguments: list[Any], keywords: dict[str, Any],
+        templates: tuple[str, ...],
+    ) -> Any:  # fmt: skip
+        """Call a function of a module of the workspace (``import package.module``), or something outside of it."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        inside = engine.function(_dotted(function), len(arguments) + len(keywords))
+        if inside is not None:
+            return self._apply(inside, expression, arguments, keywords, templates)
+        return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, (*of.templates, *templates))
 
     def _of_base(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """Call a method of the next class after the one that is evaluated."""

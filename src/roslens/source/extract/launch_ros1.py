@@ -6,6 +6,7 @@ everything else of the file is still read.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
@@ -301,7 +302,7 @@ class _File:
             if source in given:
                 text = substitute(given[source], self._scope)
                 hole = f"output of {text}" if source == "command" else f"content of {text}"
-                words = self._words(given[source]) if source == "command" else (Text.of("cat"), text)
+                words = _split(text) if source == "command" else (Text.of("cat"), text)
                 return Setting(name, unknown(hole), self._place(element), "string", words=words)
         self._miss(element, f"<param name={name}>", "it has no value; expected value, textfile, binfile or command")
         return None
@@ -382,6 +383,17 @@ _TAGS: dict[str, Callable[[_File, Element, _Space, list[Remap]], tuple[Setting, 
     "node": _File.node,
     "test": _File.node,
 }
+
+
+def _split(text: Text) -> tuple[Text, ...]:
+    """Return the words of a command line; what is unknown is part of a word."""
+    words = [Text()]
+    for part in text.parts:
+        for number, piece in enumerate(re.split(r"\s+", part) if isinstance(part, str) else (part,)):
+            if number and words[-1].parts:
+                words.append(Text())
+            words[-1] = Text.of(words[-1], piece)
+    return tuple(word for word in words if word.parts)
 
 
 def _below(prefix: str, name: Text) -> Text:

@@ -19,7 +19,7 @@ from roslens.source.extract.abstract_value import (
     Unknown,
     as_text,
 )
-from roslens.source.extract.interface_name import included_interface, interface_name, of_generation
+from roslens.source.extract.interface_name import included_interface, interface_name, lower_interface, of_generation
 from roslens.source.extract.node_facts import EndpointFact, Evidence, ParameterFact, Sure, TimerFact
 from roslens.source.extract.program import Call, Name
 from roslens.source.extract.text import Hole, Text, unknown
@@ -139,6 +139,8 @@ def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Tex
         name = included_interface(written, engine.index.programs[engine.frame.path])
     if not name:
         name = _in_scope(engine, written, KINDS[role])
+    if not name:
+        name = lower_interface(written, engine.index.headers)
     return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import msgspec
 
@@ -105,6 +105,11 @@ class Index:
                 self._aliases.setdefault(alias, meaning)
         for declared in program.declarations:
             self._declared.setdefault(declared.qualified_name, declared)
+
+    @cached_property
+    def headers(self) -> frozenset[str]:
+        """All that is included anywhere, without brackets."""
+        return frozenset(name.strip('<>"') for one in self.programs.values() for name, _line in one.includes)
 
     def _add_classes(self, path: str, program: Program, before: str) -> None:
         for one in program.classes:

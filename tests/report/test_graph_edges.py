@@ -13,7 +13,7 @@ def test_nodes_and_things_are_joined(graph):
     assert ways["/listener", "/chatter"] == (False, True, False, True)
     assert ways["/listener", "/go"] == (True, True, False, False)
     assert ways["/ns/talker", "/reset"] == (False, True, True, False)
-    assert ways["/ns/talker", "/in/*"] == (True, False, False, False)
+    assert ways["/ns/talker", "/in/* of /ns/talker"] == (True, False, False, False)
 
 
 def test_namespaces():

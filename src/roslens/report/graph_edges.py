@@ -56,7 +56,9 @@ def things_of(configuration: Configuration) -> tuple[tuple[Drawn, ...], tuple[Li
 def _line(node: str, one: ConfiguredEndpoint) -> Line:
     role = one.endpoint.role
     likely = one.proof.sure != "certain"
-    return Line(node, _KINDS[role], one.endpoint.name, role in _OUT, one.resolved, bool(one.conditions), likely)
+    # Names that are not known in full may be any; two nodes are not joined by both being unknown.
+    thing = one.endpoint.name if one.resolved else f"{one.endpoint.name} of {node}"
+    return Line(node, _KINDS[role], thing, role in _OUT, one.resolved, bool(one.conditions), likely)
 
 
 def _surer(first: Line, second: Line) -> Line:

@@ -8,7 +8,8 @@ import msgspec
 import pytest
 
 from roslens.dashboard.computation.system import Kind, System, namespace_of, relative, systems_of
-from roslens.model.configuration import Configuration
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
+from roslens.model.graph import Endpoint, Role
 
 
 @pytest.fixture(scope="module")
@@ -43,6 +44,16 @@ def test_an_element_says_how_sure_it_is(system: System) -> None:
     assert system.elements[named(system, "/navigation/debug/costs")].resolved
     assert system.elements[named(system, "/scan")].severity == "error"
     assert [one.rule for one in system.findings_on(system.elements[named(system, "/mission")])] == ["graph.clock"]
+
+
+def test_names_that_are_not_known_in_full_join_no_nodes() -> None:
+    def node(name: str, role: Role) -> ConfiguredNode:
+        end = ConfiguredEndpoint(Endpoint(name, role, "/*"), Proof("a.py", 1), resolved=False)
+        return ConfiguredNode(name, Proof("a.py", 1), endpoints=(end, end))
+
+    one = System("s", Configuration("c", "ros2", (node("/a", Role.PUBLISHER), node("/b", Role.SUBSCRIPTION))))
+    assert [element.key for element in one.elements] == ["node/a", "node/b", "topic/*", "topic/*~2"]
+    assert [(wire.source, wire.target) for wire in one.wires] == [(0, 2), (3, 1)]
 
 
 def test_what_every_node_has_is_told_apart(system: System) -> None:

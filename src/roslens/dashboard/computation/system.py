@@ -140,20 +140,25 @@ class System:
             self.elements.append(msgspec.structs.replace(element, severity=self._severity(element)))
 
     def _add_channels(self) -> None:
-        found: dict[tuple[str, str], list[tuple[int, ConfiguredEndpoint]]] = {}
+        found: dict[tuple[str, str, int], list[tuple[int, ConfiguredEndpoint]]] = {}
         for number, node in enumerate(self.nodes):
             for one in node.endpoints:
                 word = KIND_OF_ROLE[one.endpoint.role].value
-                found.setdefault((one.endpoint.name, word), []).append((number, one))
-        for (name, word), users in sorted(found.items(), key=lambda item: item[0]):
+                # Names that are not known in full may be any; two nodes are not joined by both being unknown.
+                owner = -1 if one.resolved else number
+                found.setdefault((one.endpoint.name, word, owner), []).append((number, one))
+        taken: dict[str, int] = {}
+        for (name, word, _), users in sorted(found.items(), key=lambda item: item[0]):
             kind = Kind(word)
+            key = f"{word}/{name.strip('/')}"
+            taken[key] = taken.get(key, 0) + 1
             noise = kinds_of_noise(name)
             if all(one.implicit for _, one in users):
                 noise = (IMPLICIT, *noise)
             element = Element(
                 kind,
                 name,
-                f"{word}/{name.strip('/')}",
+                key if taken[key] == 1 else f"{key}~{taken[key]}",
                 self._lane(name),
                 sure=_least_sure([one for _, one in users]),
                 conditional=all(one.conditions or self.nodes[node].conditions for node, one in users),

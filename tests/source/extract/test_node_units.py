@@ -124,3 +124,22 @@ def test_each_further_node_does_what_its_class_does(units):
         ("one", 1),
         ("two", 1),
     ]
+
+
+def test_a_managed_node_that_its_own_program_makes_is_followed_until_it_is_active(index_of):
+    text = """
+import rclpy
+from rclpy.lifecycle import LifecycleNode
+from std_msgs.msg import String
+class A(LifecycleNode):
+    def __init__(self):
+        super().__init__('a')
+    def on_configure(self, state):
+        self.create_lifecycle_publisher(String, 'b', 1)
+def main():
+    rclpy.spin(A())
+if __name__ == '__main__':
+    main()
+"""
+    (facts,) = facts_of_module(index_of(a_py=text), "pkg/a.py", "main")
+    assert [one.name.known for one in facts.endpoints] == ["b"]

@@ -22,3 +22,41 @@ def test_a_depth_that_a_parameter_decides(node_of):
     body = 'int depth = declare_parameter("depth", 5);\n'
     (one,) = node_of(body + 'pub_ = create_publisher<std_msgs::msg::String>("a", rclcpp::QoS(depth));').endpoints
     assert "depth" in one.qos_unknown
+
+
+def python_endpoints(units, *lines):
+    text = """
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.qos import QoSPresetProfiles, QoSProfile
+from rclpy.qos_overriding_options import QoSOverridingOptions
+from std_msgs.msg import String
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+"""
+    (facts,) = units(a_py=text + "".join(f"        {line}\n" for line in lines))
+    return facts.endpoints
+
+
+def test_a_profile_of_rclpy_by_its_name(units):
+    (one,) = python_endpoints(units, "self.create_publisher(String, 'a', QoSPresetProfiles.SENSOR_DATA.value)")
+    assert (one.qos.reliability, one.qos.depth, one.qos_unknown) == ("best_effort", 5, "")
+
+
+def test_a_deadline_that_is_no_number_is_unknown_and_not_none(units):
+    (one,) = python_endpoints(
+        units, "self.create_publisher(String, 'a', QoSProfile(depth=1, deadline=Duration(seconds=0.5)))"
+    )
+    assert (one.qos.reliability, one.qos_unknown) == ("reliable", "its deadline is not known")
+
+
+def test_what_parameters_may_override_is_not_certain(units):
+    options = "qos_overriding_options=QoSOverridingOptions.with_default_policies()"
+    (one, other) = python_endpoints(
+        units, f"self.create_publisher(String, 'a', 10, {options})",
+        f"self.create_subscription(String, 'b', print, 10, {options})",
+    )  # fmt: skip
+    for end in (one, other):
+        assert (end.qos.reliability, end.qos.durability, end.qos.depth) == ("", "volatile", 0)
+        assert "qos_overrides" in end.qos_unknown

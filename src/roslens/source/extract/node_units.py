@@ -146,9 +146,23 @@ def facts_of_module(index: Index, path: str, function: str = "", reached: Reache
                     block(engine, statement.then)
                 elif isinstance(statement, Evaluate):
                     engine.value(statement.expression)
+        _run_lifecycle(engine)
         _run_callbacks(engine)
 
     return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
+
+
+def _run_lifecycle(engine: Evaluation) -> None:
+    """Run what managed nodes do before they are active: nobody in their own program asks for it."""
+    for one in [made for made in engine.made if made.node is not None and made.node.kind == "lifecycle"]:
+        outer, engine.node = engine.node, one.node or engine.node
+        try:
+            for name in _FIRST[:2]:
+                method = engine.method(one, name)
+                if method is not None:
+                    engine.call(method, [], {})
+        finally:
+            engine.node = outer
 
 
 def _is_main(branch: Branch) -> bool:

@@ -33,6 +33,16 @@ _PRESETS = {
     "rmw_qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
     "rmw_qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
 }
+_OF_RCLPY = {
+    "SENSOR_DATA": _PRESETS["qos_profile_sensor_data"],
+    "SYSTEM_DEFAULT": _PRESETS["qos_profile_system_default"],
+    "SERVICES_DEFAULT": _PRESETS["qos_profile_services_default"],
+    "PARAMETERS": _PRESETS["qos_profile_parameters"],
+    "PARAMETER_EVENTS": _PRESETS["qos_profile_parameter_events"],
+    "ACTION_STATUS_DEFAULT": Qos("reliable", "transient_local", "keep_last", 1),
+}
+"""Of rclpy.qos.QoSPresetProfiles."""
+_DURATIONS = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
 _WORDS = {
     "reliable": "reliable",
     "best_effort": "best_effort",
@@ -60,6 +70,9 @@ def quality_of(value: Any) -> Any:
         return QosValue(Qos("reliable", "volatile", "keep_last", value))
     if isinstance(value, Obj) and isinstance(value.fields.get("qos"), QosValue):
         return value.fields["qos"]
+    if isinstance(value, Named) and ".QoSPresetProfiles." in value.name:
+        known = _OF_RCLPY.get(value.name.removesuffix(".value").rpartition(".")[2])
+        return QosValue(known) if known is not None else None
     if isinstance(value, Named) and value.name.rpartition(".")[2] in _PRESETS:
         return QosValue(_PRESETS[value.name.rpartition(".")[2]])
     if isinstance(value, Text | Unknown):
@@ -93,7 +106,27 @@ def _from_words(called: Called) -> QosValue:
     for name, value in called.keywords.items():
         if name in ("reliability", "durability", "history", "liveliness"):
             base = _with(base, name, value)
+        elif name in _DURATIONS:
+            base = _lasting(base, name, value)
     return base
+
+
+def _lasting(base: QosValue, name: str, value: Any) -> QosValue:
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return QosValue(msgspec.structs.replace(base.qos, **{_DURATIONS[name]: float(value)}), base.unknown)
+    return QosValue(base.qos, f"its {name.replace('_', ' ')} is not known")
+
+
+def overridable(value: Any) -> Any:
+    """Return a quality of service whose usual policies parameters below ``qos_overrides`` may set otherwise.
+
+    These are history, depth and reliability, see QoSOverridingOptions.with_default_policies; which others may be
+    overridden is not looked at.
+    """
+    if not isinstance(value, QosValue):
+        return value
+    kept = msgspec.structs.replace(value.qos, reliability="", history="", depth=0)
+    return QosValue(kept, value.unknown or "parameters below qos_overrides may set it")
 
 
 def _with(base: QosValue, name: str, value: Any) -> QosValue:
@@ -157,7 +190,4 @@ def _refined(base: QosValue, called: Called) -> QosValue:
         return QosValue(msgspec.structs.replace(qos_, history="keep_last", depth=first), base.unknown)
     if name in ("reliability", "durability", "history", "liveliness") and first is not None:
         return _with(base, name, first)
-    fields = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
-    if name in fields and isinstance(first, int | float):
-        return QosValue(msgspec.structs.replace(qos_, **{fields[name]: float(first)}), base.unknown)
-    return base
+    return _lasting(base, name, first) if name in _DURATIONS else base

@@ -16,7 +16,7 @@ from roslens.model.wire import FrameReader
 
 QUIET_S = 3.0
 """A graph that stays as it is for so long is the whole of it."""
-PATIENCE_S, OF_EACH_S = 25.0, 3.0
+PATIENCE_S, OF_EACH_S = 30.0, 5.0
 """So long nodes may take to come, together and each."""
 
 

@@ -2,11 +2,11 @@ from launch import LaunchDescription
 from launch.actions import GroupAction
 from launch_ros.actions import LifecycleNode, Node, PushRosNamespace
 
-TOPICS = ["talker", "listener", "talker_qos", "listener_qos", "listener_serialized"]
+TOPICS = ["talker", "listener", "talker_qos", "listener_serialized"]
 
 
 def generate_launch_description():
-    apart = {"set_parameters_callback": "parameters", "introspection": "inspected", "matched_event_detect": "matched"}
+    apart = {"set_parameters_callback": "parameters", "introspection": "inspected"}
     return LaunchDescription(
         [
             *(Node(package="demo_nodes_py", executable=one) for one in TOPICS),
@@ -34,9 +34,5 @@ def generate_launch_description():
             ),
             Node(package="quality_of_service_demo_py", executable="qos_overrides_listener"),
             Node(package="quality_of_service_demo_py", executable="message_lost_listener"),
-            Node(package="quality_of_service_demo_py", executable="deadline", arguments=["600"]),
-            Node(package="quality_of_service_demo_py", executable="liveliness", arguments=["1000"], namespace="lively"),
-            Node(package="quality_of_service_demo_py", executable="incompatible_qos", arguments=["durability"]),
-            Node(package="topic_monitor", executable="data_publisher", arguments=["left"]),
         ]
     )

@@ -180,3 +180,20 @@ def test_what_follows_a_window_that_is_over_is_looked_at():
     assert not connection.envelope.takes(row_of(tally), Round())
     monitor.add_tally(tally)
     assert all(window.buckets for window in windows)
+
+
+def test_who_looks_later_than_the_last_tick_empties_windows_of_what_rests():
+    rules = {"expect": [{"id": "rate", "name": "/a", "quantity": "rate", "range": "15..30"}]}
+    monitor = Monitor(reference(rules), start=0.0)
+    *before, (end, tally) = list(traffic([(20.0, 100, 0.01, 0)] * 3, "/p"))
+    for until, one in before:
+        monitor.add_tally(one)
+        monitor.tick(until)
+    # As a page that is asked for while the watch is held up.
+    monitor.tree(end + 60)
+    (connection,) = monitor._world.connections.values()
+    assert connection.envelope is not None
+    assert not connection.envelope.windows[0].buckets
+    monitor.add_tally(tally)
+    monitor.tick(end)
+    assert [one.state.value for one in monitor.standing()] == ["ok"]

@@ -60,3 +60,40 @@ int main(int argc, char ** argv) { ros::init(argc, argv, "a"); A a; }
 """
     facts = next(one for one in units(a_cpp=text) if one.unit == "main")
     assert [str(one.name) for one in facts.endpoints] == ["helped", "~/own"]
+
+
+def test_what_follows_a_way_out_that_a_parameter_decides_keeps_the_condition(node_of):
+    facts = node_of(
+        'bool on = declare_parameter("on", true); bool other = read();\n'
+        'create_publisher<std_msgs::msg::String>("before", 1);\n'
+        "if (!on) { return; }\n"
+        'create_publisher<std_msgs::msg::String>("after", 1);\n'
+        'if (other) { create_publisher<std_msgs::msg::String>("inside", 1); }\n'
+        "if (other) { return; }\n"
+        'create_publisher<std_msgs::msg::String>("last", 1);'
+    )
+    assert [(str(one.name), one.conditions) for one in facts.endpoints] == [
+        ("before", ()),
+        ("after", ("on",)),
+        ("inside", ("on", "other")),
+        ("last", ("on",)),
+    ]
+
+
+def test_a_way_out_in_a_function_says_nothing_of_what_calls_it(node_of):
+    facts = node_of(
+        'bool on = declare_parameter("on", true); start(on);\ncreate_publisher<std_msgs::msg::String>("out", 1);',
+        "void start(bool on) { if (!on) { return; } throw_if(on);"
+        ' create_publisher<std_msgs::msg::String>("started", 1); }\n'
+        "bool check(bool on) { if (!on) { return false; } return true; }",
+    )
+    assert [(str(one.name), one.conditions) for one in facts.endpoints] == [("started", ("on",)), ("out", ())]
+
+
+def test_a_failure_is_no_way_out(node_of):
+    facts = node_of(
+        'bool on = declare_parameter("on", true); start(on);',
+        "bool start(bool on) { if (!on) { return false; }"
+        ' create_publisher<std_msgs::msg::String>("started", 1); return true; }',
+    )
+    assert [(str(one.name), one.conditions) for one in facts.endpoints] == [("started", ())]

@@ -18,6 +18,7 @@ from roslens.source.extract.program import (
     Loop,
     Member,
     Name,
+    Operation,
     Return,
     Sequence,
     Statement,
@@ -90,11 +91,16 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
 
 def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
     """Follow statements in order."""
-    for statement in body:
-        engine.step()
-        _STATEMENTS[type(statement)](engine, statement)
-        if engine.frame.returned or engine.frame.stopped:
-            return
+    frame, before = engine.frame, len(engine.conditions)
+    try:
+        for statement in body:
+            engine.step()
+            _STATEMENTS[type(statement)](engine, statement)
+            if frame.returned or frame.stopped:
+                return
+    finally:
+        frame.passed -= len(engine.conditions) - before
+        del engine.conditions[before:]
 
 
 def _assigned(engine: Evaluation, statement: Assign) -> None:
@@ -144,7 +150,7 @@ def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
     whole = "" if name in frame.names else engine.index.global_name(name, frame.path, frame.scope)
     if not whole:
         frame.names[name] = value
-    elif engine.conditions:
+    elif len(engine.conditions) > frame.passed:
         engine.globals.setdefault(whole, engine.value(Name(name)))
         join(engine.globals, {whole: value}, engine.conditions[-1])
     else:
@@ -160,14 +166,15 @@ def _is_field(engine: Evaluation, thing: Obj, name: str) -> bool:
 def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
     engine.value(statement.expression)
     called = statement.expression.function if isinstance(statement.expression, Call) else None
-    if called == Name("throw") and len(engine.conditions) > engine.frame.depth:
+    if called == Name("throw") and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
         # Elsewhere a condition that is taken for true may be none: nothing is left out for its sake.
-        engine.frame.returned = True
+        engine.frame.returned, engine.frame.plainly = True, False
 
 
 def _returned(engine: Evaluation, statement: Return) -> None:
     value = None if statement.value is None else engine.value(statement.value)
     engine.frame.give(value, " and ".join(engine.conditions[engine.frame.depth :]))
+    engine.frame.plainly = value is None or value is True or (value == 0 and value is not False)
 
 
 def _branched(engine: Evaluation, statement: Branch) -> None:
@@ -185,7 +192,9 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
         otherwise = "an exception"
     else:
         returned = _noted(engine, written, statement.then)
-        otherwise = f"not {written}"
+        plain = written.startswith("not ") and " and " not in written and " or " not in written
+        otherwise = written.removeprefix("not ") if plain else f"not {written}"
+    plainly = engine.frame.plainly
     after = engine.frame.snapshot()
     engine.frame.restore(before)
     engine.frame.returned = engine.frame.stopped = False
@@ -196,6 +205,18 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     elif left is returned:
         engine.frame.join(after, written)
     engine.frame.returned = returned and left
+    if returned and not left and plainly and _asks_parameter(engine, statement.condition):
+        # What follows is reached only where the function was not left.
+        engine.conditions.append(otherwise)
+        engine.frame.passed += 1
+
+
+def _asks_parameter(engine: Evaluation, condition: Expression) -> bool:
+    """Whether a parameter decides a condition: other reasons to leave are mostly that all is done, or lost."""
+    if isinstance(condition, Operation):
+        return any(_asks_parameter(engine, one) for one in condition.operands)
+    value = engine.value(condition) if isinstance(condition, Name | Member) else None
+    return isinstance(value, Text) and any(hole.parameter for hole in value.holes)
 
 
 def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> bool:

@@ -24,6 +24,8 @@ class Frame:
         stopped: whether the loop around was left.
         result: what it returned.
         depth: conditions around the call, of which a return in it does not depend.
+        passed: how many of the conditions hold because the function was not left before.
+        plainly: whether the last return told no failure.
     """
 
     def __init__(self, path: str, scope: str, self_: Any = None, names: dict[str, Any] | None = None) -> None:
@@ -36,6 +38,8 @@ class Frame:
         self.stopped = False
         self.result: Any = None
         self.depth = 0
+        self.passed = 0
+        self.plainly = False
         self._given = ""
 
     def give(self, value: Any, condition: str) -> None:

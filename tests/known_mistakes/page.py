@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from known_mistakes.golden import KINDS, systems
 from known_mistakes.pairs import ROOT, Pair, pairs
 
 PAGE = ROOT / "docs" / "known_mistakes.md"
@@ -16,6 +17,14 @@ A mistake counts as found when a finding stands on the entity that it is about i
 rule on it in the fixed one. Both are read from source as they are in the history: nothing is built, run or patched.
 
 """
+
+
+_TOGETHER = (
+    "A mistake is one of a system, and the data set names its launch files. Where the other end is in a program",
+    "without public source, the node that stands for it is known from the catalogue; where a launch file of that",
+    "time is gone, its nodes are named. Repositories that were one per package stand beside each other at commits",
+    "of the same time.",
+)
 
 
 def page() -> str:
@@ -34,17 +43,38 @@ def page() -> str:
         "",
         *(f"- **{one.id}**: {one.why}" for one in rows if not one.reported),
         "",
-        "## What runs together",
-        "",
-        "A mistake is one of a system, and the data set names its launch files. Where the other end is in a program",
-        "without public source, the node that stands for it is known from the catalogue; where a launch file of that",
-        "time is gone, its nodes are named. Repositories that were one per package stand beside each other at commits",
-        "of the same time.",
-        "",
     ]
+    lines += _golden()
+    lines += ["## What runs together", "", *_TOGETHER, ""]
     for one in found:
         lines += [f"{one.id}{_beside(one)}:", "", "```xml", one.launch.rstrip("\n"), "```", ""]
     return _HEAD + "\n".join(lines).rstrip("\n") + "\n"
+
+
+def _golden() -> list[str]:
+    """Return the lines about graphs of running robots."""
+    lines = [
+        "## Graphs of running robots",
+        "",
+        "The data set has the graphs of three robots as they ran in simulation. Of what was *observed*, source and",
+        "launch files say what is *found*; *right* are those facts of all that is *said* without a condition. Names",
+        "and types have to be the same. Left out are the recorder, what every node has, `/clock`, bonds and transports",
+        "of images. Most nodes of these robots have no source in the workspace: what is known of them is what the",
+        "catalogue has.",
+        "",
+        "| robot | kind | observed | found | said | right |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for one in systems():
+        for kind in KINDS:
+            if seen := one.seen.get(kind, 0):
+                numbers = [seen, *(counted.get(kind, 0) for counted in (one.found, one.said, one.right))]
+                cells = " | ".join(str(number) for number in numbers)
+                lines.append(f"| {one.id} | {kind.replace('_', ' ')} | {cells} |")
+    lines += ["", "What is missing or too much:", ""]
+    for one in systems():
+        lines += [f"- **{one.id}**: {why}" for why in one.why]
+    return [*lines, ""]
 
 
 def _row(one: Pair) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from known_mistakes.checkout import check_out
+from known_mistakes.golden import KINDS, counts, observed, read, systems
 from known_mistakes.page import PAGE, page
 from known_mistakes.pairs import missing, pairs, told
 
@@ -59,3 +60,16 @@ def test_a_mistake_is_told_and_its_correction_is_not(pair, tmp_path):
         assert pair.joined not in buggy.joined
     else:
         assert set(buggy.findings) == set(fixed.findings), "it is found now: the table can say so"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("system", systems(), ids=lambda one: one.id)
+def test_of_a_running_robot_source_says_what_the_table_has(system, tmp_path):
+    clones = Path(os.environ.get("ROSLENS_CORPORA", ""))
+    absent = [name for name in (*system.trees, "rosdiscover-evaluation") if not (clones / name).is_dir()]
+    if not clones.name or absent:
+        pytest.skip(f"ROSLENS_CORPORA names no folder with {', '.join(absent)}")
+    seen = observed(system, clones)
+    every, sure = read(system, clones, tmp_path)
+    table = [{kind: told.get(kind, 0) for kind in KINDS} for told in (system.seen, system.found, system.right)]
+    assert [counts(seen), counts(seen & every), counts(seen & sure)] == table

@@ -23,6 +23,15 @@ def test_one_library_or_several():
     ]
 
 
+def test_libraries_without_an_element_around_them():
+    text = b'<?xml version="1.0"?>\n<library path="a"><class type="n::A"/></library>\n'
+    text += b'<library path="b"><class type="n::B"/></library>'
+    classes, unresolved = read_plugins(text, "p.xml")
+    told = [(found.name, found.library, found.evidence.line) for found in classes]
+    assert told == [("n::A", "a", 2), ("n::B", "b", 3)]
+    assert not unresolved
+
+
 def test_what_is_broken_is_said():
     classes, unresolved = read_plugins(b'<library path="a"><class type="n::A"/><class/><class', "p.xml")
     assert [found.name for found in classes] == ["n::A"]

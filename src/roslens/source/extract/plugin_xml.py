@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from posixpath import basename
 
 import msgspec
@@ -10,6 +11,8 @@ from roslens.source.extract.files import joined
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.workspace.elements import Document, Element, read_elements
+
+_DECLARATION = re.compile(rb"\A\s*<\?xml[^>]*\?>")
 
 
 class PluginClass(msgspec.Struct, frozen=True):
@@ -45,7 +48,7 @@ def read_plugins(content: bytes, path: str) -> tuple[tuple[PluginClass, ...], tu
         content: of the file.
         path: of the file, for evidence.
     """
-    document = read_elements(content)
+    document = _document(content)
     classes: list[PluginClass] = []
     failed = [
         Unresolved(fault.what, _place(document, fault.offset, path), "XML that is broken") for fault in document.faults
@@ -64,6 +67,19 @@ def read_plugins(content: bytes, path: str) -> tuple[tuple[PluginClass, ...], tu
             parent = element.attributes.get("base_class_type", "")
             classes.append(PluginClass(loaded, kind, parent, name, evidence))
     return tuple(classes), tuple(failed)
+
+
+def _document(content: bytes) -> Document:
+    """Return a description; several libraries may stand one after the other without an element around them.
+
+    pluginlib reads them so (class_loader_imp.hpp), although no document of XML may have more than one root.
+    """
+    document = read_elements(content)
+    if not document.faults or document.root is None or document.root.tag != "library":
+        return document
+    # The declaration gives its place to the element, so that what follows keeps its line.
+    whole = read_elements(b"<class_libraries>" + _DECLARATION.sub(b"", content, count=1) + b"</class_libraries>")
+    return document if whole.faults else whole
 
 
 def exported_descriptions(content: bytes, path: str) -> tuple[Described, ...]:

@@ -32,7 +32,7 @@ def told(**counted):
 
 
 def talk(node):
-    typed, raw = (node.create_publisher(Header, topic, QoSProfile(depth=100)) for topic in (TYPED, RAW))
+    typed, raw = (node.create_publisher(Header, topic, QoSProfile(depth=MESSAGES)) for topic in (TYPED, RAW))
     begin = time.monotonic()
     while min(typed.get_subscription_count(), raw.get_subscription_count()) < 1:
         if time.monotonic() - begin > PATIENCE:
@@ -67,8 +67,8 @@ def listen(node):
         taken[RAW] += 1
         taken["size"] += len(whole)
 
-    node.create_subscription(Header, TYPED, take_typed, QoSProfile(depth=100))
-    node.create_subscription(Header, RAW, take_raw, QoSProfile(depth=100), raw=True)
+    node.create_subscription(Header, TYPED, take_typed, QoSProfile(depth=MESSAGES))
+    node.create_subscription(Header, RAW, take_raw, QoSProfile(depth=MESSAGES), raw=True)
     client = node.create_client(GetParameters, "talker/get_parameters") if CALLS else None
     begin = time.monotonic()
     while not taken[TYPED] and time.monotonic() - begin < PATIENCE:

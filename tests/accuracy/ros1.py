@@ -62,7 +62,8 @@ def record(system: System, workspace: Path, folder: Path, port: int = 0) -> Grap
             graph = observe([*command, "--parameters"], {**os.environ}, system.nodes + 1)
         except NotThereError as error:
             raise NotThereError(f"{system.name}: {error}\n{processes.told()}") from None
-        return _without_master(kept(_with_checksums(graph, xmlrpc.client.ServerProxy(master))))
+        with xmlrpc.client.ServerProxy(master) as proxy:
+            return _without_master(kept(_with_checksums(graph, proxy)))
 
 
 def _executable(workspace: Path) -> None:
@@ -83,8 +84,9 @@ def _wait_for(master: str) -> None:
     end = time.monotonic() + _MASTER_S
     while time.monotonic() < end:
         with suppress(OSError, xmlrpc.client.Error):
-            proxy: Any = xmlrpc.client.ServerProxy(master)
-            state = proxy.getSystemState(_CALLER)
+            proxy: Any
+            with xmlrpc.client.ServerProxy(master) as proxy:
+                state = proxy.getSystemState(_CALLER)
             if any(name == "/rosout_agg" for name, _ in state[2][0]):
                 return
         time.sleep(0.1)
@@ -135,8 +137,9 @@ def _with_checksums(graph: Graph, master: Any) -> Graph:
 def _topic(end: Endpoint, master: Any) -> tuple[str, str]:
     if end.role is not Role.PUBLISHER:
         return "", ""
-    node: Any = xmlrpc.client.ServerProxy(master.lookupNode(_CALLER, end.node)[2])
-    _, _, (_, host, port) = node.requestTopic(_CALLER, end.name, [["TCPROS"]])
+    node: Any
+    with xmlrpc.client.ServerProxy(master.lookupNode(_CALLER, end.node)[2]) as node:
+        _, _, (_, host, port) = node.requestTopic(_CALLER, end.name, [["TCPROS"]])
     line, told = connect(str(host), int(port), end.name, _CALLER, _WAIT_S)
     line.close()
     return told.type, told.md5

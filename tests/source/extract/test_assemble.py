@@ -473,3 +473,10 @@ def test_what_plugins_make_is_part_of_the_node_they_are_in():
     node = only(configured(talker(), started(plugged=plugged, remaps=(remap,), taken=(remap,))))
     assert names(node) == ["/chatter", "/scan"]
     assert [one.used for one in node.remaps] == [True]
+
+
+@pytest.mark.parametrize(("generation", "started_"), [("ros1", ["talker"]), ("ros2", [])])
+def test_a_program_that_nothing_installs_runs_in_ros1(generation, started_):
+    target = msgspec.structs.replace(TARGET, installed=False)
+    units = KnownUnits({"pkg": (target,)}, (talker(generation=generation),))
+    assert [str(one.executable) for one in targets_started("pkg", units, generation).nodes] == started_

@@ -82,9 +82,14 @@ def targets_started(package: str, units: Units, generation: str) -> Launch:
         kind = _CLASSES.get(target.kind)
         if kind is not None:
             nodes.append(_started(target, kind))
-        elif target.kind in _STARTED and target.installed:
+        elif target.kind in _STARTED and (target.installed or _runs_uninstalled(target, generation)):
             nodes.append(_started(target, "node"))
     return Launch(generation, tuple(nodes))
+
+
+def _runs_uninstalled(target: Target, generation: str) -> bool:
+    """Whether rosrun finds a program that no rule installs: the folder of a catkin build has all that are compiled."""
+    return generation == "ros1" and target.kind is TargetKind.EXECUTABLE
 
 
 def _started(target: Target, kind: str) -> Launched:

@@ -1,4 +1,6 @@
 import argparse
+import contextlib
+from concurrent.futures import ThreadPoolExecutor
 from urllib.request import urlopen
 
 import pytest
@@ -106,12 +108,13 @@ def test_a_recording_publishes_nothing(words, capsys):
 
 
 def test_what_was_not_published_is_counted_for_prometheus(capsys):
+    session = Session(REFERENCE, start=0.0)
     sources = [source(Line(lost=2)), source(Line(lost=3)), source(None), object()]
     assert unpublished(sources) == 5
-    endpoint = _serve(0, Session(REFERENCE, start=0.0), sources)
-    try:
-        with urlopen(endpoint.url, timeout=20) as answer:
-            assert b"roslens_unpublished_total 5.0\n" in answer.read()
-    finally:
-        endpoint.close()
-    assert endpoint.url in capsys.readouterr().err
+    with contextlib.ExitStack() as stack, ThreadPoolExecutor(1) as reader:
+        answer = _serve(stack, 0, session, sources)
+        url = capsys.readouterr().err.split()[-1]
+        page = reader.submit(lambda: urlopen(url, timeout=20).read())
+        while not page.done():
+            answer(session.look(1.0))
+        assert b"roslens_unpublished_total 5.0\n" in page.result()

@@ -29,7 +29,6 @@ from roslens.model.failure import Failure
 if TYPE_CHECKING:
     from roslens.cli.watch_reload import ReferenceFiles
     from roslens.live.child_source import Publishes
-    from roslens.live.publish.endpoint import Endpoint
     from roslens.live.session import Step
     from roslens.store.history import History
 
@@ -67,7 +66,7 @@ def _watched(
         if publishes is not None:
             sinks.append(publish_through(sources, session, lambda: files.reference, publishes))
         if options.prometheus is not None:
-            stack.callback(_serve(options.prometheus, session, sources).close)
+            sinks.append(_serve(stack, options.prometheus, session, sources))
         page = None
         if options.serve is not None:
             from roslens.cli.watch_serve import address_of, page_beside
@@ -241,22 +240,35 @@ def _keep(session: Session, history: History) -> Callable[[Step], None]:
     return keep
 
 
-def _serve(port: int, session: Session, sources: Sequence[object]) -> Endpoint:
+def _serve(
+    stack: contextlib.ExitStack, port: int, session: Session, sources: Sequence[object]
+) -> Callable[[Step], None]:
+    from roslens.live.publish.asked import Asked
     from roslens.live.publish.endpoint import Endpoint
     from roslens.live.publish.prometheus import prometheus_text
+
+    now = time.time()
 
     def page() -> str:
         counters = {"records_total": float(session.records), "shed_total": float(session.monitor.shed)}
         counters["cpu_seconds_total"] = time.process_time()
         counters["unpublished_total"] = float(unpublished(sources))
-        return prometheus_text(session.readings(time.time()), session.monitor.standing(), counters)
+        return prometheus_text(session.readings(now), session.monitor.standing(), counters)
 
+    asked = Asked(page)
     try:
-        endpoint = Endpoint(("127.0.0.1", port), page)
+        endpoint = Endpoint(("127.0.0.1", port), asked.text)
     except OSError as error:
         raise UsageError(f"--prometheus {port}: {error.strerror or error}", expected="a free port") from None
+    stack.callback(endpoint.close)
     print(f"roslens: {endpoint.url}", file=sys.stderr, flush=True)
-    return endpoint
+
+    def answer(step: Step) -> None:
+        nonlocal now
+        now = step.time
+        asked.answer()
+
+    return answer
 
 
 @contextlib.contextmanager

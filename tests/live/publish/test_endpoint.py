@@ -20,3 +20,15 @@ def test_the_page_is_made_anew_for_each_request():
         endpoint.close()
     with pytest.raises(urllib.error.URLError):
         urllib.request.urlopen(endpoint.url)
+
+
+def test_who_makes_no_page_in_time_is_named():
+    def page():
+        raise TimeoutError("no answer for 5 s")
+
+    endpoint = Endpoint(("127.0.0.1", 0), page)
+    try:
+        with pytest.raises(urllib.error.HTTPError, match="503: no answer for 5 s"):
+            urllib.request.urlopen(endpoint.url)
+    finally:
+        endpoint.close()

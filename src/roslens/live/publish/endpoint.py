@@ -14,7 +14,7 @@ _LONGEST_REQUEST_S = 5.0
 
 
 class Endpoint:
-    """Serves the text that ``page`` returns under ``/metrics``."""
+    """Serves the text that ``page`` returns under ``/metrics``; it says so where that raises TimeoutError."""
 
     def __init__(self, address: tuple[str, int], page: Callable[[], str]) -> None:
         """Listen on ``address`` (port 0 takes a free one).
@@ -30,7 +30,11 @@ class Endpoint:
                 if urlsplit(self.path).path != "/metrics":
                     self.send_error(HTTPStatus.NOT_FOUND, "only /metrics is here")
                     return
-                body = page().encode("utf-8", "replace")
+                try:
+                    body = page().encode("utf-8", "replace")
+                except TimeoutError as error:
+                    self.send_error(HTTPStatus.SERVICE_UNAVAILABLE, str(error))
+                    return
                 self.send_response(HTTPStatus.OK)
                 self.send_header("Content-Type", CONTENT_TYPE)
                 self.send_header("Content-Length", str(len(body)))

@@ -243,7 +243,7 @@ def _keep(session: Session, history: History) -> Callable[[Step], None]:
 def _serve(
     stack: contextlib.ExitStack, port: int, session: Session, sources: Sequence[object]
 ) -> Callable[[Step], None]:
-    from roslens.live.publish.asked import Asked
+    from roslens.live.publish.between_steps import BetweenSteps
     from roslens.live.publish.endpoint import Endpoint
     from roslens.live.publish.prometheus import prometheus_text
 
@@ -255,7 +255,7 @@ def _serve(
         counters["unpublished_total"] = float(unpublished(sources))
         return prometheus_text(session.readings(now), session.monitor.standing(), counters)
 
-    asked = Asked(page)
+    asked = BetweenSteps(page)
     try:
         endpoint = Endpoint(("127.0.0.1", port), asked.text)
     except OSError as error:

@@ -1,34 +1,42 @@
-import threading
+import os
 
-import pytest
+from roslens.live.publish.asked import when_asked
+from roslens.model.outgoing import VERSION, Outgoing, encode_outgoing
 
-from roslens.live.publish.asked import Asked
-
-
-def test_the_text_is_made_by_the_thread_that_answers():
-    makers = []
-
-    def make():
-        makers.append(threading.current_thread())
-        return f"text {len(makers)}"
-
-    asked, heard = Asked(make), []
-    asked.answer()
-    assert makers == []
-    asking = [threading.Thread(target=lambda: heard.append(asked.text())) for _ in range(3)]
-    for one in asking:
-        one.start()
-    while any(one.is_alive() for one in asking):
-        asked.answer()
-    assert len(heard) == 3
-    assert set(makers) == {threading.current_thread()}
+FRAME = Outgoing(VERSION, 1.0, ())
 
 
-def test_several_who_ask_at_once_get_one_text():
-    made = []
-    asked = Asked(lambda: made.append(1) or "x", patience_s=0.01)
-    for _ in range(2):
-        with pytest.raises(TimeoutError, match=r"no answer for 0\.01 s"):
-            asked.text()
-    asked.answer()
-    assert made == [1]
+def told(stream, publish=None):
+    """Return what was published and complained of until the line was closed."""
+    reading, writing = os.pipe()
+    published, complaints = [], []
+    thread = when_asked(reading, publish or published.append, complaints.append)
+    os.write(writing, stream)
+    os.close(writing)
+    thread.join(10)
+    assert not thread.is_alive()
+    os.close(reading)
+    return published, complaints
+
+
+def test_frames_are_published_until_the_line_is_closed():
+    assert told(encode_outgoing(FRAME) * 3) == ([FRAME] * 3, [])
+
+
+def test_what_cannot_be_published_is_told_once_in_a_row_and_ends_nothing():
+    tried = []
+
+    def publish(frame):
+        tried.append(frame)
+        if len(tried) != 3:
+            raise RuntimeError("the middleware is ill")
+
+    _, complaints = told(encode_outgoing(FRAME) * 5, publish)
+    assert len(tried) == 5
+    assert complaints == ["cannot be published: RuntimeError: the middleware is ill"] * 2
+
+
+def test_garbage_ends_publishing_with_a_reason():
+    published, complaints = told(encode_outgoing(FRAME) + b"\xff" * 10)
+    assert published == [FRAME]
+    assert complaints[0].startswith("nothing is published any more: a frame of 4,294,967,295 bytes")

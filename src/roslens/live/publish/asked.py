@@ -1,47 +1,56 @@
-"""A text that others ask for while something changes: made between two steps, by the thread that makes the changes."""
+"""The observer's end of the line: what the monitor asks it to publish, read by a thread of its own."""
 
 from __future__ import annotations
 
+import os
+import threading
 from collections.abc import Callable
-from queue import Empty, SimpleQueue
 
-PATIENCE_S = 5.0
+from roslens.model.outgoing import Outgoing, OutgoingError, OutgoingReader
+
+_PIECE = 1 << 16
 
 
-class Asked:
-    """Makes a text for other threads.
+def when_asked(
+    descriptor: int, publish: Callable[[Outgoing], None], complain: Callable[[str], None]
+) -> threading.Thread:
+    """Call ``publish`` with every frame that comes, until the line is closed.
 
-    ``text`` waits in the thread that asks; ``answer`` is called in the one that changes what the text is about, as
-    often as it can.
+    Args:
+        descriptor: to read from.
+        publish: called in the thread that is returned; what it raises is told and ends nothing.
+        complain: told what could not be read or published, each text once in a row.
     """
+    thread = threading.Thread(target=_read, args=(descriptor, publish, complain), name="asked", daemon=True)
+    thread.start()
+    return thread
 
-    def __init__(self, make: Callable[[], str], *, patience_s: float = PATIENCE_S) -> None:
-        """Make the text by ``make``; who asks waits for ``patience_s`` seconds at most."""
-        self._make = make
-        self._patience_s = patience_s
-        self._asking: SimpleQueue[SimpleQueue[str]] = SimpleQueue()
 
-    def text(self) -> str:
-        """Return the text as it is now.
-
-        Raises:
-            TimeoutError: nobody answered in time.
-        """
-        reply: SimpleQueue[str] = SimpleQueue()
-        self._asking.put(reply)
+def _read(descriptor: int, publish: Callable[[Outgoing], None], complain: Callable[[str], None]) -> None:
+    reader = OutgoingReader()
+    said = ""
+    while piece := _piece(descriptor):
         try:
-            return reply.get(timeout=self._patience_s)
-        except Empty:
-            raise TimeoutError(f"no answer for {self._patience_s:g} s: what was asked is busy or has ended") from None
+            for frame in reader.feed(piece):
+                problem = _published(frame, publish)
+                if problem and problem != said:
+                    complain(problem)
+                said = problem
+        except OutgoingError as error:
+            complain(f"nothing is published any more: {error}")
+            return
 
-    def answer(self) -> None:
-        """Answer all who ask, with one text; without anybody it costs next to nothing."""
-        text = None
-        while True:
-            try:
-                reply = self._asking.get_nowait()
-            except Empty:
-                return
-            if text is None:
-                text = self._make()
-            reply.put(text)
+
+def _published(frame: Outgoing, publish: Callable[[Outgoing], None]) -> str:
+    try:
+        publish(frame)
+    except Exception as error:  # noqa: BLE001 - the classes of rclpy's errors differ by version; observing goes on
+        return f"cannot be published: {type(error).__name__}: {error}"
+    return ""
+
+
+def _piece(descriptor: int) -> bytes:
+    try:
+        return os.read(descriptor, _PIECE)
+    except OSError:
+        return b""

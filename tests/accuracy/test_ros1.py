@@ -1,0 +1,28 @@
+import os
+
+from accuracy.ros1 import _executable, _without_master, why_not
+from accuracy.system import System
+from roslens.model.graph import Endpoint, Graph, Node, Role
+
+
+def test_what_is_there_before_a_launch_is_no_part_of_it():
+    ends = (Endpoint("/n", Role.PUBLISHER, "/rosout"), Endpoint("/rosout", Role.PUBLISHER, "/rosout_agg"))
+    parameters = {"": {"/rosdistro": "x", "/roslaunch/uris/a": "y", "/mine": "1"}, "/n": {"rate": "2"}}
+    found = _without_master(Graph("ros1", (Node("/n"), Node("/rosout")), ends, parameters=parameters))
+    assert found.nodes == (Node("/n"),)
+    assert found.endpoints == ends[:1]
+    assert found.parameters == {"": {"/mine": "1"}, "/n": {"rate": "2"}}
+
+
+def test_scripts_can_be_started_where_they_lie(tmp_path):
+    script = tmp_path / "package" / "scripts" / "a.py"
+    script.parent.mkdir(parents=True)
+    script.write_text("print(1)\n")
+    _executable(tmp_path)
+    assert script.read_text() == "#!/usr/bin/python3\nprint(1)\n"
+    assert os.access(script, os.X_OK)
+
+
+def test_a_program_that_is_missing_is_named():
+    system = System("a robot", "ros1", "p/x.launch", (), "It.", 1, needs=("/nowhere/tool",))
+    assert "/nowhere/tool" in why_not(system)

@@ -143,3 +143,19 @@ if __name__ == '__main__':
 """
     (facts,) = facts_of_module(index_of(a_py=text), "pkg/a.py", "main")
     assert [one.name.known for one in facts.endpoints] == ["b"]
+
+
+def test_a_script_is_followed_through_what_it_does_on_its_outermost_level(index_of):
+    text = """
+import rospy
+from std_msgs.msg import String
+rospy.init_node('a')
+for topic, kind in {'b': String, 'c': String}.items():
+    rospy.Subscriber(topic, kind, print)
+last = rospy.Publisher('d', String, queue_size=1)
+def heard(message):
+    last.publish(message)
+rospy.Subscriber('e', String, heard)
+"""
+    (facts,) = facts_of_module(index_of(a_py=text), "pkg/a.py")
+    assert sorted(one.name.known for one in facts.endpoints) == ["b", "c", "d", "e"]

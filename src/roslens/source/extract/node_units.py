@@ -18,9 +18,11 @@ from roslens.source.extract.program import (
     Evaluate,
     Function,
     Literal,
+    Loop,
     Member,
     Name,
     Operation,
+    Statement,
 )
 from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_index import Defined, Index, type_name
@@ -146,6 +148,8 @@ def facts_of_module(index: Index, path: str, function: str = "", reached: Reache
                     block(engine, statement.then)
                 elif isinstance(statement, Evaluate):
                     engine.value(statement.expression)
+                elif isinstance(statement, Branch | Loop) or _calls(statement):
+                    block(engine, (statement,))
         _run_lifecycle(engine)
         _run_callbacks(engine)
 
@@ -163,6 +167,10 @@ def _run_lifecycle(engine: Evaluation) -> None:
                     engine.call(method, [], {})
         finally:
             engine.node = outer
+
+
+def _calls(statement: Statement) -> bool:
+    return isinstance(statement, Assign) and isinstance(statement.value, Call)
 
 
 def _is_main(branch: Branch) -> bool:

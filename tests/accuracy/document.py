@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from accuracy.comparing import Comparison, Difference, Row, total
+from accuracy.comparing import IMPLICIT, Comparison, Difference, Row, total
 from accuracy.system import HERE, System
 
 _ROS = {"ros1": "ROS 1", "ros2": "ROS 2"}
@@ -44,10 +44,13 @@ def _table(rows: Mapping[str, Row]) -> str:
         "| facts | seen | found | recall | said | right | precision | conditional | aside | wrong |",
         "| --- | --: | --: | --: | --: | --: | --: | --: | --: | --: |",
     ]
-    whole = Row()
+    whole, own = Row(), Row()
     for name, row in rows.items():
         whole.add(row)
+        if name != IMPLICIT:
+            own.add(row)
         lines.append(_line(name.replace("_", " "), row))
+    lines.append(_line(f"all but {IMPLICIT}", own))
     lines.append(_line("**all**", whole))
     return "\n".join(lines) + "\n"
 

@@ -5,15 +5,15 @@ import shutil
 import pytest
 
 from accuracy import ros1, ros2
-from accuracy.comparing import compare, silent_nodes, total
+from accuracy.comparing import IMPLICIT, compare, silent_nodes, total
 from accuracy.facts import Fact, seen
 from accuracy.kept import kept_facts, kept_graph
 from accuracy.reading import lay_out, read
 from accuracy.system import missing, systems
 
 SYSTEMS = systems()
-RECALL, PRECISION = 0.95, 0.98
-"""Of all systems together; docs/accuracy.md says what is missed and why."""
+RECALL, PRECISION = 0.93, 0.98
+"""Of all systems together, without what every node has; docs/accuracy.md says what is missed and why."""
 
 
 def judged(system, graph, told):
@@ -42,7 +42,7 @@ def test_all_that_was_recorded_is_found():
         graph = kept_graph(system)
         if graph is not None:
             rows.append(judged(system, graph, kept_facts(system)).rows)
-    row = total([{"node": one} for part in rows for one in part.values()])["node"]
+    row = total([{"node": one} for part in rows for name, one in part.items() if name != IMPLICIT])["node"]
     assert row.found >= RECALL * row.seen
     assert row.right >= PRECISION * row.said
 

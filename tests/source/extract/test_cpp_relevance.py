@@ -189,3 +189,44 @@ def test_numbers_that_fill_a_message(statement: bytes, expected: bool) -> None:
 )
 def test_statements_that_only_tell_people_something(statement: bytes, expected: bool) -> None:
     assert is_logging(statement, 0, len(statement)) is expected
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "get_parameter(a)",
+        "nh.getParam(a)",
+        "nh.param<int>(a)",
+        "ros::param::get(a)",
+        "A * a = new A;",
+        "ros::init (a)",
+        "node->create_generic_publisher(a)",
+        "nh.createWallTimer(a)",
+        "loader.createUnmanagedInstance(a)",
+        "nh.subscribe(a)",
+        "message_filters::Subscriber<A> a",
+        "MyPublisher a",
+        "std::make_unique<A>(a)",
+        "ros::NodeHandle a",
+        "WallTimer a",
+        "nh.serviceClient<A>(a)",
+        "SimpleActionServer<A> a",
+        "rclcpp::SensorDataQoS a",
+        "tf2_ros::TransformListener a",
+        "a.registerCallback(b)",
+        "ros::names::resolve_name(a)",
+        "a->get_node_base_interface()",
+        "executor.add_node(a)",
+        "ros::topic::waitForMessage<A>(a)",
+        'return std::string("a")',
+    ],
+)
+def test_a_long_function_that_names_an_interface_matters_as_a_whole(written: str) -> None:
+    source = b"{" + FILLING + written.encode() + b";\n}"
+    assert Relevance(source, 0, len(source)).level is Level.WHOLE
+
+
+@pytest.mark.parametrize("written", ["renew x", "reinit(a)", "recreate_publisher", "myparams", "Timers", "a_add_node"])
+def test_letters_inside_another_word_name_no_interface(written: str) -> None:
+    source = b"{" + FILLING + written.encode() + b";\n}"
+    assert Relevance(source, 0, len(source)).level is not Level.WHOLE

@@ -10,11 +10,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import lru_cache
 
 from tree_sitter import Node
 
 from roslens.source.extract.cpp_literals import number_value, text_value
-from roslens.source.extract.cpp_lowered import Lowered, name_of, opaque
+from roslens.source.extract.cpp_lowered import DEEPEST, Lowered, name_of, opaque
 from roslens.source.extract.cpp_types import declared_type, is_primitive, name_and_templates
 from roslens.source.extract.program import (
     Call,
@@ -61,11 +62,13 @@ class Expressions:
     def lower(self, node: Node) -> Expression:
         """Return the expression of ``node``."""
         text = self._source[node.start_byte : node.end_byte]
-        if b"(" in text or b"{" in text or b"new" in text:
+        if b"(" in text:
             return self._lower(node)
         known = self._known.get(text)
         if known is None:
-            known = self._known[text] = self._lower(node)
+            known = self._lower(node)
+            if b"{" not in text and b"new" not in text:
+                self._known[text] = known
         return known
 
     def _lower(self, node: Node) -> Expression:
@@ -74,7 +77,7 @@ class Expressions:
             node = node.named_children[0]
             kind = node.type
         lowered = self._lowered
-        if lowered.too_deep(node):
+        if lowered.depth >= DEEPEST and lowered.too_deep(node):
             return opaque(lowered.text(node))
         lowered.depth += 1
         handler = _HANDLERS.get(kind)
@@ -84,6 +87,8 @@ class Expressions:
 
     def several(self, node: Node) -> tuple[Expression, ...]:
         """Return the expressions in a list of arguments or of initial values."""
+        if not node.named_child_count:
+            return ()
         return tuple([self.lower(child) for child in node.named_children if child.type != "comment"])
 
     def construct(self, type_: bytes, values: Node, at: Node) -> Expression:
@@ -100,8 +105,7 @@ class Expressions:
         return Call(name_of(name), arguments, (), templates, row + 1, column + 1)
 
     def _name(self, node: Node) -> Expression:
-        name = name_and_templates(self._lowered.text(node))[0]
-        return name_of(name)
+        return _named(self._source[node.start_byte : node.end_byte])
 
     def _member(self, node: Node) -> Expression:
         children = [child for child in node.named_children if child.type != "comment"]
@@ -267,6 +271,11 @@ class Expressions:
 def _operator(node: Node) -> str:
     operator = node.child_by_field_name("operator")
     return operator.type if operator is not None else ""
+
+
+@lru_cache(maxsize=8192)
+def _named(written: bytes) -> Expression:
+    return name_of(name_and_templates(written)[0])
 
 
 def _is_text(expression: Expression | None) -> bool:

@@ -14,18 +14,34 @@ from bisect import bisect_left
 from enum import IntEnum
 
 _SHORT = 120
-_ENDPOINTS = (
-    rb"create_(?:publisher|subscription|generic_\w+|service|client|server|timer|wall_timer|callback_group|sub_node|rate)"
-    rb"|advertise|subscribe|[sS]erviceClient|service::call|waitForMessage"
-)
+_CREATED = rb"publisher|subscription|generic_\w+|service|client|server|timer|wall_timer|callback_group|sub_node|rate"
+_ENDPOINTS = rb"create_(?:%s)|advertise|subscribe|[sS]erviceClient|service::call|waitForMessage" % _CREATED
 _ENDPOINT = re.compile(rb"(?:%s|[pP]aram|declare_)\w*\s*[<(]" % _ENDPOINTS)
-_WHOLE = re.compile(
-    rb"\b(?:%s|declare_|get_param|set_param|has_param|[gs]etParam|hasParam|searchParam|param(?:Cached)?\s*[<(]"
-    rb"|param::|NodeHandle|make_shared|make_unique|new\s|init\s*\(|create\w*Timer|create\w*(?:Instance|Server|Client)"
-    rb"|registerCallback|add_node|resolve_?[nN]ame|get_node_\w+_interface)"
-    rb"|QoS|Publisher|Subscri(?:ber|ption)|Timer\b|(?:Service|Action)(?:Server|Client)|Transform(?:Listener|Broadcaster)"
-    rb"|return\s+(?:std::string\s*\(\s*)?\"" % _ENDPOINTS
-)
+_WORDS = {
+    b"aram": rb"\b(?:get_param|set_param|has_param|[gs]etParam|hasParam|searchParam|param(?:Cached)?\s*[<(]|param::)",
+    b"new": rb"new(?<!\wnew)\s",
+    b"init": rb"init(?<!\winit)\s*\(",
+    b"create": rb"create(?<!\wcreate)(?:_(?:%s)|\w*Timer|\w*(?:Instance|Server|Client))" % _CREATED,
+    b"ubscri": rb"\bsubscribe|Subscri(?:ber|ption)",
+    b"ublisher": rb"Publisher",
+    b"make_": rb"\bmake_(?:shared|unique)",
+    b"NodeHandle": rb"\bNodeHandle",
+    b"Timer": rb"Timer\b",
+    b"declare_": rb"\bdeclare_",
+    b"advertise": rb"\badvertise",
+    b"ervice": rb"\b(?:[sS]erviceClient|service::call)|Service(?:Server|Client)",
+    b"Action": rb"Action(?:Server|Client)",
+    b"QoS": rb"QoS",
+    b"Transform": rb"Transform(?:Listener|Broadcaster)",
+    b"registerCallback": rb"\bregisterCallback",
+    b"resolve": rb"\bresolve_?[nN]ame",
+    b"get_node_": rb"\bget_node_\w+_interface",
+    b"add_node": rb"\badd_node",
+    b"waitForMessage": rb"\bwaitForMessage",
+    b"return": rb"return\s+(?:std::string\s*\(\s*)?\"",
+}
+_WHOLE = tuple((letters, re.compile(written)) for letters, written in _WORDS.items())
+"""What makes a function matter as a whole, each behind letters of it: to find letters takes a fiftieth of a pattern."""
 _MAKES_NAMES = re.compile(rb"\b(?:string|NodeOptions|SubscribeOptions|AdvertiseOptions)\b[\s&*>]*(?:[\w:]+\s*)?[(,)]")
 """A head of a function that returns a text or options, or takes them."""
 _MOST_OF_TEXT = 1500
@@ -46,7 +62,7 @@ _ASSIGNED = re.compile(
     rb"(?:this\s*->\s*)?(?:[\w.>-]*\w\s*\+?=\s*(?:std::string\s*\(\s*)?\"|\w*(?:topic|name|frame|service|action|prefix)\w*\s*\+?=[^=])",
     re.IGNORECASE,
 )
-_VALUE_RETURNED = re.compile(rb"\breturn\s*[^\s;]")
+_VALUE_RETURNED = re.compile(rb"return(?<!\wreturn)\s*[^\s;]")
 _LOGGING = re.compile(
     rb"(?:EXPECT|ASSERT|BOOST_CHECK)_\w+\s*\(|(?:ROS|RCLCPP|RCUTILS|NODELET|RTT|CONSOLE_BRIDGE)_(?:DEBUG|INFO|WARN|ERROR|FATAL|LOG|ASSERT|BREAK|STATIC)\w*\s*\("
     rb"|(?:log(?:Debug|Inform|Warn|Error)|f?printf|puts)\s*\(|std::c(?:out|err)\b|c(?:out|err)\s*<<"
@@ -98,13 +114,16 @@ class Relevance:
         if test:
             self.level = Level.WHOLE if _ENDPOINT.search(source, start, end) else Level.NOTHING
             return
-        names = end - start < _MOST_OF_TEXT and head >= 0 and _MAKES_NAMES.search(source, head, start)
-        if end - start < _SHORT or names or _WHOLE.search(source, start, end):
+        if end - start < _SHORT or (head >= 0 and _makes_names(source, head, start, end)) or _whole(source, start, end):
             self.level = Level.WHOLE
             return
         body = source[start:end]
+        known = _KIND_OF.get
         for match in _CALLED.finditer(body[::-1]):
-            kind = _kind(match[1])
+            name = match[1]
+            kind = known(name)
+            if kind is None:
+                kind = _kind(name)
             if kind:
                 (self._leading if kind == _LEADS else self._others).append(end - match.end())
         self._leading.reverse()
@@ -125,7 +144,7 @@ class Relevance:
             call = _CALL_STATEMENT.match(self._source, start, end)
             if call and _kind(call[1][::-1]):
                 return True
-        return _ASSIGNED.match(self._source, start, end) is not None
+        return self._source.find(b"=", start, end) >= 0 and _ASSIGNED.match(self._source, start, end) is not None
 
     def may_hold(self, start: int, end: int) -> bool:
         """Return whether a block or control statement may hold something that stays."""
@@ -135,6 +154,20 @@ class Relevance:
             or _any_within(self._others, start, end)
             or _any_within(self._returns, start, end)
         )
+
+
+def _makes_names(source: bytes, head: int, start: int, end: int) -> bool:
+    if end - start >= _MOST_OF_TEXT or (source.find(b"string", head, start) < 0 > source.find(b"Options", head, start)):
+        return False
+    return _MAKES_NAMES.search(source, head, start) is not None
+
+
+def _whole(source: bytes, start: int, end: int) -> bool:
+    find = source.find
+    for letters, word in _WHOLE:  # noqa: SIM110 - a generator costs more than the search
+        if find(letters, start, end) >= 0 and word.search(source, start, end):
+            return True
+    return False
 
 
 def is_logging(source: bytes, start: int, end: int) -> bool:

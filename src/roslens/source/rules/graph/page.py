@@ -20,8 +20,8 @@ What does not fit together once launch files and code are joined: names, types, 
 - What is likely, or only holds under a condition, is one step less severe; what is possible is a note. The message says
   why.
 - What every node has is left out, and so are names whose other end is usually elsewhere.
-- `roslens check` finds the same in the configurations that `roslens.toml` declares, as part of a run: with a gate, in every
-  report. A comment such as `roslens: ignore[graph.qos]` in the line leaves a finding out, as of any rule.
+- `roslens check` finds the same in the configurations that `roslens.toml` declares, as part of a run: with a gate, in
+  every report. A comment such as `roslens: ignore[graph.qos]` in the line leaves a finding out, as of any rule.
 
 | rule | severity | finds |
 | --- | --- | --- |

@@ -36,6 +36,11 @@ def test_parameters(written: str, expected: list[Parameter | tuple[str, str]]) -
     ("written", "expected"),
     [
         ("int a;", [Field("a", "int", None, 2)]),
+        ("void f(int a = 3) const override;", []),
+        ("virtual void f() = 0;", []),
+        ("int f(), a;", [Field("a", "int", None, 2)]),
+        ("int a, f();", [Field("a", "int", None, 2)]),
+        ("int (*a)(int) = 0;", [("a", "int(*)()")]),
         ("static const int a = 3, *b;", [Field("a", "const int", Literal(3), 2), ("b", "const int*")]),
         ("const int c[2], d;", [("c", "const int[2]"), ("d", "const int")]),
         ("std::map<int, A> a_;", [Field("a_", "std::map<int,A>", None, 2)]),

@@ -166,7 +166,8 @@ class Definitions:
 
     def _declared(self, node: Node) -> None:
         """Note a function that is declared with defaults of its parameters."""
-        if not _DEFAULT.search(self._lowered.text(node)):
+        text = self._lowered.text(node)
+        if b"=" not in text or not _DEFAULT.search(text):
             return
         outer = node.child_by_field_name("declarator")
         declarator = function_declarator(outer) if outer is not None else None

@@ -66,8 +66,8 @@ class Parameters:
         if plain and not text.startswith((b"using", b"typedef", b"friend")):
             type_text = declared_type(plain["type"])
             return [Field(text_of(plain["name"]), type_text, None, node.start_point.row + 1)] if type_text else []
-        type_ = node.child_by_field_name("type")
-        if type_ is None:
+        first, type_ = node.child_by_field_name("declarator"), node.child_by_field_name("type")
+        if type_ is None or first is None or self._is_one_function(node, first):
             return []
         found: list[Field] = []
         pending: tuple[bytes, bytes] | None = None
@@ -86,6 +86,13 @@ class Parameters:
         if pending is not None:
             found.append(_field(*pending, None, line))
         return [field for field in found if field.name]
+
+    def _is_one_function(self, node: Node, declarator: Node) -> bool:
+        """Return whether a declaration declares a function and nothing behind it."""
+        end = declarator.end_byte
+        if _END.fullmatch(self._lowered.source, end, node.end_byte) is None:
+            return False
+        return _is_function(self._lowered.source[declarator.start_byte : end])
 
     def _value(self, type_: Node, value: Node, declarator: bytes) -> Expression:
         """Return the value of a member; ``{a, b}`` right behind the name constructs its type."""
@@ -107,5 +114,6 @@ def _is_function(declarator: bytes) -> bool:
 
 
 _FUNCTION = re.compile(rb"[\s*&]*(?:operator\b|~?\w+\s*\()")
+_END = re.compile(rb"\s*(?:=\s*0\s*)?;")
 _NONE = Parameter("", "void")
 _REMEMBERED: dict[bytes, Parameter] = {}

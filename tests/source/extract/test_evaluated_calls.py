@@ -1,5 +1,9 @@
 import pytest
 
+from roslens.source.extract.node_units import facts_of_module
+from roslens.source.extract.python_program import program_of_python
+from roslens.source.extract.workspace_index import Index
+
 
 def test_the_name_is_said_by_the_caller(node_of):
     facts = node_of(
@@ -87,3 +91,24 @@ def test_a_function_of_a_module(units, script):
     module = "import rospy\ndef main(words):\n    rospy.Publisher('said', String, queue_size=1)\n"
     found = {one.path: [str(end.name) for end in one.endpoints] for one in units(lib_py=module, run_py=script)}
     assert found["pkg/run.py"] == ["said"]
+
+
+def test_a_class_of_a_package_that_is_named_like_the_script():
+    package = """
+import rospy
+from std_msgs.msg import String
+class Talker:
+    def __init__(self):
+        self.pub = rospy.Publisher("said", String, queue_size=1)
+"""
+    script = """
+import rospy
+import talker
+if __name__ == "__main__":
+    rospy.init_node("talker")
+    talker.Talker()
+"""
+    texts = {"pkg/scripts/talker": script, "pkg/src/talker/__init__.py": package}
+    index = Index({path: program_of_python(text.encode()) for path, text in texts.items()})
+    (found,) = facts_of_module(index, "pkg/scripts/talker")
+    assert [(str(one.name), one.evidence.path) for one in found.endpoints] == [("said", "pkg/src/talker/__init__.py")]

@@ -82,3 +82,27 @@ def test_a_type_of_the_namespace_that_the_package_includes(units):
     )
     found = [one for one in units(a_cpp=text, b_h=header) if one.unit == "main"]
     assert types(found[0]) == ["own/Pose"]
+
+
+@pytest.mark.parametrize(
+    ("argument", "before", "kind"),
+    [
+        ("const ros::MessageEvent<std_msgs::String const> & e", "", "std_msgs/String"),
+        ("const ros::MessageEvent<ShapeShifter>& e", "using namespace topic_tools;", "topic_tools/ShapeShifter"),
+        (
+            "const StringConstPtr& m",
+            "typedef boost::shared_ptr<std_msgs::String const> StringConstPtr;",
+            "std_msgs/String",
+        ),
+        ("const StringConstPtr m", "using StringConstPtr = std_msgs::String::ConstPtr;", "std_msgs/String"),
+        ("const Text& m", "typedef std_msgs::String Text;", "std_msgs/String"),
+    ],
+)
+def test_the_type_of_a_subscription_by_what_its_callback_takes(units, argument, before, kind):
+    text = (
+        "#include <ros/ros.h>\n#include <std_msgs/String.h>\nnamespace topic_tools { class ShapeShifter {}; }\n"
+        f"{before}\nvoid heard({argument}) {{}}\nint main(int argc, char ** argv) {{\n"
+        'ros::init(argc, argv, "a"); ros::NodeHandle nh; auto s = nh.subscribe("a", 1, heard); }'
+    )
+    found = next(one for one in units(a_cpp=text) if one.unit == "main")
+    assert [one.type.known for one in found.endpoints] == [kind]

@@ -180,12 +180,20 @@ class Calls(Expressions):
         self, of: Named, expression: Call, function: Member, arguments: list[Any], keywords: dict[str, Any],
         templates: tuple[str, ...],
     ) -> Any:  # fmt: skip
-        """Call a function of a module of the workspace (``import package.module``), or something outside of it."""
+        """Call what a module of the workspace has (``import package.module``), or something outside of it."""
         engine: Evaluation = self  # type: ignore[assignment]
-        inside = engine.function(_dotted(function), len(arguments) + len(keywords))
+        inside = engine.function(_dotted(function), len(arguments) + len(keywords)) or self._class_of_module(function)
         if inside is not None:
             return self._apply(inside, expression, arguments, keywords, templates)
         return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, (*of.templates, *templates))
+
+    def _class_of_module(self, function: Member) -> Class | None:
+        engine: Evaluation = self  # type: ignore[assignment]
+        frame, name = engine.frame, _dotted(function)
+        if not name or engine.index.programs[frame.path].language != "python":
+            return None
+        found = engine.index.class_of(name, frame.path, frame.scope)
+        return None if found is None else Class(found)
 
     def _of_base(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """Call a method of the next class after the one that is evaluated."""

@@ -12,14 +12,14 @@ _ENDS = re.compile(
     r"(\.|_)?(ConstPtr|SharedPtr|UniquePtr|ConstSharedPtr|ConstUniquePtr|Ptr|ConstWeakPtr|WeakPtr|Request|Response|"
     r"ConstRef|Goal|Result|Feedback)+$"
 )
+_EVENT = re.compile(r"(?:::)?(?:ros::)?MessageEvent\s*<(.*)>[\s&]*$", re.DOTALL)
 _MIDDLE = frozenset({"msg", "srv", "action"})
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 def interface_name(written: str) -> str:
     """Return ``package/Type`` or ``package/msg/Type`` of a C++ type or dotted Python name; empty where it is none."""
-    text = written.replace(" const", " ").replace("const ", " ").strip()
-    name, _ = type_name(text.replace("/", "::"))
+    name, _ = type_name(message_of(written).replace("/", "::"))
     pieces = [piece for piece in _without_end(name).split(".") if piece]
     if len(pieces) >= 3 and pieces[-2].startswith("_") and pieces[-3] in _MIDDLE:
         pieces = [*pieces[:-2], pieces[-1]]
@@ -36,9 +36,16 @@ def interface_name(written: str) -> str:
     return ""
 
 
+def message_of(written: str) -> str:
+    """Return a type of C++ without ``const``; of an event of a message (``ros::MessageEvent<M const>``) the message."""
+    text = written.replace(" const", " ").replace("const ", " ").strip()
+    event = _EVENT.match(text)
+    return text if event is None else event[1].strip()
+
+
 def included_interface(written: str, program: Program) -> str:
     """Return the type that a name without package means by what a file includes: ``navfn/MakeNavPlan.h``."""
-    name, _ = type_name(written.replace(" const", " ").replace("const ", " ").strip())
+    name, _ = type_name(message_of(written))
     last = _without_end(f"x.{name}").removeprefix("x.").rpartition(".")[2]
     for written_header, _line in program.includes:
         header = written_header.strip('<>"')

@@ -19,12 +19,18 @@ from roslens.source.extract.abstract_value import (
     Unknown,
     as_text,
 )
-from roslens.source.extract.interface_name import included_interface, interface_name, lower_interface, of_generation
+from roslens.source.extract.interface_name import (
+    included_interface,
+    interface_name,
+    lower_interface,
+    message_of,
+    of_generation,
+)
 from roslens.source.extract.node_facts import EndpointFact, Evidence, ParameterFact, Sure, TimerFact
 from roslens.source.extract.program import Call, Name
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, node_of
-from roslens.source.extract.workspace_index import type_arguments, type_name
+from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -133,8 +139,7 @@ def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Tex
     written = _adapted(engine, written)
     name = _as_interface(written, generation)
     if not name:
-        meaning = engine.index.meaning(written.replace("::", "."), engine.frame.path, engine.frame.scope)
-        name = _as_interface(meaning, generation)
+        name = _as_interface(_meant(engine, written), generation)
     if not name:
         name = included_interface(written, engine.index.programs[engine.frame.path])
     if not name:
@@ -142,6 +147,23 @@ def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Tex
     if not name:
         name = lower_interface(written, engine.index.headers)
     return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
+
+
+def _meant(engine: Evaluation, written: str) -> str:
+    """Return what a type means that is written by an alias or without its namespace."""
+    path, scope = engine.frame.path, engine.frame.scope
+    inner = message_of(written)
+    plain = dotted(inner) if "<" not in inner else ""
+    alias = engine.index.alias(plain, path, scope) if plain else ""
+    if "<" in alias:
+        # A name for a pointer: ``typedef boost::shared_ptr<package::Message const> MessageConstPtr``.
+        return alias
+    meaning = engine.index.meaning(plain or written.replace("::", "."), path, scope)
+    if plain and meaning == plain and plain.isidentifier():
+        # A class that stands for a message of any type: ``using namespace topic_tools; ShapeShifter``.
+        defined = engine.index.class_of(plain, path, scope)
+        return meaning if defined is None else defined.what.qualified_name
+    return meaning
 
 
 def _as_interface(written: str, generation: str) -> str:

@@ -85,7 +85,8 @@ class Index:
     def _add(self, path: str, program: Program) -> None:
         # Modules of Python have names of their own; what C++ defines is known by its whole name everywhere.
         before = _before(path, program)
-        if before:
+        if before and path.endswith(".py"):
+            # A script without an ending cannot be imported, though it be named like the package beside it.
             pieces = path.removesuffix(".py").removesuffix("/__init__").split("/")
             for place in range(len(pieces)):
                 self._modules.setdefault(".".join(pieces[place:]), []).append(path)

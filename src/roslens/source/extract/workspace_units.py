@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import msgspec
+from msgspec.structs import astuple
 
 from roslens.source.extract.node_bases import generation_of
 from roslens.source.extract.node_facts import NodeFacts
@@ -18,7 +19,7 @@ from roslens.source.extract.node_units import (
     node_classes,
     registered,
 )
-from roslens.source.extract.program import Call, Function, Member, Name
+from roslens.source.extract.program import Call, Function, Lambda, Literal, Member, Name, Opaque
 from roslens.source.extract.workspace_index import Defined, Index
 
 _MAKE = frozenset(
@@ -27,6 +28,8 @@ _MAKE = frozenset(
      "Subscriber", "ServiceProxy", "create_server", "ActionClient", "ActionServer", "advertiseCamera",
      "subscribeCamera"}
 )  # fmt: skip
+_LEAVES = frozenset({str, int, float, bool, type(None), Literal, Name, Opaque, Lambda})
+"""What holds no call."""
 _REGISTRY = "BT_REGISTER_NODES"
 
 
@@ -73,19 +76,24 @@ def unreached(index: Index, reached: Reached) -> Iterator[Defined]:
     """
     classes = [Defined(path, one) for path in sorted(index.programs) for one in index.programs[path].classes]
     bases = {index.key(base) for one in classes for base in index.chain(one)[1:]}
+    known: dict[int, bool] = {}
     for base in (False, True):
         for one in classes:
-            if (index.key(one) in bases) is base and _makes(index, one, reached):
+            if (index.key(one) in bases) is base and _makes(index, one, reached, known):
                 yield one
 
 
-def _makes(index: Index, defined: Defined, reached: Reached) -> bool:
+def _makes(index: Index, defined: Defined, reached: Reached, known: dict[int, bool]) -> bool:
+    """Whether a method that was not evaluated makes an endpoint; ``known`` tells it by identity."""
     for one in index.chain(defined):
         for method in index.methods_of(one):
             what = method.what
             if not isinstance(what, Function) or (method.path, what.line) in reached:
                 continue
-            if makes_endpoints(what):
+            makes = known.get(id(what))
+            if makes is None:
+                makes = known[id(what)] = makes_endpoints(what)
+            if makes:
                 return True
     return False
 
@@ -96,10 +104,10 @@ def makes_endpoints(function: Function) -> bool:
     while waiting:
         one = waiting.pop()
         if isinstance(one, tuple):
-            waiting += one
+            waiting += [part for part in one if type(part) not in _LEAVES]
         elif isinstance(one, msgspec.Struct):
             called = one.function if isinstance(one, Call) else None
             if isinstance(called, Name | Member) and called.name.rpartition(".")[2] in _MAKE:
                 return True
-            waiting += [getattr(one, name) for name in one.__struct_fields__]
+            waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
     return False

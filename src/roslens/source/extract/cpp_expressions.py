@@ -66,6 +66,9 @@ class Expressions:
             return self._lower(node)
         known = self._known.get(text)
         if known is None:
+            if node.type == "identifier" and self._lowered.depth < DEEPEST:
+                known = self._known[text] = _named(text)
+                return known
             known = self._lower(node)
             if b"{" not in text and b"new" not in text:
                 self._known[text] = known

@@ -76,10 +76,11 @@ class StatementLowering:
     def add(self, nodes: Iterable[Node], out: Statements) -> None:
         """Add what ``nodes`` say to ``out``."""
         for node in nodes:
-            handler = _HANDLERS.get(node.type)
+            kind = node.type
+            handler = _HANDLERS.get(kind)
             if handler is not None:
                 handler(self, node, out)
-            elif node.type not in _SILENT and not self.on_definition(node, out):
+            elif kind not in _SILENT and not self.on_definition(node, out):
                 self._evaluate(node, node, out)
 
     def _nested(self, node: Node, out: Statements) -> None:
@@ -94,7 +95,8 @@ class StatementLowering:
 
     def _expression(self, node: Node, out: Statements) -> None:
         source, start, end = self._lowered.source, node.start_byte, node.end_byte
-        if not self._whole and not self._may_lead(node):
+        relevance = self._relevance
+        if not self._whole and relevance is not None and not relevance.may_lead(start, end):
             return
         for inner in node.named_children:
             kind = inner.type

@@ -58,3 +58,17 @@ def test_what_is_not_found_has_a_reason():
     assert "the executable is unknown" in meant([], [], unknown("argument x")).reason
     assert "the package is unknown" in meant([], [], "b", package=unknown("argument x")).reason
     assert "makes no node" in meant([target(TargetKind.EXECUTABLE, "a", ("pkg/a.cpp",))], [], "a").reason
+
+
+def test_a_program_is_evaluated_with_the_words_of_its_command_line():
+    asked = []
+
+    class Asked(KnownUnits):
+        def program(self, path, function="", words=None):
+            asked.append((path, words))
+            return super().program(path, function, words)
+
+    words = (Text.of("a"), Text.of("scan"))
+    units = Asked({"pkg": [target(TargetKind.EXECUTABLE, "a", ("pkg/a.cpp",))]}, [MAIN])
+    assert meant_by(Launched(Text.of("pkg"), Text.of("a"), HERE), units, words).facts == (MAIN,)
+    assert asked == [("pkg/a.cpp", words)]

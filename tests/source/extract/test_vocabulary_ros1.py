@@ -135,3 +135,9 @@ def test_who_gives_a_handle_knows_its_namespace(units):
     )
     ((one,),) = (facts.endpoints for facts in units(a_cpp=text))
     assert (one.name.pattern, one.evidence.sure.value) == ("*/out", "possible")
+
+
+def test_callbacks_of_a_publisher_tell_no_type(main_of):
+    before = "void joined(const ros::SingleSubscriberPublisher & p) {}\n"
+    body = 'ros::AdvertiseOptions o("a", 1, sum, type, text, joined); auto p = nh.advertise(o);'
+    assert [(str(one.name), one.type.known) for one in main_of(body, before).endpoints] == [("a", None)]

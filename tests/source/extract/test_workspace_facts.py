@@ -45,7 +45,7 @@ def test_what_was_evaluated_is_there_the_next_time(tmp_path, monkeypatch):
 def test_a_unit_that_breaks_is_told_and_not_kept(tmp_path, monkeypatch):
     from roslens.source.extract import node_units
 
-    def broken(*_: object) -> None:
+    def broken(*_: object, **_named: object) -> None:
         raise ZeroDivisionError
 
     path = "src/rover/rover_sensors/rover_sensors/battery_monitor.py"

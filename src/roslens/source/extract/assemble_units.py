@@ -10,6 +10,7 @@ import msgspec
 from roslens.model.configuration import Origin
 from roslens.source.extract.launched import Launched
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
+from roslens.source.extract.text import Text
 
 _PROGRAMS = frozenset({TargetKind.EXECUTABLE, TargetKind.SCRIPT})
 _LOADED = frozenset({TargetKind.COMPONENT, TargetKind.NODELET, TargetKind.PLUGIN})
@@ -24,8 +25,11 @@ class Units(Protocol):
     def targets(self, package: str) -> Sequence[Target]:
         """Return what the build of a package makes."""
 
-    def program(self, path: str, function: str = "") -> Sequence[NodeFacts]:
-        """Return the nodes that a file becomes when it is started: by its main function, or a function of a module."""
+    def program(self, path: str, function: str = "", words: Sequence[Text] | None = None) -> Sequence[NodeFacts]:
+        """Return the nodes that a file becomes when it is started: by its main function, or a function of a module.
+
+        ``words`` are those of its command line, that of the program first, where they are known.
+        """
 
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes; ``name`` is qualified, joined by ``.``."""
@@ -67,8 +71,9 @@ class KnownUnits:
         """Return what the build of a package makes."""
         return self._targets.get(package, ())
 
-    def program(self, path: str, function: str = "") -> Sequence[NodeFacts]:
+    def program(self, path: str, function: str = "", words: Sequence[Text] | None = None) -> Sequence[NodeFacts]:
         """Return the nodes that a file becomes when it is started."""
+        del words
         for unit in (function,) if function else ("<module>", "main"):
             if found := self._programs.get((path, unit)):
                 return found
@@ -84,8 +89,8 @@ class KnownUnits:
         return ""
 
 
-def meant_by(launched: Launched, units: Units) -> Meant:
-    """Return the code that is started; where there is none, the reason."""
+def meant_by(launched: Launched, units: Units, words: Sequence[Text] | None = None) -> Meant:
+    """Return the code that is started, with the words of its command line; where there is none, the reason."""
     package = launched.package.known
     if package is None:
         return Meant(reason=f"the package is unknown: {launched.package}")
@@ -99,32 +104,32 @@ def meant_by(launched: Launched, units: Units) -> Meant:
     target = _best(units.targets(package), name, _PROGRAMS)
     if target is None:
         return Meant(reason=f"no build of package {package} makes {name}")
-    return facts_of_target(target, units)
+    return facts_of_target(target, units, words)
 
 
-def facts_of_target(target: Target, units: Units) -> Meant:
+def facts_of_target(target: Target, units: Units, words: Sequence[Text] | None = None) -> Meant:
     """Return the nodes that a target becomes."""
     if target.kind in _LOADED or (target.entry and ":" not in target.entry.replace("::", "")):
         found = units.of_class((target.entry or target.name).replace("::", "."))
         what = f"class {target.entry or target.name}"
     else:
-        found = _of_program(target, units)
+        found = _of_program(target, units, words)
         what = target.entry or f"a main function in {', '.join(target.sources) or 'its sources'}"
     if not found:
         return Meant(reason=f"{target.name}: {what} makes no node that could be found", conditions=target.conditions)
     return Meant(tuple(found), conditions=target.conditions)
 
 
-def _of_program(target: Target, units: Units) -> Sequence[NodeFacts]:
+def _of_program(target: Target, units: Units, words: Sequence[Text] | None) -> Sequence[NodeFacts]:
     module, _, function = target.entry.partition(":")
     if function:
         ends = (module.replace(".", "/") + ".py", module.replace(".", "/") + "/__init__.py")
         paths = [path for path in target.sources if path.endswith(ends)] or list(target.sources)
         for path in paths:
-            if found := units.program(path, function):
+            if found := units.program(path, function, words):
                 return found
     for path in target.sources:
-        if found := units.program(path):
+        if found := units.program(path, "", words):
             return found
     return ()
 

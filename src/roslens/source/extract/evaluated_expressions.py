@@ -75,7 +75,11 @@ class Expressions:
         found = self.defined(name)
         if found is not None:
             return found
-        return Named(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
+        return self._outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
+
+    def _outside(self, name: str) -> Any:
+        engine: Evaluation = self  # type: ignore[assignment]
+        return engine.words if name == "sys.argv" and engine.words is not None else Named(name)
 
     def defined(self, name: str) -> Any:
         """Return what the workspace defines under a name; None where it does not."""
@@ -126,7 +130,7 @@ class Expressions:
         if isinstance(of, Obj):
             return self._member_of_object(of, name, engine)
         if isinstance(of, Named):
-            return Named(f"{of.name}.{name}")
+            return self._outside(f"{of.name}.{name}")
         if isinstance(of, Class):
             constant = engine.index.member(of.defined, name)
             if constant is not None:

@@ -22,6 +22,7 @@ from roslens.source.extract.abstract_value import (
     as_text,
 )
 from roslens.source.extract.base_templates import bind_bases
+from roslens.source.extract.command_words import Words
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluated_statements import assign, block, initialise
@@ -58,6 +59,7 @@ class Evaluation(Calls):
         made: objects of classes of the workspace that are nodes, in the order in which they were made.
         conditions: around what is evaluated, outermost first.
         frame: of the function that is evaluated.
+        words: of the command line, where they are known.
     """
 
     def __init__(self, index: Index, node: Building) -> None:
@@ -67,6 +69,7 @@ class Evaluation(Calls):
         self.others: list[Building] = []
         self.conditions: list[str] = []
         self.frame = Frame(node.path, "")
+        self.words: Words | None = None
         self.made: list[Obj] = []
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
@@ -341,7 +344,8 @@ class Evaluation(Calls):
     def typed(self, declared: str, value: Any) -> Any:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         name, inside = type_name(declared)
-        if isinstance(value, list) and not declared.startswith(("std::vector", "std::array", "std::map", "std::set")):
+        braced = isinstance(value, list) and not isinstance(value, Words)
+        if braced and not declared.startswith(("std::vector", "std::array", "std::map", "std::set")):
             return self.of_type(name, value, {}, tuple(type_arguments(inside)))
         if name in ("rclcpp.QoS", "rmw_qos_profile_t") and isinstance(value, int):
             return self.of_type(name, [value], {})

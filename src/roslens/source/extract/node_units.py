@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable as Callable1
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from roslens.source.extract.abstract_value import Building, Callable, Named, Obj, Unknown
+from roslens.source.extract.command_words import Words
 from roslens.source.extract.evaluated_statements import block
 from roslens.source.extract.evaluation import Evaluation, SpentError
 from roslens.source.extract.evaluation_frame import Frame
@@ -110,8 +111,13 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
     return _finished(engine, run, reached)
 
 
-def facts_of_main(index: Index, path: str, reached: Reached | None = None) -> list[NodeFacts]:
-    """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes."""
+def facts_of_main(
+    index: Index, path: str, reached: Reached | None = None, words: Sequence[Text] | None = None
+) -> list[NodeFacts]:
+    """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes.
+
+    ``words`` are those of its command line, where they are known.
+    """
     program = index.programs[path]
     main = next((one for one in program.functions if one.qualified_name == "main"), None)
     if main is None:
@@ -121,7 +127,8 @@ def facts_of_main(index: Index, path: str, reached: Reached | None = None) -> li
 
     def run() -> None:
         engine.frame = Frame(path, "")
-        engine.call(Callable(main, path), [Unknown("argc"), Unknown("argv")], {})
+        given = [Unknown("argc"), Unknown("argv")] if words is None else [len(words), Words(words)]
+        engine.call(Callable(main, path), given, {})
         _run_callbacks(engine)
         if len(engine.made) > 1:
             # Which node of several is which only this evaluation knows.
@@ -130,11 +137,21 @@ def facts_of_main(index: Index, path: str, reached: Reached | None = None) -> li
     return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
 
 
-def facts_of_module(index: Index, path: str, function: str = "", reached: Reached | None = None) -> list[NodeFacts]:
-    """Return the facts of a Python module: of a function of it, else of what it does when it is started."""
+def facts_of_module(
+    index: Index,
+    path: str,
+    function: str = "",
+    reached: Reached | None = None,
+    words: Sequence[Text] | None = None,
+) -> list[NodeFacts]:
+    """Return the facts of a Python module: of a function of it, else of what it does when it is started.
+
+    ``words`` are those of its command line, where they are known.
+    """
     program = index.programs[path]
     building = _building(function or "<module>", path, 1, generation_of(index, path), "node")
     engine = Evaluation(index, building)
+    engine.words = None if words is None else Words(words)
 
     def run() -> None:
         engine.frame = Frame(path, "")

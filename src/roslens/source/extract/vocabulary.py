@@ -61,6 +61,7 @@ _MODULES = (
     "vocabulary_shared",
     "vocabulary_images",
     "vocabulary_trees",
+    "command_words",
 )
 
 

@@ -8,6 +8,7 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
+from roslens.source.extract.command_words import given_to_ros
 from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, method, node_of, outer
@@ -25,6 +26,8 @@ def init(engine: Evaluation, _thing: Any, called: Called) -> Any:
     name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
     node.generation = "ros1"
     node.named = True
+    if called.name == "ros.init":
+        given_to_ros(engine, called)
     node.name = as_text(name) if name is not None else Text((Hole("name of the node"),))
     anonymous = called.argument(5, "anonymous")
     flags = called.argument(3)
@@ -351,7 +354,9 @@ def fill_options(engine: Evaluation, thing: Any, called: Called) -> Any:
     callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
     thing.fields["-callback"] = callback
     thing.fields["latch"] = thing.type == "ros.AdvertiseOptions" and called.argument(6) is True
-    kind = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    # Callbacks of a publisher are told who connects; its type is a text: name, size, checksum, type, definition.
+    by_callback = "" if thing.type == "ros.AdvertiseOptions" else type_of_callback(engine, callback)
+    kind = called.templates[0] if called.templates else by_callback
     thing.fields["-type"] = kind or Unknown("its type")
     return thing
 

@@ -14,6 +14,7 @@ from roslens.model.failure import Failure
 from roslens.model.source import Package, Role
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target
+from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_interfaces import KnownInterface, nearest
 from roslens.source.extract.workspace_parts import WorkspaceParts
 from roslens.source.inventory import take_inventory
@@ -66,7 +67,7 @@ class WorkspaceFacts:
         self.failures = inventory.failures
         self.broken: list[Failure] = []
         self._interfaces: dict[tuple[str, str], list[KnownInterface]] | None = None
-        self._facts: dict[tuple[str, str], tuple[NodeFacts, ...]] = {}
+        self._facts: dict[tuple[str, ...], tuple[NodeFacts, ...]] = {}
 
     @property
     def packages(self) -> tuple[Package, ...]:
@@ -102,9 +103,18 @@ class WorkspaceFacts:
         build = self._parts.builds.builds.get(package)
         return () if build is None else build.targets
 
-    def program(self, path: str, function: str = "") -> Sequence[NodeFacts]:
-        """Return the nodes that a file becomes when it is started."""
-        return self._once(("program " + path, function), lambda: self._of_program(path, function))
+    def program(self, path: str, function: str = "", words: Sequence[Text] | None = None) -> Sequence[NodeFacts]:
+        """Return the nodes that a file becomes when it is started, with these words on its command line."""
+        if words is None or not self._reads_words(path):
+            return self._once(("program " + path, function), lambda: self._of_program(path, function))
+        key = ("program " + path, function, *map(str, words))
+        return self._once(key, lambda: self._of_program(path, function, words))
+
+    def _reads_words(self, path: str) -> bool:
+        from roslens.source.extract.command_words import reads_words
+
+        found = self._parts.index.programs.get(path)
+        return found is not None and reads_words(found)
 
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""
@@ -120,7 +130,7 @@ class WorkspaceFacts:
         known = self._interfaces.get((generation, interface))
         return nearest(known, path).checksum.text if known else ""
 
-    def _once(self, what: tuple[str, str], make: Callable[[], tuple[NodeFacts, ...]]) -> tuple[NodeFacts, ...]:
+    def _once(self, what: tuple[str, ...], make: Callable[[], tuple[NodeFacts, ...]]) -> tuple[NodeFacts, ...]:
         if what not in self._facts:
             key = key_of(self._parts.programs_key, what)
             self._facts[what] = self._parts.kept("unit", key, _Kept, lambda: self._kept(what[1], make)).nodes
@@ -132,7 +142,7 @@ class WorkspaceFacts:
         nodes = tuple(attempt(lambda: list(make()), where, 0, self.broken))
         return _Kept(nodes, self._parts.programs.lasting and not self.broken)
 
-    def _of_program(self, path: str, function: str) -> tuple[NodeFacts, ...]:
+    def _of_program(self, path: str, function: str, words: Sequence[Text] | None = None) -> tuple[NodeFacts, ...]:
         from roslens.source.extract.assemble_program import classes_made, joined_facts
         from roslens.source.extract.node_units import facts_of_main, facts_of_module, node_classes
 
@@ -141,8 +151,8 @@ class WorkspaceFacts:
         if program is None:
             return ()
         if program.language == "python":
-            return tuple(facts_of_module(index, path, function))
-        main = facts_of_main(index, path)
+            return tuple(facts_of_module(index, path, function, words=words))
+        main = facts_of_main(index, path, words=words)
         made = list(classes_made(index, path, [one for one, _, _ in node_classes(index)]))
         if len(made) != 1:
             # Which of several nodes is of which class nobody can tell from here; the main function tells of all.

@@ -1,5 +1,6 @@
 from pathlib import Path
 
+from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_facts import WorkspaceFacts
 from roslens.source.settings import SourceSettings
 from roslens.source.workspace.find import find_workspace
@@ -56,3 +57,12 @@ def test_a_unit_that_breaks_is_told_and_not_kept(tmp_path, monkeypatch):
             assert found.program(path, "main") == ()
             assert ["ZeroDivisionError" in one.what for one in found.broken] == [True]
         assert facts(cache).program(path, "main") != ()
+
+
+def test_whether_a_program_reads_its_words_is_kept(tmp_path):
+    path, words = "src/rover/rover_sensors/rover_sensors/battery_monitor.py", (Text.of("a"), Text.of("b"))
+    with Cache.open(tmp_path / "cache.sqlite") as cache:
+        first = facts(cache).program(path, "main", words)
+        again = facts(cache)
+        assert again.program(path, "main", words) == first
+        assert "index" not in vars(again._parts)

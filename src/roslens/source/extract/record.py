@@ -210,7 +210,7 @@ def parameter(
     """Record a parameter and return what reading it gives: a hole with its default."""
     node = node_of(engine, receiver)
     written = below(receiver, as_text(name))
-    text = as_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
+    text = value_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
     fact = ParameterFact(
         written,
         called.evidence,
@@ -224,6 +224,16 @@ def parameter(
     known = written.known or written.pattern
     usual = text.usual if text is not None else declared_default(node, written)
     return Text((Hole(node.said(f"parameter {written}"), known, usual),))
+
+
+def value_text(value: Any) -> Text:
+    """Return the value of a parameter as text: a list as YAML in one line, where all of it is known."""
+    if not isinstance(value, list):
+        return as_text(value)
+    items = [value_text(one) for one in value]
+    if any(one.known is None for one in items):
+        return unknown("a list of which a part is unknown")
+    return Text.of("[", ", ".join(one.known or "''" for one in items), "]")
 
 
 def declared_default(node: Building, name: Text) -> str | None:

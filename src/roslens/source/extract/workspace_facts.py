@@ -30,6 +30,13 @@ class _Kept(msgspec.Struct, frozen=True, array_like=True):
     lasting: bool = True
 
 
+class _Reads(msgspec.Struct, frozen=True, array_like=True):
+    """Whether a program reads the words of its command line: known without the program when it was asked before."""
+
+    words: bool
+    lasting: bool = True
+
+
 class WorkspaceFacts:
     """The nodes that code of a workspace becomes, see :class:`~roslens.source.extract.assemble_units.Units`.
 
@@ -111,10 +118,14 @@ class WorkspaceFacts:
         return self._once(key, lambda: self._of_program(path, function, words))
 
     def _reads_words(self, path: str) -> bool:
+        key = key_of(self._parts.programs_key, "reads its words", path)
+        return self._parts.kept("unit", key, _Reads, lambda: self._whether_read(path)).words
+
+    def _whether_read(self, path: str) -> _Reads:
         from roslens.source.extract.command_words import reads_words
 
         found = self._parts.index.programs.get(path)
-        return found is not None and reads_words(found)
+        return _Reads(found is not None and reads_words(found), self._parts.programs.lasting)
 
     def of_class(self, name: str) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""

@@ -24,6 +24,8 @@ PORT = 7411
 BAD = frozenset(("low", "high", "absent"))
 STEP = 0.02
 CALM = 1.5
+GRACE = 3.0
+"""As in the reference: what is bad so soon after it came is not told, so that a fault has to wait until then."""
 _AGENTS = tuple(name for name in HOSTS if name != MONITOR)  # the monitor samples its own host
 
 
@@ -138,7 +140,7 @@ class Watched:
             time.sleep(STEP)
 
     def wait_until_ok(self, keys: Iterable[tuple[str, str]], limit: float = 40.0) -> None:
-        """Waits until `keys` are ok and nothing was bad for a while."""
+        """Waits until `keys` are ok, their grace is over, and nothing was bad for a while."""
         needed = set(keys)
 
         def ok() -> bool:
@@ -146,6 +148,8 @@ class Watched:
             if any(one.bad for one in standing.values()):
                 return False
             if not all(key in standing and standing[key].state == "ok" for key in needed):
+                return False
+            if time.time() - max(standing[key].time for key in needed) < GRACE:
                 return False
             # The last change that ended an alarm; what only became known does not count.
             return time.time() - max((one.time for one in self.told if one.key in self.alarmed), default=0.0) >= CALM

@@ -80,7 +80,7 @@ public: A() { server_ = new Server(ros::NodeHandle(), "go", run, false); } };
 int main(int argc, char ** argv) { ros::init(argc, argv, "a"); A a; }
 """
     facts = next(one for one in units(a_cpp=text) if one.unit == "main")
-    assert [(str(one.name), one.type.known) for one in facts.endpoints] == [("go", "demo/Go")]
+    assert [(str(one.name), one.type.known) for one in facts.endpoints] == [("go", "demo/GoAction")]
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,7 @@ TF = "tf2_msgs/TFMessage"
         ),
         (
             'actionlib::SimpleActionClient<demo::GoAction> c("go", true);',
-            [("action_client", "go", "demo/Go")],
+            [("action_client", "go", "demo/GoAction")],
         ),
         (
             "diagnostic_updater::Updater u;",

@@ -121,8 +121,6 @@ def _action(engine: Evaluation, called: Called, role: Role) -> Any:
     if name is None:
         name = called.argument(0, "name", "ns")
     kind: Any = called.templates[0] if called.templates else called.argument(1, "ActionSpec")
-    if isinstance(kind, str):
-        kind = kind.removesuffix("Action")
     callback = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)), None)
     return endpoint(engine, handle_of(engine, called), called, role, name, kind, callback=callback)
 

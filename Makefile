@@ -67,7 +67,7 @@ known-mistakes: .venv/stamp
 # graph that was recorded: clones of public code are looked for in $ROSLENS_CORPORA, a Python with launch_ros in
 # $ROSLENS_ROS2_PYTHON, see CONTRIBUTING.md.
 accuracy: parts
-	sh .ci/ros-source ros-geometry ros-robot-state-publisher
+	sh .ci/ros-source ros-geometry ros-image-pipeline ros-robot-state-publisher
 	PYTHONPATH=tests $(BIN)/python -m accuracy $(ARGS)
 
 lock:

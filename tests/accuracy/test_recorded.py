@@ -12,7 +12,7 @@ from accuracy.reading import lay_out, read
 from accuracy.system import missing, systems
 
 SYSTEMS = systems()
-RECALL, PRECISION = 0.93, 0.98
+RECALL, PRECISION = 0.91, 0.98
 """Of all systems together, without what every node has; docs/accuracy.md says what is missed and why."""
 
 

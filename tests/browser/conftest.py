@@ -39,7 +39,7 @@ addEventListener("securitypolicyviolation", (event) =>
   console.error(`policy: ${event.violatedDirective} ${event.blockedURI}`));
 """
 
-expect.set_options(timeout=5_000)
+expect.set_options(timeout=20_000)  # how long pages take is measured elsewhere, by what they take of a processor
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

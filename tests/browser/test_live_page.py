@@ -263,7 +263,8 @@ def test_a_lost_monitor_is_shown_at_once_and_its_return_too(
 
 def test_a_monitor_that_stands_still_is_shown(follow: Open) -> None:
     page = follow()
-    expect(page.locator("#lost")).to_have_text(re.compile("has told nothing new for ([6-9]|[1-9][0-9]) s"), timeout=12_000)
+    told = re.compile("has told nothing new for ([6-9]|[1-9][0-9]) s")
+    expect(page.locator("#lost")).to_have_text(told, timeout=12_000)
 
 
 def test_without_scripts_the_table_is_there(robot: ScriptedRobot, follow: Open) -> None:

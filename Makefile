@@ -41,10 +41,10 @@ slow: lint parts
 faults: lint parts
 	$(BIN)/pytest -m table
 
-# An answer in two minutes: no real tools, no browser, no pages, no whole runs, nothing slow, and fewer examples.
+# An answer in two minutes: no real tools, no browser, no pages, no whole runs, no recorded systems, nothing slow, and fewer examples.
 quick: lint
 	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not real and not browser" \
-		--ignore=tests/scenarios --ignore=tests/native --ignore=tests/cli --ignore=tests/dashboard --ignore=tests/plugins/haros
+		--ignore=tests/scenarios --ignore=tests/native --ignore=tests/cli --ignore=tests/dashboard --ignore=tests/plugins/haros --ignore=tests/accuracy
 
 lint: .venv/stamp
 	$(BIN)/ruff check

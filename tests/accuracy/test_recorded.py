@@ -6,18 +6,26 @@ import pytest
 
 from accuracy import ros1, ros2
 from accuracy.comparing import IMPLICIT, compare, silent_nodes, total
-from accuracy.facts import Fact, seen
+from accuracy.facts import seen
 from accuracy.kept import kept_facts, kept_graph
 from accuracy.reading import lay_out, read
 from accuracy.system import missing, systems
 
 SYSTEMS = systems()
-RECALL, PRECISION = 0.91, 0.98
+RECALL, PRECISION = 0.93, 0.98
 """Of all systems together, without what every node has; docs/accuracy.md says what is missed and why."""
+LEAST = {"cameras": 0.62}
+"""The recall of a system of which a whole kind of program is not followed, apart from the others: nodelet::Loader."""
 
 
 def judged(system, graph, told):
     return compare(seen(graph), told, system.reasons, system.generation, silent_nodes(graph))
+
+
+def recorded(system):
+    graph = kept_graph(system)
+    assert graph is not None, f"{system.name} was never recorded: run `make accuracy ARGS={system.name}`"
+    return graph
 
 
 def there(system):
@@ -28,27 +36,25 @@ def there(system):
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_every_difference_has_a_reason_and_none_is_a_wrong_certainty(name):
     system = SYSTEMS[name]
-    graph = kept_graph(system)
-    if graph is None:
-        pytest.skip("it was not recorded")
+    graph = recorded(system)
     found = judged(system, graph, kept_facts(system))
     assert [one.text for one in found.unexplained] == []
     assert [one.text for one in found.wrong] == []
 
 
+def of_all(chosen):
+    rows = [judged(system, recorded(system), kept_facts(system)).rows for system in chosen]
+    return total([{"node": one} for part in rows for name, one in part.items() if name != IMPLICIT])["node"]
+
+
 def test_all_that_was_recorded_is_found():
-    rows = []
-    for system in SYSTEMS.values():
-        graph = kept_graph(system)
-        if graph is not None:
-            rows.append(judged(system, graph, kept_facts(system)).rows)
-    row = total([{"node": one} for part in rows for name, one in part.items() if name != IMPLICIT])["node"]
+    row = of_all(system for name, system in SYSTEMS.items() if name not in LEAST)
     assert row.found >= RECALL * row.seen
+    for name, least in LEAST.items():
+        one = of_all([SYSTEMS[name]])
+        assert one.found >= least * one.seen
+    row = of_all(SYSTEMS.values())
     assert row.right >= PRECISION * row.said
-
-
-def bare(facts: tuple[Fact, ...]):
-    return {(one.key, tuple(sorted(one.values.items())), one.sure, one.resolved) for one in facts}
 
 
 @pytest.mark.parametrize(
@@ -57,9 +63,7 @@ def bare(facts: tuple[Fact, ...]):
 def test_source_says_no_less_than_it_did(name, tmp_path):
     system = SYSTEMS[name]
     there(system)
-    graph = kept_graph(system)
-    if graph is None:
-        pytest.skip("it was not recorded")
+    graph = recorded(system)
     lay_out(system, tmp_path)
     now = judged(system, graph, read(system, tmp_path))
     then = judged(system, graph, kept_facts(system))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from typing import NoReturn
 
 from roslens import __version__
 from roslens.cli.boundary import guarded
@@ -61,8 +62,8 @@ def parser() -> argparse.ArgumentParser:
     """Return the parser of the whole command line; shell completion is generated from it too."""
     top = argparse.ArgumentParser(
         prog="roslens",
-        description="How good is the source of your robot? Measures and judges ROS 1 and ROS 2 packages, "
-        "without building or running them.",
+        description="How good is the source of your robot, and does it behave when it runs? Measures and judges ROS 1 "
+        "and ROS 2 packages without building or running them, and watches systems that run.",
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -77,14 +78,26 @@ def parser() -> argparse.ArgumentParser:
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         module.add_arguments(one)
-        one.set_defaults(run=module.run)
+        one.set_defaults(run=module.run, parser=one)
     return top
+
+
+def _refuse(unknown: Sequence[str], verb: argparse.ArgumentParser) -> NoReturn:
+    """Say what a command does not know, what comes near to it, and where to look."""
+    from difflib import get_close_matches
+
+    words = [word for action in verb._actions for word in action.option_strings]  # noqa: SLF001 - told no other way
+    near = get_close_matches(unknown[0].partition("=")[0], words, n=1)
+    meant = f" Did you mean {near[0]}?" if near else ""
+    verb.error(f"unrecognized arguments: {' '.join(unknown)}.{meant} `{verb.prog} --help` has all with examples")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     given = list(sys.argv[1:] if arguments is None else arguments)
-    options = parser().parse_args(given)
+    options, unknown = parser().parse_known_args(given)
+    if unknown:
+        _refuse(unknown, options.parser)
     return guarded(lambda: int(options.run(options)), given)
 
 

@@ -1,0 +1,34 @@
+"""What the command line says to words that it does not know."""
+
+import subprocess
+import sys
+
+import pytest
+
+from roslens.cli.main import main
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["graph", "--lanch", "x"], ["--lanch", "Did you mean --launch?", "`roslens graph --help`"]),
+        (["watch", "--taps=x"], ["--taps=x", "Did you mean --tap?", "`roslens watch --help`"]),
+        (["check", "--zzz"], ["--zzz", "`roslens check --help`"]),
+    ],
+)
+def test_an_unknown_argument_is_named_with_what_comes_near(words, said, capsys):
+    with pytest.raises(SystemExit, match="2"):
+        main(words)
+    error = capsys.readouterr().err
+    assert [part for part in said if part not in error] == []
+
+
+def test_nothing_near_is_not_guessed(capsys):
+    with pytest.raises(SystemExit):
+        main(["check", "--zzz"])
+    assert "Did you mean" not in capsys.readouterr().err
+
+
+def test_what_a_command_of_the_user_gets_is_not_ours():
+    words = [sys.executable, "-m", "roslens.cli.main", "run", "--", "echo", "--lanch"]
+    assert subprocess.run(words, capture_output=True, text=True, check=True).stdout == "--lanch\n"

@@ -19,21 +19,18 @@ from roslens.source.extract.abstract_value import (
     Obj,
     QosValue,
     Unknown,
-    as_text,
 )
-from roslens.source.extract.base_templates import bind_bases
 from roslens.source.extract.command_words import Words
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
-from roslens.source.extract.evaluated_calls import Calls
+from roslens.source.extract.evaluated_objects import Objects, overload
 from roslens.source.extract.evaluated_statements import assign, block, initialise
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.program import Assign, Call, Expression, Function, Member, Parameter
+from roslens.source.extract.program import Call, Expression, Function, Parameter
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.vocabulary import find_outer
 from roslens.source.extract.vocabulary_options import options_from_outside
-from roslens.source.extract.workspace_index import Defined, Index, type_arguments, type_name
+from roslens.source.extract.workspace_index import Index, type_name
 
 MOST_STEPS = 60_000
 MOST_DEPTH = 14
@@ -49,7 +46,7 @@ class SpentError(Exception):
     """The bounds of evaluation are spent."""
 
 
-class Evaluation(Calls):
+class Evaluation(Objects):
     """One evaluation of a unit: a main function, a class that becomes a node, a module.
 
     Attributes:
@@ -117,18 +114,6 @@ class Evaluation(Calls):
                 self.conditions += with_note
                 self.call(callback, [], {})
                 del self.conditions[len(self.conditions) - len(with_note) :]
-
-    def constructed(self, declared: str, value: Any) -> Any:
-        """Return a member that is initialised with one value: an object of its class made of it, or the value."""
-        name, inside = type_name(declared)
-        if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
-            return self.converted(declared, value)
-        defined = self.index.class_of(name, self.frame.path, self.frame.scope)
-        same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
-        outer = find_outer(self, self.index.meaning(name, self.frame.path, self.frame.scope))
-        if same or (isinstance(value, Unknown) and outer is None) or (defined is None and outer is None):
-            return self.converted(declared, value)
-        return self.of_type(name, [value], {}, tuple(type_arguments(inside)))
 
     def assign(self, target: Expression, value: Any) -> None:
         """Put a value where an expression says."""
@@ -232,72 +217,6 @@ class Evaluation(Calls):
         found = self.index.class_of(function.function.class_name, function.path, "")
         return len(getattr(found.what, "templates", ())) if found is not None else 0
 
-    def construct(
-        self, defined: Defined, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
-    ) -> Any:
-        """Make an object of a class of the workspace, its constructor evaluated."""
-        thing = Obj(defined.what.qualified_name, defined, {})
-        names = getattr(defined.what, "templates", ())
-        thing.templates.update(zip(names, templates, strict=False))
-        site, written = self.site, self.written
-        self.prepare(thing)
-        self.site, self.written = site, written
-        self.construct_as(thing, defined, arguments, keywords)
-        if thing.node is not None:
-            self.made.append(thing)
-        return thing
-
-    def prepare(self, thing: Obj) -> None:
-        """Give an object the members that its classes declare."""
-        bind_bases(self, thing)
-        for one in reversed(self.index.chain(thing.defined)) if thing.defined is not None else ():
-            initialised = self._initialised(one)
-            for field in getattr(one.what, "fields", ()):
-                if field.name in initialised:
-                    thing.fields[field.name] = Unknown(field.name)
-                    continue
-                outer, self.frame = self.frame, Frame(one.path, one.what.qualified_name, thing)
-                self.frame.templates.update(thing.templates_of(one.what.qualified_name))
-                self.site = Evidence(one.path, field.line)
-                try:
-                    if field.value is not None:
-                        thing.fields[field.name] = self.typed(field.type, self.value(field.value))
-                    elif field.type and "*" not in field.type:
-                        value = self.declared(field.type)
-                        # Who sets it may not be followed: it is not sure to be empty.
-                        not_set = unknown(f"{field.name}, which is not set")
-                        thing.fields[field.name] = not_set if isinstance(value, Text) else value
-                finally:
-                    self.frame = outer
-
-    def _initialised(self, defined: Defined) -> set[str]:
-        """Return the members that constructors of a class of C++ initialise: they are not made twice."""
-        return {
-            statement.target.name
-            for method in self.index.methods(defined, defined.what.name)
-            for statement in getattr(method.what, "initialisers", ())
-            if isinstance(statement, Assign) and isinstance(statement.target, Member)
-        }
-
-    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
-        """Evaluate the constructor of one class of an object."""
-        python = self.index.programs[defined.path].language == "python"
-        name = "__init__" if python else defined.what.name
-        found = self.index.methods(defined, name)
-        chosen = _overload(found, len(arguments) + len(keywords))
-        if chosen is not None and isinstance(chosen.what, Function):
-            self.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, self.written)
-            return
-        for base in self.index.chain(defined)[1:2]:
-            self.construct_as(thing, base, arguments, keywords)
-        if not self.index.chain(defined)[1:]:
-            self.base_constructed(thing, defined, arguments, keywords)
-
-    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
-        """Construct the bases that are not in the workspace."""
-        for base in self.index.outer_bases(defined):
-            self.construct_outer(thing, base, arguments, keywords)
-
     def method(self, thing: Obj, name: str) -> Callable | None:
         """Return a method of an object by name, of its class or the nearest base that has it."""
         if thing.defined is None:
@@ -316,7 +235,7 @@ class Evaluation(Calls):
             return None
         for one in self.index.chain(thing.defined):
             found = self.index.methods(one, name)
-            chosen = _overload(found, count)
+            chosen = overload(found, count)
             if chosen is not None and isinstance(chosen.what, Function):
                 return Callable(chosen.what, chosen.path, thing)
         return None
@@ -324,7 +243,7 @@ class Evaluation(Calls):
     def function(self, name: str, count: int) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
         found = self.index.functions_of(name, self.frame.path, self.frame.scope)
-        chosen = _overload(found, count)
+        chosen = overload(found, count)
         if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
             return None
         return Callable(chosen.what, chosen.path)
@@ -333,23 +252,6 @@ class Evaluation(Calls):
         """Note the line at which something is made next that no call makes."""
         if line:
             self.site = Evidence(self.frame.path, line)
-
-    def declared(self, declared: str) -> Any:
-        """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
-        name, inside = type_name(declared)
-        if "*" in declared or "ptr" in declared.lower():
-            return None
-        return self.of_type(name, [], {}, tuple(type_arguments(inside)))
-
-    def typed(self, declared: str, value: Any) -> Any:
-        """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
-        name, inside = type_name(declared)
-        braced = isinstance(value, list) and not isinstance(value, Words)
-        if braced and not declared.startswith(("std::vector", "std::array", "std::map", "std::set")):
-            return self.of_type(name, value, {}, tuple(type_arguments(inside)))
-        if name in ("rclcpp.QoS", "rmw_qos_profile_t") and isinstance(value, int):
-            return self.of_type(name, [value], {})
-        return value
 
     def callable_type(self, function: Callable, place: int) -> str:
         """Return the declared type of a parameter of a callback; empty where it has none."""
@@ -397,40 +299,7 @@ class Evaluation(Calls):
             return self.index.meaning(name, self.frame.path, self.frame.scope) in NODE_BASES
         return any(base in NODE_BASES for base in self.index.outer_bases(defined))
 
-    def converted(self, declared: str, value: Any) -> Any:
-        """Return a value as a declaration makes it."""
-        name, _ = type_name(declared)
-        if isinstance(value, int | float) and name in ("std.string", "string"):
-            return value
-        return self.typed(declared, value)
-
     # Values by type
-
-    def of_type(
-        self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
-    ) -> Any:
-        """Return an object of a class by its name as written."""
-        if not name or name in _PLAIN:
-            return self.plain(name, arguments)
-        name = self.frame.templates.get(name, name)
-        alias = "" if templates else self.index.alias(name, self.frame.path, self.frame.scope)
-        if "<" in alias:
-            name, inside = type_name(alias)
-            templates = tuple(self.template(one) for one in type_arguments(inside))
-        defined = self.index.class_of(name, self.frame.path, self.frame.scope)
-        if defined is not None:
-            return self.construct(defined, arguments, keywords, templates)
-        return self.made_outer(
-            self.index.meaning(name, self.frame.path, self.frame.scope), arguments, keywords, templates
-        )
-
-    def plain(self, name: str, arguments: list[Any]) -> Any:
-        """Return a value of a fundamental type."""
-        if name in ("std.string", "string", "QString", "std.string_view"):
-            return as_text(arguments[0]) if arguments else Text()
-        if not arguments:
-            return Unknown("a value that is not set")
-        return arguments[0]
 
     def called_outer(self, callback: Any, note: str = "") -> str:
         """Remember that a callback was given away; return its name."""
@@ -444,26 +313,6 @@ class Evaluation(Calls):
 
 
 _TEXTS = ("std.string", "string", "std.string_view", "char")
-_PLAIN = frozenset(
-    {"std.string", "string", "QString", "std.string_view", "int", "double", "float", "bool", "size_t", "uint8_t",
-     "uint16_t", "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t", "unsigned int", "unsigned", "long",
-     "char", "auto", "void", "unsigned long", "std.size_t"}
-)  # fmt: skip
-
-
-def _overload(found: list[Defined], count: int) -> Defined | None:
-    """Return the function that takes so many arguments, else the one with the most to say."""
-    if len(found) < 2:
-        return found[0] if found and isinstance(found[0].what, Function) else None
-    functions = [one for one in found if isinstance(one.what, Function)]
-    fit = [
-        one
-        for one in functions
-        if isinstance(one.what, Function)
-        and sum(parameter.default is None for parameter in one.what.parameters) <= count <= len(one.what.parameters)
-    ]
-    best = fit or functions
-    return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)
 
 
 __all__ = ["Class", "Evaluation", "Handle", "Named", "QosValue", "SpentError", "unknown"]

@@ -1,0 +1,183 @@
+"""Objects and values by their type: how classes are constructed, and what declarations make."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.abstract_value import Callable, Obj, Unknown, as_text
+from roslens.source.extract.base_templates import bind_bases
+from roslens.source.extract.command_words import Words
+from roslens.source.extract.evaluated_calls import Calls
+from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.program import Assign, Function, Member
+from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.vocabulary import find_outer
+from roslens.source.extract.workspace_index import Defined, type_arguments, type_name
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+
+class Objects(Calls):
+    """Makes objects and values of a type."""
+
+    def constructed(self, declared: str, value: Any) -> Any:
+        """Return a member that is initialised with one value: an object of its class made of it, or the value."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        name, inside = type_name(declared)
+        if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
+            return engine.converted(declared, value)
+        defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+        same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
+        outer = find_outer(engine, engine.index.meaning(name, engine.frame.path, engine.frame.scope))
+        if same or (isinstance(value, Unknown) and outer is None) or (defined is None and outer is None):
+            return engine.converted(declared, value)
+        return engine.of_type(name, [value], {}, tuple(type_arguments(inside)))
+
+    def construct(
+        self, defined: Defined, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
+    ) -> Any:
+        """Make an object of a class of the workspace, its constructor evaluated."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        thing = Obj(defined.what.qualified_name, defined, {})
+        names = getattr(defined.what, "templates", ())
+        thing.templates.update(zip(names, templates, strict=False))
+        site, written = engine.site, engine.written
+        engine.prepare(thing)
+        engine.site, engine.written = site, written
+        engine.construct_as(thing, defined, arguments, keywords)
+        if thing.node is not None:
+            engine.made.append(thing)
+        return thing
+
+    def prepare(self, thing: Obj) -> None:
+        """Give an object the members that its classes declare."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        bind_bases(engine, thing)
+        for one in reversed(engine.index.chain(thing.defined)) if thing.defined is not None else ():
+            initialised = self._initialised(one)
+            for field in getattr(one.what, "fields", ()):
+                if field.name in initialised:
+                    thing.fields[field.name] = Unknown(field.name)
+                    continue
+                outer, engine.frame = engine.frame, Frame(one.path, one.what.qualified_name, thing)
+                engine.frame.templates.update(thing.templates_of(one.what.qualified_name))
+                engine.site = Evidence(one.path, field.line)
+                try:
+                    if field.value is not None:
+                        thing.fields[field.name] = engine.typed(field.type, engine.value(field.value))
+                    elif field.type and "*" not in field.type:
+                        value = engine.declared(field.type)
+                        # Who sets it may not be followed: it is not sure to be empty.
+                        not_set = unknown(f"{field.name}, which is not set")
+                        thing.fields[field.name] = not_set if isinstance(value, Text) else value
+                finally:
+                    engine.frame = outer
+
+    def _initialised(self, defined: Defined) -> set[str]:
+        """Return the members that constructors of a class of C++ initialise: they are not made twice."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        return {
+            statement.target.name
+            for method in engine.index.methods(defined, defined.what.name)
+            for statement in getattr(method.what, "initialisers", ())
+            if isinstance(statement, Assign) and isinstance(statement.target, Member)
+        }
+
+    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Evaluate the constructor of one class of an object."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        python = engine.index.programs[defined.path].language == "python"
+        name = "__init__" if python else defined.what.name
+        found = engine.index.methods(defined, name)
+        chosen = overload(found, len(arguments) + len(keywords))
+        if chosen is not None and isinstance(chosen.what, Function):
+            engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)
+            return
+        for base in engine.index.chain(defined)[1:2]:
+            engine.construct_as(thing, base, arguments, keywords)
+        if not engine.index.chain(defined)[1:]:
+            engine.base_constructed(thing, defined, arguments, keywords)
+
+    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Construct the bases that are not in the workspace."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        for base in engine.index.outer_bases(defined):
+            engine.construct_outer(thing, base, arguments, keywords)
+
+    def declared(self, declared: str) -> Any:
+        """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        name, inside = type_name(declared)
+        if "*" in declared or "ptr" in declared.lower():
+            return None
+        return engine.of_type(name, [], {}, tuple(type_arguments(inside)))
+
+    def typed(self, declared: str, value: Any) -> Any:
+        """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        name, inside = type_name(declared)
+        braced = isinstance(value, list) and not isinstance(value, Words)
+        if braced and not declared.startswith(("std::vector", "std::array", "std::map", "std::set")):
+            return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
+        if name in ("rclcpp.QoS", "rmw_qos_profile_t") and isinstance(value, int):
+            return engine.of_type(name, [value], {})
+        return value
+
+    def converted(self, declared: str, value: Any) -> Any:
+        """Return a value as a declaration makes it."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        name, _ = type_name(declared)
+        if isinstance(value, int | float) and name in ("std.string", "string"):
+            return value
+        return engine.typed(declared, value)
+
+    def of_type(
+        self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
+    ) -> Any:
+        """Return an object of a class by its name as written."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        if not name or name in _PLAIN:
+            return engine.plain(name, arguments)
+        name = engine.frame.templates.get(name, name)
+        alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
+        if "<" in alias:
+            name, inside = type_name(alias)
+            templates = tuple(engine.template(one) for one in type_arguments(inside))
+        defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+        if defined is not None:
+            return engine.construct(defined, arguments, keywords, templates)
+        return engine.made_outer(
+            engine.index.meaning(name, engine.frame.path, engine.frame.scope), arguments, keywords, templates
+        )
+
+    def plain(self, name: str, arguments: list[Any]) -> Any:
+        """Return a value of a fundamental type."""
+        if name in ("std.string", "string", "QString", "std.string_view"):
+            return as_text(arguments[0]) if arguments else Text()
+        if not arguments:
+            return Unknown("a value that is not set")
+        return arguments[0]
+
+
+_PLAIN = frozenset(
+    {"std.string", "string", "QString", "std.string_view", "int", "double", "float", "bool", "size_t", "uint8_t",
+     "uint16_t", "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t", "unsigned int", "unsigned", "long",
+     "char", "auto", "void", "unsigned long", "std.size_t"}
+)  # fmt: skip
+
+
+def overload(found: list[Defined], count: int) -> Defined | None:
+    """Return the function that takes so many arguments, else the one with the most to say."""
+    if len(found) < 2:
+        return found[0] if found and isinstance(found[0].what, Function) else None
+    functions = [one for one in found if isinstance(one.what, Function)]
+    fit = [
+        one
+        for one in functions
+        if isinstance(one.what, Function)
+        and sum(parameter.default is None for parameter in one.what.parameters) <= count <= len(one.what.parameters)
+    ]
+    best = fit or functions
+    return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)

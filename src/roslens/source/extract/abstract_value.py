@@ -15,6 +15,7 @@ from roslens.source.extract.node_facts import (
     EndpointFact,
     Evidence,
     Inherits,
+    LoadFact,
     NodeFacts,
     ParameterFact,
     TimerFact,
@@ -61,6 +62,7 @@ class Building(msgspec.Struct, eq=False):
     number: int = 0
     uses: list[str] = []
     unresolved: list[tuple[Evidence, str]] = []
+    loads: list[LoadFact] = []
     named: bool = False
 
     def facts(self) -> NodeFacts:
@@ -69,7 +71,7 @@ class Building(msgspec.Struct, eq=False):
             self.unit, self.path, self.line, self.generation, self.kind, self.name, self.namespace,
             tuple(self.endpoints), tuple(self.parameters), tuple(self.timers), tuple(self.arguments),
             tuple(self.settings), self.global_arguments, self.inherits, self.conditions, self.number,
-            tuple(dict.fromkeys(self.uses)), tuple(dict.fromkeys(self.unresolved)),
+            tuple(dict.fromkeys(self.uses)), tuple(dict.fromkeys(self.unresolved)), tuple(self.loads),
         )  # fmt: skip
         return with_texts(facts, self._seen_from_here) if self.number else facts
 
@@ -161,6 +163,10 @@ class Named(msgspec.Struct, frozen=True):
 
     name: str
     templates: tuple[str, ...] = ()
+
+
+class Remappings(dict[Any, Any]):
+    """A map of names to names, as node handles take remappings."""
 
 
 class Class(msgspec.Struct, frozen=True, eq=False):

@@ -14,6 +14,7 @@ from roslens.model.configuration import (
 )
 from roslens.model.errors import DocumentError
 from roslens.source.extract.assemble_arguments import CommandLine, command_line
+from roslens.source.extract.assemble_loads import loaded_by, with_used
 from roslens.source.extract.assemble_node import Given, assembled, container_name, values_of
 from roslens.source.extract.assemble_parameters import set_outside
 from roslens.source.extract.assemble_proof import launch_proof
@@ -155,8 +156,13 @@ class _Whole:
                 facts = values_of(given, meant.facts[0]).filled_by_maker(facts)
                 held = self._further(given, facts)
             node, missing = assembled(held, facts, meant)
+            place = len(self.nodes)
             self.nodes.append(_with_checksums(node, self.units))
             self.unresolved += missing
+            if facts.loads and launched.kind != "nodelet":
+                for loaded in loaded_by(held, facts):
+                    self.start(loaded)
+                self.nodes[place] = with_used(self.nodes[place], self.nodes[place + 1 :])
 
     def _further(self, given: Given, facts: NodeFacts) -> Given:
         """Return what holds for a further node of a process or component.

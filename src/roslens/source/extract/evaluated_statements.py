@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Callable, Obj, Unknown
+from roslens.source.extract.abstract_value import Callable, Obj, Remappings, Unknown, as_text
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import (
@@ -137,6 +137,9 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
             engine.called_outer(value)
     elif isinstance(target, Item):
         of, key = engine.value(target.of), engine.value(target.key)
+        if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
+            # It may hold, or not: nobody knows what the name becomes.
+            value = unknown(f"{as_text(value)} if {engine.conditions[-1]}")
         if isinstance(of, dict):
             of[hashable(key)] = value
     elif isinstance(target, Sequence):

@@ -48,6 +48,22 @@ class Evidence(msgspec.Struct, frozen=True, array_like=True, order=True):
     sure: Sure = Sure.CERTAIN
 
 
+class Overrides(msgspec.Struct, frozen=True, array_like=True):
+    """Policies of a quality of service that parameters may set (``qos_overrides./topic.publisher_id.depth``).
+
+    Attributes:
+        policies: by the names of their parameters: ``depth``, ``reliability`` …
+        id: tells endpoints of one topic apart; empty where none is given.
+        unknown: reason why policies or id are not all known; empty where they are.
+        conditions: what must hold for them to be set by parameters at all, as written.
+    """
+
+    policies: tuple[str, ...]
+    id: str = ""
+    unknown: str = ""
+    conditions: tuple[str, ...] = ()
+
+
 class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
     """An endpoint that a node makes.
 
@@ -58,6 +74,7 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
         evidence: where it is made.
         qos: of it; empty texts and zeros are unknown; None in ROS 1.
         qos_unknown: reason why a part of ``qos`` is unknown; empty where nothing is.
+        overrides: which of its policies parameters may set; None where they may not.
         queue: size of the queue in ROS 1; -1 where unknown.
         latched: whether it keeps the last message for those who come late (ROS 1).
         callback: qualified name of what is called; empty where unknown.
@@ -80,6 +97,7 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
     conditions: tuple[str, ...] = ()
     sites: tuple[Evidence, ...] = ()
     through: tuple[Evidence, ...] = ()
+    overrides: Overrides | None = None
 
 
 class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -113,6 +131,24 @@ class TimerFact(msgspec.Struct, frozen=True, omit_defaults=True):
     group: str = ""
 
 
+class LoadFact(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A nodelet that code loads into its own process (``nodelet::Loader::load``).
+
+    Attributes:
+        name: of the nodelet.
+        type: by which it is loaded, ``package/Class``.
+        evidence: where.
+        remaps: names from and to, for it alone.
+        conditions: what must hold for it to be loaded.
+    """
+
+    name: Text
+    type: Text
+    evidence: Evidence
+    remaps: tuple[tuple[Text, Text], ...] = ()
+    conditions: tuple[str, ...] = ()
+
+
 class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     """Something that becomes a node when it is started: a program's main function, a component, a nodelet.
 
@@ -135,6 +171,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
         number: counts the nodes that one evaluation makes; 0 is the first one.
         uses: units whose facts are part of it (base classes, owned objects), for people.
         unresolved: what could not be evaluated, with the reason.
+        loads: nodelets that it loads into its own process, in source order.
     """
 
     unit: str
@@ -155,6 +192,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     number: int = 0
     uses: tuple[str, ...] = ()
     unresolved: tuple[tuple[Evidence, str], ...] = ()
+    loads: tuple[LoadFact, ...] = ()
 
 
 def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
@@ -174,6 +212,15 @@ def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
         ),
         arguments=tuple(change(one) for one in facts.arguments),
         settings=tuple((change(name), change(value)) for name, value in facts.settings),
+        loads=tuple(
+            msgspec.structs.replace(
+                one,
+                name=change(one.name),
+                type=change(one.type),
+                remaps=tuple((change(source), change(target)) for source, target in one.remaps),
+            )
+            for one in facts.loads
+        ),
     )
 
 

@@ -58,6 +58,7 @@ _MODULES = (
     "vocabulary_options",
     "vocabulary_ros2",
     "vocabulary_ros1",
+    "vocabulary_nodelets",
     "vocabulary_shared",
     "vocabulary_images",
     "vocabulary_trees",

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 
 import pytest
@@ -41,7 +42,7 @@ def test_a_launch_file_at_two_revisions(history, capsys):
     text = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD").out
     assert text.splitlines()[0].startswith("--- talk/robot.launch.xml at before (")
     kind = "std_msgs/msg/String"
-    assert text.splitlines()[2:] == [
+    assert text.splitlines()[2:4] == [
         "  /listener",
         f"~   subscription /chatter: {kind}, reliable, depth 10 -> {kind}, best_effort, depth 5",
     ]
@@ -54,7 +55,9 @@ def test_no_difference_is_exit_code_0(history, capsys):
 
 def test_a_revision_and_the_files_as_they_are(history, capsys):
     found = json.loads(compared(history, capsys, *LAUNCH, "--diff", "HEAD", ".", "--format", "json").out)
-    assert {(one["what"], one["name"], one["how"]) for one in found} == {
+    assert found["schema"] == "roslens-graph-difference/1"
+    assert found["before"].startswith("talk/robot.launch.xml at HEAD (")
+    assert {(one["what"], one["name"], one["how"]) for one in found["differences"]} == {
         ("publisher", "/chatter", "removed"),
         ("publisher", "/gossip", "added"),
         ("subscription", "/chatter", "removed"),
@@ -116,3 +119,48 @@ def test_what_cannot_be_compared_is_told(history, capsys, arguments, message):
 def test_outside_of_a_repository(talking, capsys, monkeypatch):
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(talking.parent))
     assert "no git repository" in compared(talking, capsys, "--diff", "a", "b", code=2).err
+
+
+def test_findings_that_are_new_and_gone(history, capsys):
+    text = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD").out
+    assert "findings: 1 gone" in text
+    assert re.search(r"^- talk/talk/nodes.py:16: error: .*best_effort.* \[graph.qos\]$", text, re.MULTILINE)
+    text = compared(history, capsys, *LAUNCH, "--diff", "HEAD", "before").out
+    assert "findings: 1 new" in text
+
+
+def test_findings_in_a_table_and_in_json(history, capsys):
+    table = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD", "--format", "markdown").out
+    assert "1 changed; findings: 1 gone" in table.splitlines()[0]
+    assert "| gone | error | `graph.qos` | `talk/talk/nodes.py:16` |" in table
+    found = json.loads(compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD", "--format", "json").out)
+    assert [one["rule"] for one in found["findings"]["gone"]] == ["graph.qos"]
+    assert found["findings"]["new"] == []
+
+
+def test_findings_of_two_sets_of_arguments(history, capsys):
+    robot = "talk/robot.launch.xml"
+    text = compared(history, capsys, "--diff", robot, f"{robot}:listening=false").out
+    assert "[graph.one_end]" in text
+
+
+def test_findings_alone_are_a_difference(history, capsys):
+    nodes = history / "talk/talk/nodes.py"
+    git(history, "checkout", "-q", "before", "--", ".")
+    nodes.write_text(nodes.read_text().replace("print, 10)", "print, 10)  # roslens: ignore[graph.qos]"))
+    text = compared(history, capsys, *LAUNCH, "--diff", "before", ".").out
+    assert "no difference in the graph\nfindings: 1 gone" in text
+
+
+def test_findings_are_about_the_nodes_that_are_asked_for(history, capsys):
+    text = compared(history, capsys, *LAUNCH, "--node", "listener", "--diff", "before", "HEAD").out
+    assert "[graph.qos]" in text
+
+
+def test_documents_say_that_findings_are_not_compared(history, capsys):
+    for name, arguments in (("a.json", ()), ("b.json", ("--arg", "listening:=false"))):
+        main(["graph", str(history), *LAUNCH, *arguments, "--format", "json", "-o", str(history / name)])
+    documents = (str(history / "a.json"), str(history / "b.json"))
+    told = compared(history, capsys, "--diff", *documents, "--format", "json")
+    assert json.loads(told.out)["findings"] is None
+    assert "findings are not compared" in told.err

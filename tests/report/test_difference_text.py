@@ -1,4 +1,6 @@
+from roslens.compare.finding_difference import FindingDifference
 from roslens.compare.graph_difference import Difference
+from roslens.model.finding import Finding, Severity
 from roslens.report.difference_text import FOLDED_FROM, MOST_ROWS, to_markdown, to_text
 
 
@@ -24,3 +26,33 @@ def test_a_long_table_is_folded_and_ends():
     assert f"<details><summary>{MOST_ROWS + 5} differences in {MOST_ROWS + 5} nodes</summary>" in table
     assert "5 more are not shown" in table
     assert table.count("\n| added") == MOST_ROWS
+
+
+def finding(message: str, rule: str = "graph.qos") -> Finding:
+    return Finding(rule, Severity.ERROR, message, "a/b.cpp", 7, fingerprint=message)
+
+
+def test_findings_are_told_with_their_places():
+    found = FindingDifference(new=(finding("lost"),), gone=(finding("found"),))
+    assert to_text([], "A", "B", found).splitlines()[2:] == [
+        "no difference in the graph",
+        "findings: 1 new, 1 gone",
+        "+ a/b.cpp:7: error: lost [graph.qos]",
+        "- a/b.cpp:7: error: found [graph.qos]",
+    ]
+    assert to_text([], "A", "B", FindingDifference()).splitlines()[2:] == ["no difference"]
+
+
+def test_findings_come_first_in_a_table():
+    found = FindingDifference(new=(finding("/a_b offers `x|y`, _not_ [this](that) <b>"),))
+    table = to_markdown([Difference("/a", "node", "", "added", "", "a/b")], "A", "B", found).splitlines()
+    assert table[0].endswith("1 added; findings: 1 new")
+    row = r"| new | error | `graph.qos` | `a/b.cpp:7` | /a_b offers `x\|y`, \_not\_ \[this\](that) \<b> |"
+    assert table[4] == row
+    assert table[8].startswith("| added | `/a`")
+
+
+def test_a_back_tick_alone_opens_no_code():
+    table = to_markdown([], "A", "B", FindingDifference(gone=(finding("a ` b *c*"),)))
+    assert r"| a ' b \*c\* |" in table
+    assert "no difference; findings: 1 gone" in table

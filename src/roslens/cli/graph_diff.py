@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,10 +16,12 @@ from roslens.cli.boundary import CLEAN, FINDINGS
 from roslens.cli.graph_opened import open_source
 from roslens.model.configuration import Configuration
 from roslens.model.errors import UsageError
+from roslens.model.finding import Finding
 
 if TYPE_CHECKING:
     from roslens.cli.git_tree import Repository
     from roslens.cli.graph_source import GraphSource
+    from roslens.compare.finding_difference import FindingDifference
     from roslens.compare.graph_difference import Difference
 
 NOW = "."
@@ -27,10 +29,17 @@ NOW = "."
 
 
 class Side(msgspec.Struct, frozen=True):
-    """One side of a comparison: how it is called, and its configurations by generation or launch file."""
+    """One side of a comparison.
+
+    Attributes:
+        title: how it is called.
+        configurations: by generation or launch file.
+        findings: of all of them; None of a document, which has no source to look for any.
+    """
 
     title: str
     configurations: dict[str, Configuration]
+    findings: tuple[Finding, ...] | None = ()
 
 
 def diff(options: argparse.Namespace) -> int:
@@ -47,14 +56,35 @@ def diff(options: argparse.Namespace) -> int:
     before, after = _sides(options)
     require_nodes((*before.configurations.values(), *after.configurations.values()), options.node)
     found = differences_of(before, after, options.node, implicit=options.all)
-    if options.format == "json":
-        text = msgspec.json.format(msgspec.json.encode(found), indent=1).decode() + "\n"
-    else:
-        from roslens.report.difference_text import to_markdown, to_text
+    findings = findings_between(before, after, options.node)
+    write_result(_writer(options.format)(found, before.title, after.title, findings), options.output)
+    if findings is None and not options.quiet:
+        print("roslens: findings are not compared: documents hold no source to look for them", file=sys.stderr)
+    return FINDINGS if found or findings else CLEAN
 
-        text = (to_markdown if options.format == "markdown" else to_text)(found, before.title, after.title)
-    write_result(text, options.output)
-    return FINDINGS if found else CLEAN
+
+def _writer(form: str) -> Callable[[Sequence[Difference], str, str, FindingDifference | None], str]:
+    if form == "json":
+        from roslens.report.difference_document import to_difference_json
+
+        return to_difference_json
+    from roslens.report.difference_text import to_markdown, to_text
+
+    return to_markdown if form == "markdown" else to_text
+
+
+def findings_between(before: Side, after: Side, nodes: Sequence[str] = ()) -> FindingDifference | None:
+    """Return which findings about the nodes that are asked for are new and gone; None where nobody looked for any."""
+    from roslens.cli.graph_choice import chosen
+    from roslens.compare.finding_difference import about, finding_difference
+
+    found: list[tuple[Finding, ...]] = []
+    for side in (before, after):
+        if side.findings is None:
+            return None
+        shown = [chosen(one, nodes, implicit=True) for one in side.configurations.values()]
+        found.append(tuple(one for part in shown for one in about(side.findings, part)) if nodes else side.findings)
+    return finding_difference(*found)
 
 
 def differences_of(
@@ -104,13 +134,26 @@ def _documents(options: argparse.Namespace) -> tuple[Side, Side]:
             raise UsageError(f"{name} has {len(found)} configurations", expected="one of each generation of ROS")
         # Two of one configuration are compared whatever their generation is.
         sides.append({one.generation if len(found) > 1 else "": one for one in found})
-    return Side(options.diff[0], sides[0]), Side(options.diff[1], sides[1])
+    return Side(options.diff[0], sides[0], None), Side(options.diff[1], sides[1], None)
 
 
 def _launched(source: GraphSource, text: str) -> Side:
     launch, _, rest = text.partition(":")
     arguments = dict(pair.partition("=")[::2] for pair in rest.split(",") if pair)
-    return Side(text, {"": source.launched(launch, arguments)})
+    return _side(text, source, {"": source.launched(launch, arguments)}, launch, arguments)
+
+
+def _side(
+    title: str,
+    source: GraphSource,
+    configurations: dict[str, Configuration],
+    launch: str = "",
+    arguments: Mapping[str, str] | None = None,
+) -> Side:
+    from roslens.cli.graph_findings import findings_of
+
+    found = [finding for one in configurations.values() for finding in findings_of(source, one, launch, arguments)]
+    return Side(title, configurations, tuple(found))
 
 
 def _revisions(options: argparse.Namespace) -> tuple[Side, Side]:
@@ -125,14 +168,14 @@ def _revisions(options: argparse.Namespace) -> tuple[Side, Side]:
     lacking: list[UsageError] = []
     with _opened(options, repository, commits) as sources:
         for name, source in zip(options.diff, sources, strict=True):
+            title = _title(name, commits[name], options)
             try:
-                configurations = _of_revision(source, options)
+                sides.append(_of_revision(title, source, options))
             except UsageError as error:
                 # What one side lacks is new on the other.
                 lacking.append(error)
-                configurations = {}
+                sides.append(Side(title, {}))
                 print(f'roslens: in "{name}": {error}', file=sys.stderr)
-            sides.append(Side(_title(name, commits[name], options), configurations))
     if len(lacking) == len(sides):
         raise lacking[-1]
     return sides[0], sides[1]
@@ -168,12 +211,13 @@ def _is_read(path: str) -> bool:
     return language_by_name(path) is not Language.OTHER
 
 
-def _of_revision(source: GraphSource, options: argparse.Namespace) -> dict[str, Configuration]:
+def _of_revision(title: str, source: GraphSource, options: argparse.Namespace) -> Side:
     from roslens.cli.graph_source import arguments_of
 
     if not options.launch:
-        return {one.generation: one for one in source.packages(options.package)}
-    return {"": source.launched(options.launch, arguments_of(options.arg))}
+        return _side(title, source, {one.generation: one for one in source.packages(options.package)})
+    arguments = arguments_of(options.arg)
+    return _side(title, source, {"": source.launched(options.launch, arguments)}, options.launch, arguments)
 
 
 def _title(name: str, commit: str, options: argparse.Namespace) -> str:

@@ -1,0 +1,54 @@
+import msgspec
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roslens.compare.finding_difference import about, finding_difference
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
+from roslens.model.finding import Finding, Severity
+from roslens.model.graph import Endpoint, Role
+
+
+def finding(print_: str, line: int = 1, entity: str = "topic:/a") -> Finding:
+    return Finding("qos", Severity.ERROR, "does not fit", "a.py", line, entity=entity, fingerprint=print_)
+
+
+def test_what_only_one_side_has_is_new_or_gone():
+    found = finding_difference([finding("a"), finding("b")], [finding("c"), finding("b", line=9)])
+    assert [one.fingerprint for one in found.new] == ["c"]
+    assert [one.fingerprint for one in found.gone] == ["a"]
+    assert found
+
+
+def test_lines_and_words_are_no_difference():
+    other = msgspec.structs.replace(finding("a", line=7), message="still does not fit")
+    assert not finding_difference([finding("a")], [other])
+
+
+def test_several_of_one_fingerprint_are_told_once():
+    assert finding_difference([], [finding("a", 1), finding("a", 2)]).new == (finding("a", 1),)
+
+
+prints = st.lists(st.sampled_from("abcdef").map(finding))
+
+
+@given(prints, prints)
+def test_the_other_way_round_new_is_gone(before, after):
+    there, back = finding_difference(before, after), finding_difference(after, before)
+    assert (there.new, there.gone) == (back.gone, back.new)
+    assert not finding_difference(before, before)
+
+
+def test_findings_about_nodes():
+    end = ConfiguredEndpoint(Endpoint("/n", Role.SERVICE_CLIENT, "/set"), Proof())
+    shown = Configuration("c", "ros2", nodes=(ConfiguredNode("/n", Proof(), endpoints=(end,)),))
+    entities = [
+        "node:/n",
+        "node:/m",
+        "parameter:/n:rate",
+        "parameter:/m:rate",
+        "service:/set",
+        "topic:/set",
+        "package:p",
+    ]
+    kept = about([finding(one, entity=one) for one in entities], shown)
+    assert [one.entity for one in kept] == ["node:/n", "parameter:/n:rate", "service:/set"]

@@ -49,14 +49,3 @@ def test_a_deadline_that_is_no_number_is_unknown_and_not_none(units):
         units, "self.create_publisher(String, 'a', QoSProfile(depth=1, deadline=Duration(seconds=0.5)))"
     )
     assert (one.qos.reliability, one.qos_unknown) == ("reliable", "its deadline is not known")
-
-
-def test_what_parameters_may_override_is_not_certain(units):
-    options = "qos_overriding_options=QoSOverridingOptions.with_default_policies()"
-    (one, other) = python_endpoints(
-        units, f"self.create_publisher(String, 'a', 10, {options})",
-        f"self.create_subscription(String, 'b', print, 10, {options})",
-    )  # fmt: skip
-    for end in (one, other):
-        assert (end.qos.reliability, end.qos.durability, end.qos.depth) == ("", "volatile", 0)
-        assert "qos_overrides" in end.qos_unknown

@@ -17,13 +17,14 @@ from roslens.model.configuration import (
 from roslens.model.graph import Endpoint
 from roslens.source.extract.assemble_actions import folded
 from roslens.source.extract.assemble_arguments import CommandLine, command_line, kind_of_value
+from roslens.source.extract.assemble_overrides import overridden
 from roslens.source.extract.assemble_parameters import Values, doubt, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
-from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, Sure
+from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, ParameterFact, Sure
 from roslens.source.extract.resolve_name import (
     TOP,
     Place,
@@ -145,6 +146,7 @@ class _Node:
         self.used = {number for number, one in enumerate(given.launched.remaps) if one in given.launched.taken}
         self.uncertain: set[int] = set()
         self.unresolved: list[Unresolved] = []
+        self.declared: list[ParameterFact] = []
         self.origin = meant.origin
         launched = given.launched
         what = (launched.plugin if launched.plugin.parts else launched.executable).pattern
@@ -165,7 +167,7 @@ class _Node:
             endpoints += [self._endpoint(one, Origin.HINT) for one in told]
         if self.given.generation == "ros1":
             endpoints = folded(endpoints)
-        parameters = parameters_of(facts.parameters, self.values)
+        parameters = parameters_of((*facts.parameters, *self.declared), self.values)
         endpoints += self._implicit()
         self._unresolved_of_code()
         return ConfiguredNode(
@@ -229,6 +231,8 @@ class _Node:
             )
         if kind.text.known is None:
             self._miss(str(fact.type), fact, f"the type of {resolved.pattern} is unknown")
+        fact, declared = overridden(fact, resolved, self.values)
+        self.declared += declared
         return ConfiguredEndpoint(
             Endpoint(self.name, fact.role, resolved.pattern, kind.text.known or "", qos=fact.qos),
             proof, given, not resolved.holes, fact.conditions, None if by is None else launch_proof(by.evidence),

@@ -26,7 +26,7 @@ from roslens.source.extract.interface_name import (
     message_of,
     of_generation,
 )
-from roslens.source.extract.node_facts import EndpointFact, Evidence, ParameterFact, Sure, TimerFact
+from roslens.source.extract.node_facts import EndpointFact, Evidence, Overrides, ParameterFact, Sure, TimerFact
 from roslens.source.extract.program import Call, Name
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, node_of
@@ -58,6 +58,7 @@ def endpoint(
     latched: bool = False,
     callback: Any = None,
     group: Any = None,
+    overrides: Overrides | None = None,
 ) -> Made:
     """Record an endpoint of the node that the receiver is."""
     node = node_of(engine, receiver)
@@ -82,12 +83,21 @@ def endpoint(
         group=group.name if isinstance(group, Group) else "",
         conditions=tuple(dict.fromkeys(engine.conditions)),
         through=through,
+        overrides=_beyond(overrides, engine.conditions) if node.generation == "ros2" else None,
     )
     for place, known in enumerate(node.endpoints):
         if (known.evidence, known.role, known.name, known.type) == (fact.evidence, role, fact.name, fact.type):
             return Made(node, place)
     node.endpoints.append(fact)
     return Made(node, len(node.endpoints) - 1)
+
+
+def _beyond(overrides: Overrides | None, conditions: list[str]) -> Overrides | None:
+    """Return overrides without the conditions that hold for their endpoint anyway."""
+    if overrides is None or not overrides.conditions:
+        return overrides
+    rest = tuple(dict.fromkeys(one for one in overrides.conditions if one not in conditions))
+    return msgspec.structs.replace(overrides, conditions=rest)
 
 
 def origin(engine: Evaluation, called: Called, name: Any) -> tuple[Evidence, tuple[Evidence, ...]]:

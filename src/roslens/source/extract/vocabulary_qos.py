@@ -117,18 +117,6 @@ def _lasting(base: QosValue, name: str, value: Any) -> QosValue:
     return QosValue(base.qos, f"its {name.replace('_', ' ')} is not known")
 
 
-def overridable(value: Any) -> Any:
-    """Return a quality of service whose usual policies parameters below ``qos_overrides`` may set otherwise.
-
-    These are history, depth and reliability, see QoSOverridingOptions.with_default_policies; which others may be
-    overridden is not looked at.
-    """
-    if not isinstance(value, QosValue):
-        return value
-    kept = msgspec.structs.replace(value.qos, reliability="", history="", depth=0)
-    return QosValue(kept, value.unknown or "parameters below qos_overrides may set it")
-
-
 def _with(base: QosValue, name: str, value: Any) -> QosValue:
     word = _WORDS.get(value.name.rpartition(".")[2].lower(), "") if isinstance(value, Named) else ""
     if not word:

@@ -21,7 +21,8 @@ from roslens.source.extract.record import endpoint, parameter, timer, type_of_ca
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.vocabulary_options import given_options, take_options
-from roslens.source.extract.vocabulary_qos import overridable, quality_of
+from roslens.source.extract.vocabulary_overrides import overrides_of
+from roslens.source.extract.vocabulary_qos import quality_of
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -84,11 +85,6 @@ def _is_type(value: Any) -> bool:
     return isinstance(value, Named) and ("." in value.name)
 
 
-def _quality(called: Called, given: Any) -> Any:
-    found = quality_of(given)
-    return overridable(found) if "qos_overriding_options" in called.keywords else found
-
-
 @method("node", "create_publisher", "create_lifecycle_publisher", anywhere=True)
 def publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A publisher."""
@@ -100,7 +96,9 @@ def publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
             called.templates[0] if called.templates else Unknown("its type"),
             called.argument(1),
         )
-    return endpoint(engine, thing, called, Role.PUBLISHER, name, kind, qos=_quality(called, qos))
+    return endpoint(
+        engine, thing, called, Role.PUBLISHER, name, kind, qos=quality_of(qos), overrides=overrides_of(called)
+    )
 
 
 @method("node", "create_subscription", anywhere=True)
@@ -115,8 +113,8 @@ def subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
             qos, callback = callback, qos
         kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
     return endpoint(
-        engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=_quality(called, qos), callback=callback,
-        group=_group(called, 3, 4),
+        engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=quality_of(qos), callback=callback,
+        group=_group(called, 3, 4), overrides=overrides_of(called),
     )  # fmt: skip
 
 

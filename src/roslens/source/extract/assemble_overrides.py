@@ -1,0 +1,122 @@
+"""Parameters that set the quality of service of an endpoint, where its code allows that.
+
+A node declares one for each policy, below ``qos_overrides``, the resolved name of the topic, and ``publisher`` or
+``subscription`` (rclcpp, detail/qos_parameters.hpp; rclpy, qos_overriding_options.py).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.model.qos import Qos
+from roslens.source.extract.assemble_parameters import Values
+from roslens.source.extract.launched import Setting
+from roslens.source.extract.node_facts import EndpointFact, Overrides, ParameterFact
+from roslens.source.extract.text import Text, unknown
+
+_SPACE = "qos_overrides."
+_WORDS = {
+    "reliability": ("reliable", "best_effort", "system_default", "best_available"),
+    "durability": ("volatile", "transient_local", "system_default", "best_available"),
+    "history": ("keep_last", "keep_all", "system_default"),
+    "liveliness": ("automatic", "manual_by_topic", "system_default", "best_available"),
+}
+_DEFAULT = "system_default"
+_DURATIONS = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
+_NANO = 1e-9
+_NEVER_NS = 2**63 - 1
+"""A duration without an end, as parameters hold it."""
+_PUBLISHERS_ONLY = frozenset({"lifespan"})
+_ROLES = frozenset({Role.PUBLISHER, Role.SUBSCRIPTION})
+
+
+def overridden(fact: EndpointFact, topic: Text, values: Values) -> tuple[EndpointFact, list[ParameterFact]]:
+    """Return an endpoint with the quality of service that parameters give it, and the parameters declared for it.
+
+    Args:
+        fact: the endpoint.
+        topic: its resolved name.
+        values: the parameters that are set for its node.
+    """
+    may = fact.overrides
+    if may is None or fact.role not in _ROLES:
+        return fact, []
+    suffix = f"_{may.id}" if may.id else ""
+    prefix = Text.of(_SPACE, topic, f".{fact.role.value}{suffix}.")
+    policies = [one for one in may.policies if fact.role is Role.PUBLISHER or one not in _PUBLISHERS_ONLY]
+    conditions = (*fact.conditions, *may.conditions)
+    declared = [
+        ParameterFact(Text.of(prefix, one), fact.evidence, "declared", _KINDS.get(one, "string"),
+                      _default(fact, one), conditions=conditions)
+        for one in policies
+    ]  # fmt: skip
+    return _changed(fact, may, prefix, policies, values), declared
+
+
+_KINDS = {"depth": "int", "avoid_ros_namespace_conventions": "bool", **dict.fromkeys(_DURATIONS, "int")}
+
+
+def _default(fact: EndpointFact, policy: str) -> Text:
+    """Return the default of a parameter: what the code gives; durations in nanoseconds."""
+    qos = fact.qos or Qos()
+    if fact.qos_unknown or fact.qos is None:
+        return unknown(f"the {policy.replace('_', ' ')} that the code gives")
+    if policy in _DURATIONS:
+        return Text.of(str(round(getattr(qos, _DURATIONS[policy]) / _NANO)))
+    if policy == "avoid_ros_namespace_conventions":
+        return Text.of("false")
+    if policy == "depth":
+        return Text.of(str(qos.depth))
+    return Text.of(getattr(qos, policy) or _DEFAULT)
+
+
+def _changed(fact: EndpointFact, may: Overrides, prefix: Text, policies: list[str], values: Values) -> EndpointFact:
+    if prefix.holes or may.unknown or may.conditions:
+        # Who sets nothing below ``qos_overrides`` changes nothing.
+        if not any(name.startswith(_SPACE) for name in values.set):
+            return fact
+        return _unsure(fact, policies or list(_WORDS), "parameters below qos_overrides may set it")
+    for policy in policies:
+        setting = values.value(Text.of(prefix, policy))
+        if setting is not None:
+            fact = _with(fact, policy, setting)
+    return fact
+
+
+def _with(fact: EndpointFact, policy: str, setting: Setting) -> EndpointFact:
+    """Return an endpoint with one policy as a parameter sets it."""
+    known, qos = setting.value.known, fact.qos or Qos()
+    value = None if known is None else _value(policy, known.strip().strip("'\""))
+    if value is None:
+        where = f"{setting.evidence.path}:{setting.evidence.line}"
+        return _unsure(fact, [policy], f"its {policy.replace('_', ' ')} is set to {setting.value} ({where})")
+    return msgspec.structs.replace(fact, qos=msgspec.structs.replace(qos, **value))
+
+
+def _value(policy: str, written: str) -> dict[str, Any] | None:
+    """Return the field of a quality of service that a value of a parameter means; None where it is none."""
+    if policy in _WORDS:
+        return {policy: "" if written == _DEFAULT else written} if written in _WORDS[policy] else None
+    if policy == "avoid_ros_namespace_conventions":
+        return {} if written.lower() in ("true", "false") else None
+    if not written.isdigit():
+        return None
+    if policy == "depth":
+        return {"depth": int(written)}
+    return {_DURATIONS[policy]: 0.0 if int(written) >= _NEVER_NS else int(written) * _NANO}
+
+
+def _unsure(fact: EndpointFact, policies: list[str], reason: str) -> EndpointFact:
+    empty: dict[str, Any] = {}
+    for one in policies:
+        if one in _WORDS:
+            empty[one] = ""
+        elif one in _DURATIONS:
+            empty[_DURATIONS[one]] = 0.0
+        elif one == "depth":
+            empty["depth"] = 0
+    qos = msgspec.structs.replace(fact.qos or Qos(), **empty)
+    return msgspec.structs.replace(fact, qos=qos, qos_unknown=fact.qos_unknown or reason)

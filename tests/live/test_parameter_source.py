@@ -8,6 +8,7 @@ import xmlrpc.server
 from pathlib import Path
 
 import pytest
+from ros2_domain import own_domain
 
 from roslens.live.parameter_source import ros1_parameter, ros2_parameter, split_name
 from roslens.model.errors import UsageError
@@ -80,7 +81,7 @@ def test_parameters_of_a_node(tmp_path):
     environment = {
         **os.environ,
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROS_LOG_DIR": str(tmp_path),
     }
     values = {"reference.arm": ["a: 1", "b: 2"], "reference.key": "c: 3", "rate": 7}

@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from ros2_domain import own_domain
 
 from roslens.live.inside import slots
 from roslens.live.inside.counters import CounterReader, joined
@@ -40,7 +41,7 @@ class Pair:
         plain = {
             "PATH": os.environ["PATH"],
             "HOME": os.environ.get("HOME", "/"),
-            "ROS_DOMAIN_ID": str(60 + os.getpid() % 40),
+            "ROS_DOMAIN_ID": own_domain(),
             "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
             slots.VARIABLE: str(counters),
             **environment,

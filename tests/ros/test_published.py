@@ -9,6 +9,7 @@ import time
 from contextlib import contextmanager, suppress
 
 import pytest
+from ros2_domain import own_domain
 
 from roslens.live.adapters.child import clean_environment
 
@@ -209,7 +210,7 @@ def test_ros1(master, messages1, tmp_path):
 def test_ros2(ros2_python, messages2, tmp_path):
     base = clean_environment(os.environ) | {
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_DOMAIN_ID": str(60 + os.getpid() % 40),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROS_LOG_DIR": str(tmp_path / "log"),
         "PYTHONPATH": os.pathsep.join(filter(None, [str(messages2), os.environ.get("PYTHONPATH")])),
     }

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
+from ros2_domain import own_domain
 
 from roslens.live.adapters.child import clean_environment
 
@@ -61,7 +62,7 @@ def built(python: str, tmp_path: Path) -> Callable[..., Path]:
 def alone(python: str, tmp_path: Path) -> dict[str, str]:
     """Return an environment of ROS 2 for this test alone."""
     return clean_environment(os.environ) | {
-        "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROS_LOG_DIR": str(tmp_path / "log"),
         "ROSLENS_COUNTERS": str(tmp_path / "counters"),

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from ros2_domain import own_domain
 
 ROOT = Path(__file__).parents[3]
 WHEELS = ROOT / "build" / "ros2" / "bin" / "python"
@@ -28,7 +29,7 @@ def environment(tmp_path: Path) -> Iterator[dict[str, str]]:
         pytest.skip("no Python with rclpy: `make parts` makes build/ros2, or name one in $ROSLENS_ROS2_PYTHON")
     found = {
         **os.environ,
-        "ROS_DOMAIN_ID": str(100 + os.getpid() % 60),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROSLENS_ROS2_PYTHON": python,
         "ROS_LOG_DIR": str(tmp_path),

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from ros2_domain import own_domain
 
 from testbed import robot_ros1, robot_ros2
 
@@ -157,7 +158,7 @@ def test_every_node_and_topic_of_a_large_ros2_is_seen(tmp_path, reference, capsy
     environment = {
         **os.environ,
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROS_LOG_DIR": str(tmp_path / "log"),
         "ROSLENS_COUNTERS": str(tmp_path / "counters"),
         "ROSLENS_ROS2_PYTHON": python,

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from ros2_domain import own_domain
 
 pytestmark = [pytest.mark.real, pytest.mark.slow]
 
@@ -72,7 +73,7 @@ def test_documents_in_a_parameter_of_a_node(tmp_path):
     environment = {
         **os.environ,
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROS_LOG_DIR": str(tmp_path),
         "ROSLENS_ROS2_PYTHON": python,
     }

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from ros2_domain import own_domain
 
 from testbed import robot_ros1, robot_ros2
 
@@ -112,7 +113,7 @@ def test_two_monitors_of_ros2(tmp_path):
     environment = {
         **os.environ,
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROS_LOG_DIR": str(tmp_path / "log"),
         "ROSLENS_COUNTERS": str(tmp_path / "counters"),
         "ROSLENS_ROS2_PYTHON": python,

@@ -7,6 +7,7 @@ import time
 from contextlib import contextmanager
 
 import pytest
+from ros2_domain import own_domain
 
 from roslens.live.adapters.child import Child, clean_environment, find_ros2_python, ros2_command
 from roslens.live.inside.environment import environment
@@ -128,7 +129,7 @@ class Seen:
 def robot(python, tmp_path, *words, codes=(TALKER, LISTENER), names=("/demo/talker", "/demo/listener")):
     base = clean_environment(os.environ) | {
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_DOMAIN_ID": str(100 + os.getpid() % 100),
+        "ROS_DOMAIN_ID": own_domain(),
         "ROSLENS_COUNTERS": str(tmp_path / "counters"),
         "ROS_LOG_DIR": str(tmp_path / "log"),
     }

@@ -15,6 +15,7 @@ from typing import Any, BinaryIO
 import msgspec
 
 from roslens.live.adapters.ros2 import TOOL
+from roslens.live.adapters.ros2.far_peers import far_peers
 from roslens.live.adapters.ros2.graph import OWN, GraphReader
 from roslens.live.adapters.ros2.graph_event import GraphEvent
 from roslens.live.adapters.ros2.heard import Heard
@@ -111,10 +112,11 @@ def observe(options: argparse.Namespace, speaker: _Speaker) -> None:
     import rclpy
     from rclpy.signals import SignalHandlerOptions
 
-    rclpy.init(args=[], domain_id=options.domain, signal_handler_options=SignalHandlerOptions.NO)
-    node: Any = rclpy.create_node(
-        f"{OWN[1:]}{os.getpid()}", namespace="/", enable_rosout=False, start_parameter_services=False
-    )
+    with far_peers(os.environ, options.domain):
+        rclpy.init(args=[], domain_id=options.domain, signal_handler_options=SignalHandlerOptions.NO)
+        node: Any = rclpy.create_node(
+            f"{OWN[1:]}{os.getpid()}", namespace="/", enable_rosout=False, start_parameter_services=False
+        )
     host = socket.gethostname()
     wakes: queue.SimpleQueue[int] = queue.SimpleQueue()
     ends = ProcessEnds(wakes.put)

@@ -5,6 +5,8 @@ import pytest
 from accuracy.observing import NotThereError, kept, observe
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 
+pytestmark = pytest.mark.timed
+
 SPEAK = """
 import sys, time
 from roslens.model.graph import Graph, Node

@@ -21,6 +21,8 @@ from roslens.dashboard.live.snapshot import Row
 from roslens.model.errors import UsageError
 from roslens.model.graph import Graph
 
+pytestmark = pytest.mark.timed
+
 ROOT = Path(__file__).parents[2]
 
 

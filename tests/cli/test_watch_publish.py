@@ -16,6 +16,8 @@ from roslens.model.entity import EntityKind
 from roslens.model.errors import UsageError
 from roslens.model.outgoing import MAX_BYTES, OutgoingReader
 
+pytestmark = pytest.mark.timed
+
 REFERENCE = Reference(
     "r", presences=(Presence(Told("r.scan"), Selector(EntityKind.TOPIC, "/scan"), PresenceMode.ALWAYS),)
 )

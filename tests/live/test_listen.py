@@ -16,6 +16,8 @@ from roslens.model.sample import Sample
 from roslens.model.tally import Tally
 from roslens.model.wire import Frame
 
+pytestmark = pytest.mark.timed
+
 KEY = b"a key of more than sixteen bytes"
 
 

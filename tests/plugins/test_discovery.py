@@ -9,6 +9,8 @@ import pytest
 from roslens.plugins.discovery import discover
 from roslens.plugins.member import Member
 
+pytestmark = pytest.mark.timed
+
 WOULD_NOT_LOAD = {
     "raises_at_import": "RuntimeError: not today",
     "exits_at_import": "it called sys.exit('leaving')",

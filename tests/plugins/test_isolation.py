@@ -16,6 +16,8 @@ from roslens.plugins.isolation import run_package, run_plugins
 from roslens.plugins.points import WorkspaceInput
 from roslens.plugins.pool import ProcessWorkers
 
+pytestmark = pytest.mark.timed
+
 BEHAVE = "# behave\ncode\n"
 
 
@@ -250,7 +252,7 @@ def test_a_plugin_that_hangs_again_and_again_is_given_up(member, make_package):
     files = {f"f{number}.py": "# hang\n" for number in range(6)}
     started = time.monotonic()
     outcome = run_package(member("misbehaving.py", "orderly.py"), make_package(files), time_limit_s=0.3)
-    assert time.monotonic() - started < 6 * 1.5
+    assert time.monotonic() - started < 60, "it hangs for ever"
     assert sum("took longer" in failure.what for failure in outcome.failures) == 3
     assert sum("is not called again: it hung 3 times" in failure.what for failure in outcome.failures) == 1
     assert len(outcome.measurements) == 6, "the other plug-in saw all files"

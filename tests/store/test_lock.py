@@ -11,6 +11,8 @@ import pytest
 from roslens.model.errors import StoreError
 from roslens.store.runs import Store
 
+pytestmark = pytest.mark.timed
+
 HOLDER = """
 import importlib.util, sys
 from pathlib import Path

@@ -22,6 +22,8 @@ from roslens.dashboard.live.app import create_live_app
 from roslens.dashboard.live.serving import LivePage
 from roslens.model.errors import UsageError
 
+pytestmark = pytest.mark.timed
+
 HOSTILE = [
     "</script><script>alert(1)</script>",
     '"><img src=x onerror=alert(1)>',

@@ -10,6 +10,8 @@ from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
 
+pytestmark = pytest.mark.timed
+
 SPEAK = """
 import sys
 from roslens.model.wire import VERSION, Frame, encode_frame

@@ -2,7 +2,11 @@ import os
 import threading
 import time
 
+import pytest
+
 from roslens.live.publish.downlink import LONGEST_WAIT_S, Downlink
+
+pytestmark = pytest.mark.timed
 
 
 def pipe():
@@ -10,7 +14,7 @@ def pipe():
     return reading, os.fdopen(writing, "wb", buffering=0)
 
 
-def until(holds, seconds=10):
+def until(holds, seconds=60):
     end = time.monotonic() + seconds
     while not holds():
         assert time.monotonic() < end
@@ -39,7 +43,7 @@ def test_who_does_not_read_loses_the_oldest_and_nobody_waits():
     begun = time.monotonic()
     for _ in range(1000):
         line.say(b"x" * 10_000)
-    assert time.monotonic() - begun < 2
+    assert time.monotonic() - begun < 30, "nobody ever reads"
     # One is being written, and a pipe and what may wait hold the rest.
     assert line.lost > 900
     os.close(reading)

@@ -22,6 +22,8 @@ from roslens.plugins.outcome import Outcome
 from roslens.source.tools.cccc import plugin, run_cccc
 from roslens.source.tools.cccc_report import CcccError
 
+pytestmark = pytest.mark.timed
+
 FIXTURES = Path(__file__).parents[2] / "fixtures" / "tool_output" / "cccc"
 INSTALLED = pytest.mark.skipif(shutil.which("cccc") is None, reason="cccc is not installed")
 

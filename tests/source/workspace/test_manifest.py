@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
+from pace import turned_s
 
 from roslens.model.source import Dependency, Location, Package
 from roslens.source.workspace.manifest import MAXIMUM_SIZE, read_manifest
@@ -215,7 +216,7 @@ def test_a_condition_that_cannot_be_read_is_taken_to_hold(manifests: dict[str, b
 def test_entities_are_refused_at_once(manifests: dict[str, bytes]) -> None:
     started = time.process_time()
     package, failures = read_manifest(manifests["faulty_entities"], "arm/package.xml", ROS_2)
-    assert time.process_time() - started < 1
+    assert turned_s(started) < 1
     assert package is not None
     assert package.name == "arm"
     assert failures[0].what == 'the document declares an entity "a"'
@@ -245,6 +246,6 @@ def test_a_manifest_of_the_largest_size_is_read_in_seconds() -> None:
     content = b"<package><name>arm</name>" + tag * (MAXIMUM_SIZE // len(tag) - 2) + b"</package>"
     started = time.process_time()
     package, _ = read_manifest(content, "arm/package.xml", ROS_2)
-    assert time.process_time() - started < 20
+    assert turned_s(started) < 20
     assert package is not None
     assert len(package.dependencies) > 50_000

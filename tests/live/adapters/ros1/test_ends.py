@@ -7,6 +7,8 @@ import pytest
 
 from roslens.live.adapters.ros1.ends import Ends
 
+pytestmark = pytest.mark.timed
+
 
 @pytest.fixture
 def watched():
@@ -26,7 +28,7 @@ def test_the_end_of_a_process_is_told_at_once(watched):
         assert ends.process("/a", process.pid)
         assert ends.process("/a", process.pid)
         process.kill()
-        assert heard.get(timeout=5) == "/a"
+        assert heard.get(timeout=30) == "/a"
 
 
 def test_the_end_of_a_connection_is_told(watched):
@@ -38,7 +40,7 @@ def test_the_end_of_a_connection_is_told(watched):
         assert heard.empty()
         ends.connection("/b", here.fileno())
         there.close()
-        assert heard.get(timeout=5) == "/b"
+        assert heard.get(timeout=30) == "/b"
 
 
 def test_what_is_forgotten_is_not_told(watched):
@@ -51,7 +53,7 @@ def test_what_is_forgotten_is_not_told(watched):
         first.kill()
         first.wait()
         second.kill()
-        assert heard.get(timeout=5) == "/b"
+        assert heard.get(timeout=30) == "/b"
 
 
 def test_a_process_that_is_not_there_cannot_be_watched(watched):

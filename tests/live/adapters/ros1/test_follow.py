@@ -5,6 +5,8 @@ from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.names import observer_name
 from roslens.live.adapters.ros1.resolve import Resolver
 
+pytestmark = pytest.mark.timed
+
 ME, API = "/me", "http://127.0.0.1:9/"
 PUBLISHED = (("/diagnostics", "diagnostic_msgs/DiagnosticArray"), ("/rated", "roslens_msgs/RatedSignals"))
 

@@ -8,6 +8,8 @@ import pytest
 from roslens.live.adapters.ros1.__main__ import DEFAULT_MASTER, main, read_arguments
 from roslens.model.wire import FrameReader
 
+pytestmark = pytest.mark.timed
+
 
 def test_arguments(monkeypatch):
     monkeypatch.delenv("ROS_MASTER_URI", raising=False)

@@ -7,6 +7,8 @@ from roslens.live.adapters.ros1.names import LONGEST_NAME, Oddities, brief
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
 
+pytestmark = pytest.mark.timed
+
 ANYTHING = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8),
     lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner, max_size=2),

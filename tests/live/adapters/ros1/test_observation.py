@@ -13,6 +13,8 @@ from roslens.live.adapters.ros1.parameters import Parameters
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.model.graph import Change
 
+pytestmark = pytest.mark.timed
+
 ME = "/roslens_me"
 
 
@@ -123,7 +125,7 @@ def test_its_end_is_noticed_between_rounds(system, watch):
     watched = watch(system, ends=ends)
     watched.round()
     node.close()
-    name = heard.get(timeout=5)
+    name = heard.get(timeout=30)
     frame = watched.observation.ended([name])
     assert said(frame)[0][:2] == (Change.VANISHED, "node:/a")
     assert watched.observation.ended([name]) is None
@@ -201,8 +203,8 @@ def test_a_node_that_hangs_is_named_and_holds_up_nobody(system, watch, script):
     watched = watch(system, wait_s=0.1)
     frame = watched.round()
     assert names(frame) == ["/a", "/hung"]
-    assert "does not answer within 0.1 s" in frame.failures[0].what
-    assert frame.failures[0].entity == "node:/hung"
+    (what,) = [failure.what for failure in frame.failures if failure.entity == "node:/hung"]
+    assert "does not answer within 0.1 s" in what
 
 
 @pytest.mark.parametrize("answer", [b"nonsense", [1, "", 7], [[], "x", 5], 5, [1, "", [["/t"], [[]], []]]])

@@ -4,6 +4,8 @@ import pytest
 
 from roslens.live.adapters.ros1.resolve import AGAIN_S, FRESH_S, Resolver, UnresolvedError
 
+pytestmark = pytest.mark.timed
+
 
 def test_an_answer_is_remembered_and_grows_old():
     now, asked = [0.0], []

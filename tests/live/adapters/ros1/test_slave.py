@@ -6,6 +6,8 @@ from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.slave import Counter, Link, Slave, read_links, read_stats
 from roslens.live.adapters.ros1.xml_rpc import CallError, Trouble
 
+pytestmark = pytest.mark.timed
+
 ROSPY = [
     1, "", [
         [["/rosout", 0, [[3, 1258, 0, True]]], ["/chat", 11340, [[1, 12034, 378, True], [2, 11794, 370, True]]]],

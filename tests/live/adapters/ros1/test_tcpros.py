@@ -16,6 +16,8 @@ from roslens.live.adapters.ros1.tcpros import (
     is_stamped,
 )
 
+pytestmark = pytest.mark.timed
+
 FIELDS = st.dictionaries(st.text(st.characters(codec="utf-8", exclude_characters="="), max_size=9), st.text(max_size=9))
 
 
@@ -123,7 +125,7 @@ def test_a_handshake_that_never_comes_ends_in_time(script):
     begun = time.monotonic()
     with pytest.raises(TimeoutError):
         shake(script, b"", wait_s=0.1)
-    assert time.monotonic() - begun < 2
+    assert time.monotonic() - begun < 30, "the other side stays silent for ever"
 
 
 def test_nobody_there():

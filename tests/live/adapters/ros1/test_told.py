@@ -11,6 +11,8 @@ from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.told import ToldServer, answer_to
 from roslens.live.adapters.ros1.xml_rpc import Caller
 
+pytestmark = pytest.mark.timed
+
 
 @pytest.fixture
 def told():
@@ -24,7 +26,7 @@ def told():
 def test_updates_are_passed_on(told):
     caller = Caller(told.uri, Resolver())
     assert caller.call("publisherUpdate", "/master", "/rosout", ["http://a:1/", 7]) == [1, "", 0]
-    assert told.heard.get(timeout=5) == ("/rosout", ("http://a:1/",))
+    assert told.heard.get(timeout=30) == ("/rosout", ("http://a:1/",))
     assert caller.call("publisherUpdate", "/master", "/rosout")[0] == -1
     caller.close()
 
@@ -33,7 +35,7 @@ def test_parameters_are_passed_on(told):
     told.parameter_told = lambda *update: told.heard.put(update)
     caller = Caller(told.uri, Resolver())
     assert caller.call("paramUpdate", "/master", "/a/b/", {"c": [1, 2.5]}) == [1, "", 0]
-    assert told.heard.get(timeout=5) == ("/a/b/", {"c": [1, 2.5]})
+    assert told.heard.get(timeout=30) == ("/a/b/", {"c": [1, 2.5]})
     assert caller.call("paramUpdate", "/master", 7, {})[0] == -1
     caller.close()
 

@@ -8,6 +8,8 @@ import pytest
 from roslens.live.adapters.ros1.tcpros import TcprosError, connect, decode_header, encode_header
 from roslens.live.adapters.ros1.topic_server import MOST_WAITING, Published, TopicServer
 
+pytestmark = pytest.mark.timed
+
 TOPIC = "/diagnostics"
 KNOWN = Published("p/M", "a" * 32, "uint8 x")
 

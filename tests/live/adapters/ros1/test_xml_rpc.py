@@ -10,6 +10,8 @@ from hypothesis import strategies as st
 from roslens.live.adapters.ros1.resolve import Resolver
 from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, Trouble, read_answer, read_message, split_uri, unwrap
 
+pytestmark = pytest.mark.timed
+
 ANSWER = xmlrpc.client.dumps(([1, "text", [["/a", ["/n", "ü"]], -1, True, 2.5]],), methodresponse=True).encode()
 
 
@@ -68,7 +70,7 @@ def test_silence_ends_in_time(script, caller_to):
     trouble, text = trouble_of(caller)
     assert trouble is Trouble.SILENT
     assert "does not answer within 0.1 s" in text
-    assert time.monotonic() - begun < 2
+    assert time.monotonic() - begun < 30, "the other side stays silent for ever"
 
 
 def test_an_answer_that_drips_ends_in_time(script, caller_to):
@@ -80,7 +82,7 @@ def test_an_answer_that_drips_ends_in_time(script, caller_to):
 
     begun = time.monotonic()
     assert trouble_of(caller_to(script(drip), wait_s=0.2))[0] is Trouble.SILENT
-    assert time.monotonic() - begun < 2
+    assert time.monotonic() - begun < 8, "all of it comes after ten seconds"
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,11 @@ import queue
 import subprocess
 import sys
 
+import pytest
+
 from roslens.live.adapters.ros2.process_ends import ProcessEnds
+
+pytestmark = pytest.mark.timed
 
 
 def test_the_end_of_a_process_is_told_once_and_at_once():

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.git_tree import LARGEST_BYTES, commit_of_revision, names_like, repository_of, write_tree
+from roslens.cli.git_repository import commit_of_revision, names_like, repository_of
+from roslens.cli.git_tree import LARGEST_BYTES, Lacking, write_tree
 from roslens.model.errors import UsageError
 
 
@@ -41,7 +42,7 @@ def repository(tmp_path: Path) -> Path:
 
 def written(root: Path, below: str, revision: str, folder: Path) -> dict[str, str]:
     repository = repository_of(str(root / below))
-    assert write_tree(repository, commit_of_revision(repository, revision), folder) == ()
+    assert write_tree(repository, commit_of_revision(repository, revision), folder) == Lacking()
     paths = sorted(path for path in folder.rglob("*") if not path.is_dir())
     return {path.relative_to(folder).as_posix(): path.read_text() for path in paths}
 
@@ -67,7 +68,7 @@ def test_what_git_does_not_have_is_told(repository, tmp_path):
     name = git(repository, "rev-parse", "HEAD:src/a/one.py")
     (repository / ".git/objects" / name[:2] / name[2:]).unlink()
     found = repository_of(str(repository))
-    assert write_tree(found, commit_of_revision(found, "HEAD"), tmp_path / "all") == ("src/a/one.py",)
+    assert write_tree(found, commit_of_revision(found, "HEAD"), tmp_path / "all") == Lacking(("src/a/one.py",))
     assert (tmp_path / "all/src/a/one.py").read_text() == ""
     assert (tmp_path / "all/README").read_text() == "read me"
 

@@ -164,3 +164,13 @@ def test_documents_say_that_findings_are_not_compared(history, capsys):
     told = compared(history, capsys, "--diff", *documents, "--format", "json")
     assert json.loads(told.out)["findings"] is None
     assert "findings are not compared" in told.err
+
+
+def test_a_submodule_that_is_missing_is_told(history, capsys):
+    commit = "1234567890" * 4
+    git(history, "update-index", "--add", "--cacheinfo", f"160000,{commit},vendor/driver")
+    git(history, "commit", "-qm", "driver")
+    told = compared(history, capsys, *LAUNCH, "--diff", "before", "HEAD").err
+    assert 'submodule vendor/driver of "HEAD" is missing' in told
+    assert "git -C vendor/driver fetch origin 1234567890" in told
+    assert '"before"' not in told

@@ -11,6 +11,8 @@ from typing import IO
 
 import msgspec
 
+from roslens.cli.git_repository import Repository, said
+from roslens.cli.git_submodule import submodule_at
 from roslens.model.errors import UsageError
 
 LARGEST_BYTES = 2_000_000
@@ -18,15 +20,18 @@ LARGEST_BYTES = 2_000_000
 
 _SYMLINK = "120000"
 _SUBMODULE = "160000"
-# A repository may configure programs that a look at it must not start, and a part of it may still be on a server.
-_QUIETLY = ("-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null", "-c", "protocol.allow=never")
 
 
-class Repository(msgspec.Struct, frozen=True):
-    """A git repository and the folder in it that is looked at: ``below`` its root, empty or ending with ``/``."""
+class Lacking(msgspec.Struct, frozen=True):
+    """What git does not have of a revision, by paths below the folder that is looked at.
 
-    root: str
-    below: str
+    Attributes:
+        files: they are there, but empty.
+        submodules: nothing of them is there; each with the commit that is missing.
+    """
+
+    files: tuple[str, ...] = ()
+    submodules: tuple[tuple[str, str], ...] = ()
 
 
 class _Entry(msgspec.Struct, frozen=True):
@@ -35,45 +40,13 @@ class _Entry(msgspec.Struct, frozen=True):
     path: str
 
 
-def repository_of(path: str) -> Repository:
-    """Return the repository that a folder is in.
-
-    Raises:
-        UsageError: it is in none, or git cannot be run.
-    """
-    done = _git(path, "rev-parse", "--show-toplevel", "--show-prefix")
-    if done.returncode:
-        raise UsageError(
-            f'"{path}" is in no git repository that can be read: {_said(done)}',
-            expected="revisions of one",
-            advice="Give the folder of a repository as PATH",
-        )
-    root, _, below = os.fsdecode(done.stdout).partition("\n")
-    return Repository(root, below.strip("\n"))
-
-
-def commit_of_revision(repository: Repository, name: str) -> str:
-    """Return the commit that a revision means; empty where there is none of that name."""
-    done = _git(repository.root, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{name}^{{commit}}")
-    return done.stdout.decode("ascii", "replace").strip() if not done.returncode else ""
-
-
-def names_like(repository: Repository, name: str) -> list[str]:
-    """Return branches and tags whose names are like this one, the best first."""
-    import difflib
-
-    done = _git(repository.root, "for-each-ref", "--format=%(refname:short)")
-    return difflib.get_close_matches(name, ["HEAD", *os.fsdecode(done.stdout).split()], 3, 0.5)
-
-
-def write_tree(repository: Repository, commit: str, folder: Path) -> tuple[str, ...]:
+def write_tree(repository: Repository, commit: str, folder: Path) -> Lacking:
     """Write the files of a commit below ``folder``, those of the repository's part that is looked at.
 
-    What is large is there, but empty; what is in submodules is not there. Returns the paths of files that git lacks;
-    they are empty too.
+    What is large is there, but empty. Submodules are written too, as far as their commits are on this machine.
 
     Raises:
-        UsageError: git does not have all of them.
+        UsageError: git does not have the lists of files.
     """
     found = list(_entries(repository, commit))
     plain = [entry for entry in found if entry.mode not in (_SYMLINK, _SUBMODULE)]
@@ -85,10 +58,34 @@ def write_tree(repository: Repository, commit: str, folder: Path) -> tuple[str, 
         place.write_bytes(content or b"")
         if content is None:
             missing.append(entry.path)
+    lacking = Lacking(tuple(missing))
+    for entry in found:
+        if entry.mode == _SUBMODULE:
+            lacking = _joined(lacking, entry, _write_submodule(repository, commit, entry, folder))
     # Links come last, so that nothing is written through one.
     for entry, content in _contents(repository, commit, links):
         _link(folder, folder / entry.path, os.fsdecode(content or b""))
-    return tuple(missing)
+    return lacking
+
+
+def _write_submodule(repository: Repository, commit: str, entry: _Entry, folder: Path) -> Lacking | None:
+    """Write a submodule; None where git does not have it."""
+    inner = submodule_at(repository, commit, repository.below + entry.path, entry.hash)
+    if inner is None:
+        return None
+    try:
+        return write_tree(inner, entry.hash, folder / entry.path)
+    except UsageError:
+        return None
+
+
+def _joined(lacking: Lacking, entry: _Entry, inner: Lacking | None) -> Lacking:
+    if inner is None:
+        return Lacking(lacking.files, (*lacking.submodules, (entry.path, entry.hash)))
+    return Lacking(
+        (*lacking.files, *(f"{entry.path}/{path}" for path in inner.files)),
+        (*lacking.submodules, *((f"{entry.path}/{path}", commit) for path, commit in inner.submodules)),
+    )
 
 
 def _link(folder: Path, place: Path, target: str) -> None:
@@ -99,9 +96,9 @@ def _link(folder: Path, place: Path, target: str) -> None:
 
 
 def _entries(repository: Repository, commit: str) -> Iterator[_Entry]:
-    done = _git(repository.root, "ls-tree", "-r", "-z", "--full-tree", commit, "--", repository.below or ".")
+    done = repository.git("ls-tree", "-r", "-z", "--full-tree", commit, "--", repository.below or ".")
     if done.returncode:
-        raise _incomplete(commit, _said(done))
+        raise _incomplete(commit, said(done))
     for line in done.stdout.split(b"\0"):
         facts, _, path = line.partition(b"\t")
         if path:
@@ -118,8 +115,8 @@ def _contents(repository: Repository, commit: str, entries: Sequence[_Entry]) ->
     with tempfile.TemporaryFile() as asked, tempfile.TemporaryFile() as told:
         asked.write("".join(f"{entry.hash}\n" for entry in entries).encode())
         asked.seek(0)
-        command = ["git", *_QUIETLY, "-C", repository.root, "cat-file", "--batch"]
-        with subprocess.Popen(command, stdin=asked, stdout=subprocess.PIPE, stderr=told, env=_environment()) as process:
+        command, environment = repository.command("cat-file", "--batch"), repository.environment()
+        with subprocess.Popen(command, stdin=asked, stdout=subprocess.PIPE, stderr=told, env=environment) as process:
             assert process.stdout is not None  # noqa: S101 - a pipe was asked for
             for entry in entries:
                 head = process.stdout.readline().split()
@@ -139,29 +136,9 @@ def _content(stream: IO[bytes], size: int) -> bytes:
     return b""
 
 
-def _incomplete(commit: str, said: str) -> UsageError:
+def _incomplete(commit: str, words: str) -> UsageError:
     return UsageError(
-        f'git cannot give the files of revision "{commit[:12]}": {said}',
+        f'git cannot give the files of revision "{commit[:12]}": {words}',
         expected="a repository that has them",
         advice="In a partial clone, check the revision out once, so that git fetches them",
     )
-
-
-def _git(folder: str, *arguments: str) -> subprocess.CompletedProcess[bytes]:
-    command = ["git", *_QUIETLY, "-C", folder, *arguments]
-    try:
-        return subprocess.run(command, capture_output=True, timeout=60, check=False, env=_environment())
-    except FileNotFoundError as error:
-        raise UsageError("git is not installed", expected="git, to read revisions", advice="Install git") from error
-    except subprocess.TimeoutExpired as error:
-        raise UsageError(
-            f"git did not answer in {error.timeout:g} s", expected="a repository that can be read"
-        ) from error
-
-
-def _environment() -> dict[str, str]:
-    return {**os.environ, "GIT_TERMINAL_PROMPT": "0", "GIT_NO_LAZY_FETCH": "1", "LC_ALL": "C"}
-
-
-def _said(done: subprocess.CompletedProcess[bytes]) -> str:
-    return " ".join(done.stderr.decode("utf-8", "replace").split()) or "git says nothing"

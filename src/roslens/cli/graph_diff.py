@@ -19,7 +19,8 @@ from roslens.model.errors import UsageError
 from roslens.model.finding import Finding
 
 if TYPE_CHECKING:
-    from roslens.cli.git_tree import Repository
+    from roslens.cli.git_repository import Repository
+    from roslens.cli.git_tree import Lacking
     from roslens.cli.graph_source import GraphSource
     from roslens.compare.finding_difference import FindingDifference
     from roslens.compare.graph_difference import Difference
@@ -157,7 +158,7 @@ def _side(
 
 
 def _revisions(options: argparse.Namespace) -> tuple[Side, Side]:
-    from roslens.cli.git_tree import commit_of_revision, repository_of
+    from roslens.cli.git_repository import commit_of_revision, repository_of
 
     repository = repository_of(options.path)
     commits = {name: "" if name == NOW else commit_of_revision(repository, name) for name in options.diff}
@@ -196,12 +197,25 @@ def _opened(
             folder = None
             if commits[name]:
                 folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="roslens-revision-"))
-                missing = [path for path in write_tree(repository, commits[name], Path(folder)) if _is_read(path)]
-                if missing and not options.quiet:
-                    told = f'{len(missing)} files of "{name}", {missing[0]} among them'
-                    print(f"roslens: git does not have {told}; they are taken as empty", file=sys.stderr)
+                lacking = write_tree(repository, commits[name], Path(folder))
+                if not options.quiet:
+                    _tell(name, lacking)
             sources.append(stack.enter_context(open_source(options, folder)))
         yield sources
+
+
+def _tell(name: str, lacking: Lacking) -> None:
+    missing = [path for path in lacking.files if _is_read(path)]
+    if missing:
+        told = f'{len(missing)} files of "{name}", {missing[0]} among them'
+        print(f"roslens: git does not have {told}; they are taken as empty", file=sys.stderr)
+    for path, commit in lacking.submodules:
+        print(
+            f'roslens: submodule {path} of "{name}" is missing: its commit {commit[:10]} is not on this machine, and '
+            f"what depends on it may be told as different; `git -C {path} fetch origin {commit[:10]}` gets it, after "
+            f"`git submodule update --init {path}`",
+            file=sys.stderr,
+        )
 
 
 def _is_read(path: str) -> bool:
@@ -237,7 +251,7 @@ def _two_kinds(other: str, launch: str) -> UsageError:
 
 
 def _unknown(repository: Repository, name: str) -> UsageError:
-    from roslens.cli.git_tree import names_like
+    from roslens.cli.git_repository import names_like
 
     near = names_like(repository, name)
     meant = f"Did you mean {' or '.join(near)}? " if near else ""

@@ -1,0 +1,100 @@
+"""A git repository that is looked at; nothing is checked out, fetched or run."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import msgspec
+
+from roslens.model.errors import UsageError
+
+# A repository may configure programs that a look at it must not start, and a part of it may still be on a server.
+_QUIETLY = ("-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null", "-c", "protocol.allow=never")
+
+
+class Repository(msgspec.Struct, frozen=True):
+    """A git repository and the folder in it that is looked at.
+
+    Attributes:
+        root: folder of its files.
+        below: the folder that is looked at, below ``root``; empty or ending with ``/``.
+        folder: in which git keeps it; that of a submodule is one of its own.
+        objects: folders with further objects, of submodules, which git reads as its own.
+        within: where it is a submodule, the folder of the repository through which git is asked.
+    """
+
+    root: str
+    below: str = ""
+    folder: str = ""
+    objects: tuple[str, ...] = ()
+    within: str = ""
+
+    @property
+    def asked(self) -> str:
+        """The folder in which git is run."""
+        return self.within or self.root
+
+    def environment(self) -> dict[str, str]:
+        """Return the variables that git is run with."""
+        quoted = ('"' + path.replace("\\", "\\\\").replace('"', '\\"') + '"' for path in self.objects)
+        more = {"GIT_ALTERNATE_OBJECT_DIRECTORIES": os.pathsep.join(quoted)} if self.objects else {}
+        return {**os.environ, "GIT_TERMINAL_PROMPT": "0", "GIT_NO_LAZY_FETCH": "1", "LC_ALL": "C", **more}
+
+    def command(self, *arguments: str) -> list[str]:
+        """Return the words that run git on it."""
+        return ["git", *_QUIETLY, "-C", self.asked, *arguments]
+
+    def git(self, *arguments: str) -> subprocess.CompletedProcess[bytes]:
+        """Run git and return what it said.
+
+        Raises:
+            UsageError: git is not there, or does not answer.
+        """
+        try:
+            return subprocess.run(
+                self.command(*arguments), capture_output=True, timeout=60, check=False, env=self.environment()
+            )
+        except FileNotFoundError as error:
+            raise UsageError("git is not installed", expected="git, to read revisions", advice="Install git") from error
+        except subprocess.TimeoutExpired as error:
+            raise UsageError(
+                f"git did not answer in {error.timeout:g} s", expected="a repository that can be read"
+            ) from error
+
+
+def repository_of(path: str) -> Repository:
+    """Return the repository that a folder is in.
+
+    Raises:
+        UsageError: it is in none, or git cannot be run.
+    """
+    done = Repository(path).git("rev-parse", "--show-toplevel", "--show-prefix", "--git-common-dir")
+    if done.returncode:
+        raise UsageError(
+            f'"{path}" is in no git repository that can be read: {said(done)}',
+            expected="revisions of one",
+            advice="Give the folder of a repository as PATH",
+        )
+    root, below, folder = os.fsdecode(done.stdout).rstrip("\n").split("\n")[-3:]
+    return Repository(root, below, str(Path(path, folder).resolve()))
+
+
+def commit_of_revision(repository: Repository, name: str) -> str:
+    """Return the commit that a revision means; empty where there is none of that name."""
+    done = repository.git("rev-parse", "--verify", "--quiet", "--end-of-options", f"{name}^{{commit}}")
+    return done.stdout.decode("ascii", "replace").strip() if not done.returncode else ""
+
+
+def names_like(repository: Repository, name: str) -> list[str]:
+    """Return branches and tags whose names are like this one, the best first."""
+    import difflib
+
+    done = repository.git("for-each-ref", "--format=%(refname:short)")
+    return difflib.get_close_matches(name, ["HEAD", *os.fsdecode(done.stdout).split()], 3, 0.5)
+
+
+def said(done: subprocess.CompletedProcess[bytes]) -> str:
+    """Return what git complained about, in one line."""
+    return " ".join(done.stderr.decode("utf-8", "replace").split()) or "git says nothing"

@@ -44,9 +44,8 @@ def test_a_profile_of_the_folder_stays_alone(tmp_path):
 
 
 def test_ports_follow_those_that_are_known_up_to_the_next_domain():
-    ports = [
-        int(port.text) for port in ElementTree.fromstring(profile(41).encode()).iter() if port.tag.endswith("port")
-    ]
+    written = ET.fromstring(profile(41).encode())
+    ports = [int(one.text) for one in written.iter() if one.tag.endswith("port")]
     assert ports[0] == 7400 + 250 * 41 + 10 + 2 * KNOWN
     assert ports[-1] < 7400 + 250 * 42
     assert ports == sorted(set(ports))

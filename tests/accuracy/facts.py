@@ -86,9 +86,9 @@ def said(configuration: Configuration) -> tuple[Fact, ...]:
     found: list[Fact] = []
     for node in nodes:
         inside = node.container if node.kind == "nodelet" and node.container in names else ""
-        if not inside:
+        if not inside or any(one.implicit for one in node.endpoints):
             found.append(_node(node))
-        found += (_endpoint(one, inside or node.name, node) for one in node.endpoints)
+        found += (_endpoint(one, node.name if one.implicit else inside or node.name, node) for one in node.endpoints)
         found += _parameters(node.parameters, node, ros1=ros1)
     if ros1:
         found += _parameters(configuration.parameters, None, ros1=True)

@@ -47,3 +47,22 @@ def test_nodelets_are_part_of_their_manager_where_it_is_there():
     managed = Configuration("t", "ros1", (nodelet, node("/m"))).graph()
     assert [one.name for one in alone.nodes] == ["/n"]
     assert [(one.node, one.name) for one in managed.endpoints] == [("/m", "/x")]
+
+
+def test_what_loads_a_nodelet_is_a_node_beside_the_manager():
+    ends = (end("/n", "/x"), end("/n", "/rosout", Origin.IMPLICIT))
+    nodelet = node("/n", *ends, kind="nodelet", container="/m", parameters=(ConfiguredParameter("/n/a", "1"),))
+    graph = Configuration("t", "ros1", (nodelet, node("/m"))).graph()
+    assert [one.name for one in graph.nodes] == ["/m", "/n"]
+    assert [(one.node, one.name) for one in graph.endpoints] == [("/m", "/x"), ("/n", "/rosout")]
+    assert graph.parameters == {"/n": {"/n/a": "1"}}
+
+
+def test_a_process_and_its_nodelet_of_one_name_are_one_node():
+    pair = (
+        node("/p", end("/p", "/rosout", Origin.IMPLICIT), parameters=(ConfiguredParameter("a", "1"),)),
+        node("/p", end("/p", "/x"), kind="nodelet", container="/p", parameters=(ConfiguredParameter("b", "2"),)),
+    )
+    graph = Configuration("t", "ros1", pair).graph()
+    assert [one.name for one in graph.nodes] == ["/p"]
+    assert graph.parameters == {"/p": {"a": "1", "b": "2"}}

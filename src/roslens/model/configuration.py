@@ -224,29 +224,39 @@ class Configuration(msgspec.Struct, frozen=True, omit_defaults=True):
     def graph(self, *, implicit: bool = True) -> Graph:
         """Return the computation graph, as a live system would show it: nodelets are part of their manager.
 
+        The program that asks a manager to load one is a node of the nodelet's name.
+
         Args:
             implicit: whether endpoints that every node has are part of it.
         """
         names = {node.name for node in self.nodes}
+        loading = {
+            node.name for node in self.nodes if node.kind == "nodelet" and any(one.implicit for one in node.endpoints)
+        }
         inside = {
             node.name: node.container
             for node in self.nodes
             if node.kind == "nodelet" and node.container in names and node.container != node.name
         }
         endpoints = {
-            msgspec.structs.replace(one.endpoint, node=inside.get(node.name, node.name))
+            msgspec.structs.replace(one.endpoint, node=node.name if one.implicit else inside.get(node.name, node.name))
             for node in self.nodes
             for one in node.endpoints
             if implicit or not one.implicit
         }
-        parameters = {
-            node.name: {one.name: one.value for one in node.parameters if one.value is not None} for node in self.nodes
-        }
+        parameters: dict[str, dict[str, str]] = {}
+        for node in self.nodes:
+            # A process and a nodelet that it loads may have one name.
+            parameters.setdefault(node.name, {}).update(
+                (one.name, one.value) for one in node.parameters if one.value is not None
+            )
         return Graph(
             self.generation,
-            tuple(sorted({Node(name) for name in names if name not in inside})),
+            tuple(sorted({Node(name) for name in names if name not in inside or name in loading})),
             tuple(sorted(endpoints, key=_order)),
-            parameters={name: values for name, values in parameters.items() if values and name not in inside},
+            parameters={
+                name: values for name, values in parameters.items() if values and name not in inside.keys() - loading
+            },
         )
 
 

@@ -292,8 +292,12 @@ def test_a_nodelet_is_part_of_its_manager_in_the_graph():
     )  # fmt: skip
     configuration = configured(facts, manager, loaded, targets=(target,), generation="ros1")
     graph = configuration.graph(implicit=False)
-    assert [node.name for node in graph.nodes] == ["/ns/m"]
+    assert [node.name for node in graph.nodes] == ["/ns/f", "/ns/m"]
     assert [(one.node, one.name) for one in graph.endpoints] == [("/ns/m", "/ns/f/out")]
+    ends = {(one.node, one.role.value, one.name) for one in configuration.graph().endpoints}
+    for node in ("/ns/f", "/ns/m"):
+        assert {(node, "publisher", "/ns/m/bond"), (node, "subscription", "/ns/m/bond")} <= ends
+        assert (node, "service_server", f"{node}/get_loggers") in ends
 
 
 def test_a_python_entry_point_is_found_by_module_and_function():

@@ -33,7 +33,11 @@ def test_managed_nodes_containers_and_simulated_time_add_theirs():
 
 
 def test_a_nodelet_has_what_its_manager_has():
-    assert names("ros1", "nodelet", sim_time=True) == set()
+    assert names("ros1", "nodelet", sim_time=True, process=False) == set()
+
+
+def test_what_loads_a_nodelet_is_a_node_of_its_own():
+    assert names("ros1", "nodelet", sim_time=True) == names("ros1", sim_time=True) != set()
 
 
 @pytest.mark.parametrize("generation", ["ros1", "ros2"])

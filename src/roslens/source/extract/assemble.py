@@ -15,7 +15,7 @@ from roslens.model.configuration import (
 from roslens.model.errors import DocumentError
 from roslens.source.extract.assemble_arguments import CommandLine, command_line
 from roslens.source.extract.assemble_loads import loaded_by, with_used
-from roslens.source.extract.assemble_node import Given, assembled, container_name, values_of
+from roslens.source.extract.assemble_node import Given, assembled, container_name, place_of, values_of
 from roslens.source.extract.assemble_parameters import set_outside
 from roslens.source.extract.assemble_proof import launch_proof
 from roslens.source.extract.assemble_units import Meant, Units, meant_by
@@ -25,6 +25,7 @@ from roslens.source.extract.launched import Argument, Launch, Launched, Setting
 from roslens.source.extract.node_facts import Inherits, NodeFacts, Target, TargetKind
 from roslens.source.extract.parameter_file import ros2_parameters
 from roslens.source.extract.resolve_name import TOP, absolute
+from roslens.source.extract.ros1_nodelet import Bond, has_bond, with_bonds
 from roslens.source.extract.text import Text
 from roslens.source.settings import NodeHint
 
@@ -69,7 +70,7 @@ def assemble(
     return Configuration(
         title,
         launch.generation,
-        tuple(sorted(whole.nodes, key=lambda node: (node.name, node.proof))),
+        tuple(sorted(with_bonds(whole.nodes, whole.bonds), key=lambda node: (node.name, node.proof))),
         tuple(set_outside(launch.settings)),
         tuple(_argument(one) for one in launch.arguments),
         launch.included,
@@ -121,6 +122,7 @@ class _Whole:
         self.hints, self.hinted_in = dict(hints), hinted_in
         self.launch, self.units, self.known, self.files, self.by_launch = launch, units, known, files, by_launch
         self.nodes: list[ConfiguredNode] = []
+        self.bonds: list[Bond] = []
         self.unresolved: list[Unresolved] = []
 
     def start(self, launched: Launched) -> None:
@@ -141,6 +143,9 @@ class _Whole:
             self.hints,
             self.hinted_in,
         )
+        if has_bond(launched):
+            name = place_of(given, meant.facts[0] if meant.facts else _nothing(launched, generation)).node.pattern
+            self.bonds.append(Bond(name, given.container, launched.conditions))
         if not meant.facts:
             if not self.by_launch:
                 # A program that makes no node is no node; nobody said that it is one.

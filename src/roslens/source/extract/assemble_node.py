@@ -18,7 +18,7 @@ from roslens.model.graph import Endpoint
 from roslens.source.extract.assemble_actions import folded
 from roslens.source.extract.assemble_arguments import CommandLine, command_line, kind_of_value
 from roslens.source.extract.assemble_overrides import overridden
-from roslens.source.extract.assemble_parameters import Values, doubt, parameters_of
+from roslens.source.extract.assemble_parameters import Values, declared_as_set, doubt, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.hints import hint_of, hinted
@@ -37,6 +37,7 @@ from roslens.source.extract.resolve_name import (
     resolve,
     rule,
 )
+from roslens.source.extract.ros1_nodelet import is_process
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.settings import NodeHint
 
@@ -168,6 +169,8 @@ class _Node:
         if self.given.generation == "ros1":
             endpoints = folded(endpoints)
         parameters = parameters_of((*facts.parameters, *self.declared), self.values)
+        if facts.declares_set:
+            parameters = declared_as_set(parameters, proof_of(Evidence(facts.path, facts.line), self.origin))
         endpoints += self._implicit()
         self._unresolved_of_code()
         return ConfiguredNode(
@@ -255,6 +258,7 @@ class _Node:
             sim_time=self.values.is_true(_SIM_TIME[self.given.generation]),
             lifecycle=facts.kind == "lifecycle" or self.given.launched.kind == "lifecycle",
             cpp=None if python is None else not python,
+            process=is_process(self.given.launched),
         )  # fmt: skip
         remapped = []
         for one in found:

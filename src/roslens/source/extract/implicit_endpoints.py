@@ -34,7 +34,7 @@ _MANAGER = (("list", "NodeletList"), ("load_nodelet", "NodeletLoad"), ("unload_n
 
 
 def implicit_endpoints(
-    node: str, generation: str, kind: str, *, sim_time: bool, lifecycle: bool, cpp: bool | None
+    node: str, generation: str, kind: str, *, sim_time: bool, lifecycle: bool, cpp: bool | None, process: bool = True
 ) -> list[ConfiguredEndpoint]:
     """Return the endpoints that a node has besides those of its code.
 
@@ -45,11 +45,13 @@ def implicit_endpoints(
         sim_time: whether it takes its time from ``/clock``.
         lifecycle: whether it is managed.
         cpp: whether it is written in C++; None where that is unknown.
+        process: whether it is a nodelet whose name is that of a process too, see :func:`is_process`.
     """
     found = _Found(node)
-    if generation == "ros1":
+    nodelet = kind == "nodelet" and not process
+    if generation == "ros1" and not nodelet:
         _ros1(found, kind)
-    else:
+    elif generation != "ros1":
         _ros2(found, cpp)
         if lifecycle:
             found.add(Role.PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", _TRANSITIONS)
@@ -58,7 +60,7 @@ def implicit_endpoints(
         if kind == "container":
             for name, kind_of in _CONTAINER:
                 found.add(Role.SERVICE_SERVER, f"~/_container/{name}", f"composition_interfaces/srv/{kind_of}")
-    if sim_time and not (generation == "ros1" and kind == "nodelet"):
+    if sim_time and not (generation == "ros1" and nodelet):
         package = "rosgraph_msgs/msg/Clock" if generation == "ros2" else "rosgraph_msgs/Clock"
         found.add(Role.SUBSCRIPTION, "/clock", package, _CLOCK if generation == "ros2" else None, how="use_sim_time")
     return found.endpoints
@@ -80,8 +82,6 @@ class _Found:
 
 
 def _ros1(found: _Found, kind: str) -> None:
-    if kind == "nodelet":
-        return
     found.add(Role.PUBLISHER, "/rosout", "rosgraph_msgs/Log")
     found.add(Role.SERVICE_SERVER, "~/get_loggers", "roscpp/GetLoggers")
     found.add(Role.SERVICE_SERVER, "~/set_logger_level", "roscpp/SetLoggerLevel")

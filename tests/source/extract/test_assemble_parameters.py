@@ -1,4 +1,5 @@
-from roslens.source.extract.assemble_parameters import Values, doubt, parameters_of, set_outside
+from roslens.model.configuration import Proof
+from roslens.source.extract.assemble_parameters import Values, declared_as_set, doubt, parameters_of, set_outside
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import Evidence, ParameterFact, Sure
 from roslens.source.extract.resolve_name import Place
@@ -88,3 +89,18 @@ def test_a_global_name_stays_one_below_a_private_handle():
     assert values.fill(Text.of("~/", hole("~topic"))).text.known == "/odom"
     assert values.fill(Text.of("~/", hole("~near"))).text.known == "~/odom"
     assert values.fill(Text.of("ns/", hole("~topic"))).text.known == "ns//odom"
+
+
+def test_a_node_may_declare_whatever_is_set():
+    facts = (
+        ParameterFact(Text.of("a"), CODE, "read"),
+        ParameterFact(Text.of("b"), CODE, "read"),
+        ParameterFact(Text.of("c"), CODE, "declared", conditions=("debug",)),
+    )
+    values = Values(ROS2, (setting("a", "1"), setting("c", "3"), setting("d", "4")))
+    made = Proof("a.py", 1)
+    found = declared_as_set(parameters_of(facts, values), made)
+    assert {one.name: (one.access, one.value, one.conditions) for one in found} == {
+        "a": ("declared", "1", ()), "b": ("read", None, ()), "c": ("declared", "3", ()), "d": ("declared", "4", ()),
+    }  # fmt: skip
+    assert [one.proof.line for one in found if one.proof] == [3, 3, 3, 1]

@@ -155,3 +155,43 @@ def test_what_is_made_where_it_is_declared_has_a_line(units):
     )
     (node,) = [one for one in units(a_cpp=text) if one.unit == "main"]
     assert [one.evidence.line for one in node.endpoints] == [4, 10]
+
+
+@pytest.mark.parametrize(
+    ("options", "declares"),
+    [
+        ("rclcpp::NodeOptions().automatically_declare_parameters_from_overrides(true)", True),
+        ("rclcpp::NodeOptions().automatically_declare_parameters_from_overrides(false)", False),
+        ("rclcpp::NodeOptions().automatically_declare_parameters_from_overrides(ask())", False),
+        ("rclcpp::NodeOptions().allow_undeclared_parameters(true)", False),
+    ],
+)
+def test_whether_a_node_declares_what_is_set_for_it(units, options, declares):
+    (node,) = made(units, f'auto node = std::make_shared<rclcpp::Node>("a", {options});')
+    assert node.declares_set is declares
+
+
+def test_a_class_that_declares_what_is_set_for_it(units):
+    text = """
+#include <rclcpp/rclcpp.hpp>
+class A : public rclcpp::Node { public: explicit A(const rclcpp::NodeOptions & options) : Node("a", changed(options)) {}
+  static rclcpp::NodeOptions changed(rclcpp::NodeOptions options) {
+    options.automatically_declare_parameters_from_overrides(true);
+    return options;
+  }
+};
+"""
+    (node,) = units(a_cpp=text)
+    assert (node.declares_set, node.inherits) == (True, Inherits.ALL)
+
+
+def test_a_node_of_rclpy_that_declares_what_is_set_for_it(units):
+    text = """
+from rclpy.node import Node
+class A(Node):
+    def __init__(self):
+        super().__init__('a', allow_undeclared_parameters=True, automatically_declare_parameters_from_overrides=True)
+        self.declare_parameter('b', 1)
+"""
+    (node,) = units(a_py=text)
+    assert (node.declares_set, node.arguments, len(node.parameters)) == (True, (), 1)

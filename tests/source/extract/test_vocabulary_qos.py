@@ -26,10 +26,9 @@ def test_a_depth_that_a_parameter_decides(node_of):
 
 def python_endpoints(units, *lines):
     text = """
-from rclpy.duration import Duration
+from rclpy.duration import Duration, Infinite
 from rclpy.node import Node
 from rclpy.qos import QoSPresetProfiles, QoSProfile
-from rclpy.qos_overriding_options import QoSOverridingOptions
 from std_msgs.msg import String
 class A(Node):
     def __init__(self):
@@ -44,8 +43,38 @@ def test_a_profile_of_rclpy_by_its_name(units):
     assert (one.qos.reliability, one.qos.depth, one.qos_unknown) == ("best_effort", 5, "")
 
 
-def test_a_deadline_that_is_no_number_is_unknown_and_not_none(units):
+@pytest.mark.parametrize(
+    ("written", "seconds"),
+    [
+        ("Duration(seconds=0.5)", 0.5),
+        ("Duration(seconds=1, nanoseconds=500000000)", 1.5),
+        ("Duration()", 0.0),
+        ("Infinite", 0.0),
+    ],
+)
+def test_limits_of_rclpy(units, written, seconds):
     (one,) = python_endpoints(
-        units, "self.create_publisher(String, 'a', QoSProfile(depth=1, deadline=Duration(seconds=0.5)))"
+        units, f"self.create_publisher(String, 'a', QoSProfile(depth=1, deadline={written}, lifespan={written}))"
     )
+    assert (one.qos.deadline_s, one.qos.lifespan_s, one.qos.lease_s, one.qos_unknown) == (seconds, seconds, 0.0, "")
+
+
+@pytest.mark.parametrize("written", ["Duration(seconds=period())", "period()"])
+def test_a_deadline_that_is_no_number_is_unknown_and_not_none(units, written):
+    (one,) = python_endpoints(units, f"self.create_publisher(String, 'a', QoSProfile(depth=1, deadline={written}))")
     assert (one.qos.reliability, one.qos_unknown) == ("reliable", "its deadline is not known")
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "1500ms",
+        "std::chrono::milliseconds(1500)",
+        "rclcpp::Duration(1, 500000000)",
+        "rclcpp::Duration::from_seconds(1.5)",
+    ],
+)
+def test_limits_of_rclcpp(node_of, written):
+    body = f'pub_ = create_publisher<std_msgs::msg::String>("a", rclcpp::QoS(1).deadline({written}));'
+    (one,) = node_of(body).endpoints
+    assert (one.qos.deadline_s, one.qos_unknown) == (1.5, "")

@@ -209,6 +209,16 @@ def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[Confi
     return tuple(found[name] for name in sorted(found))
 
 
+def declared_as_set(parameters: Iterable[ConfiguredParameter], proof: Proof) -> tuple[ConfiguredParameter, ...]:
+    """Return parameters of a node that declares each that is set for it, ``proof`` being where it is made."""
+    return tuple(
+        one
+        if one.set_by is None or (one.access == "declared" and not one.conditions)
+        else msgspec.structs.replace(one, access="declared", proof=one.proof or proof, conditions=())
+        for one in parameters
+    )
+
+
 def set_outside(settings: Iterable[Setting]) -> Iterator[ConfiguredParameter]:
     """Yield parameters that a launch file of ROS 1 sets outside of nodes, the last setting of each name."""
     last = {one.name.pattern: one for one in settings}

@@ -71,6 +71,7 @@ def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
         settings=tuple(dict.fromkeys((*main.settings, *of_class.settings))),
         global_arguments=main.global_arguments and of_class.global_arguments,
         unresolved=tuple(dict.fromkeys((*main.unresolved, *of_class.unresolved))),
+        declares_set=main.declares_set or of_class.declares_set,
         loads=tuple(dict.fromkeys((*main.loads, *of_class.loads))),
     )
 

@@ -169,6 +169,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
         inherits: what it takes of what is loaded that makes it.
         conditions: under which code makes it, as written, outermost first.
         number: counts the nodes that one evaluation makes; 0 is the first one.
+        declares_set: whether it declares each parameter that is set for it.
         uses: units whose facts are part of it (base classes, owned objects), for people.
         unresolved: what could not be evaluated, with the reason.
         loads: nodelets that it loads into its own process, in source order.
@@ -193,6 +194,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     uses: tuple[str, ...] = ()
     unresolved: tuple[tuple[Evidence, str], ...] = ()
     loads: tuple[LoadFact, ...] = ()
+    declares_set: bool = False
 
 
 def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:

@@ -59,6 +59,7 @@ _MODULES = (
     "vocabulary_ros2",
     "vocabulary_ros1",
     "vocabulary_nodelets",
+    "vocabulary_durations",
     "vocabulary_shared",
     "vocabulary_images",
     "vocabulary_trees",

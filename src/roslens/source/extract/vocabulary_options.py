@@ -22,10 +22,11 @@ OUTSIDE = Text((Hole("arguments that the node is loaded with"),))
 
 What options hold is kept under keys that are no names: methods have the names of members of theirs.
 """
+_DECLARES = "automatically_declare_parameters_from_overrides"
 _SAME = (
-    "use_intra_process_comms", "enable_topic_statistics", "start_parameter_services", "start_parameter_event_publisher",
-    "enable_rosout", "allow_undeclared_parameters", "automatically_declare_parameters_from_overrides",
-    "context", "clock_qos", "use_clock_thread", "parameter_event_qos", "rosout_qos", "enable_logger_service",
+    "use_intra_process_comms", "enable_topic_statistics", "start_parameter_services",
+    "start_parameter_event_publisher", "enable_rosout", "allow_undeclared_parameters", "context", "clock_qos",
+    "use_clock_thread", "parameter_event_qos", "rosout_qos", "enable_logger_service",
     "parameter_event_publisher_options", "allocator", "clock_type",
 )  # fmt: skip
 
@@ -84,6 +85,15 @@ def overrides(_engine: Evaluation, thing: Any, called: Called) -> Any:
     return thing
 
 
+@method(OPTIONS, _DECLARES)
+def declares(_engine: Evaluation, thing: Any, called: Called) -> Any:
+    """Whether the node declares each parameter that is set for it."""
+    if not called.arguments:
+        return thing.fields.get("-declares", False)
+    thing.fields["-declares"] = called.argument(0)
+    return thing
+
+
 @method(OPTIONS, *_SAME)
 def same(_engine: Evaluation, thing: Any, called: Called) -> Any:
     """What says nothing of names."""
@@ -102,11 +112,12 @@ def given_options(called: Called) -> Any:
     for one in (*called.arguments, *called.keywords.values()):
         if isinstance(one, Obj) and one.type == OPTIONS:
             return one
-    if not {"cli_args", "use_global_arguments", "parameter_overrides"} & set(called.keywords):
+    if not {"cli_args", "use_global_arguments", "parameter_overrides", _DECLARES} & set(called.keywords):
         return None
     held: dict[str, Any] = {"-arguments": called.keywords.get("cli_args") or []}
     held["-global"] = called.keywords.get("use_global_arguments", True)
     held["-overrides"] = called.keywords.get("parameter_overrides") or []
+    held["-declares"] = called.keywords.get(_DECLARES, False)
     return Obj(OPTIONS, None, held)
 
 
@@ -127,6 +138,7 @@ def take_options(engine: Evaluation, building: Building, given: Obj, called: Cal
         building.global_arguments = of_process
     else:
         _doubt(building, called, "whether those of the process hold for it is unknown")
+    building.declares_set = given.fields.get("-declares") is True
     values = given.fields.get("-overrides", [])
     pairs = list(values.items()) if isinstance(values, dict) else values if isinstance(values, list) else []
     for one in pairs:

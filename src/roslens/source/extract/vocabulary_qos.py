@@ -43,6 +43,7 @@ _OF_RCLPY = {
 }
 """Of rclpy.qos.QoSPresetProfiles."""
 _DURATIONS = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
+_ENDLESS = frozenset({"rclpy.duration.Infinite", "rclpy.qos.Infinite", "RMW_DURATION_INFINITE"})
 _WORDS = {
     "reliable": "reliable",
     "best_effort": "best_effort",
@@ -112,6 +113,8 @@ def _from_words(called: Called) -> QosValue:
 
 
 def _lasting(base: QosValue, name: str, value: Any) -> QosValue:
+    if isinstance(value, Named) and value.name in _ENDLESS:
+        value = 0
     if isinstance(value, int | float) and not isinstance(value, bool):
         return QosValue(msgspec.structs.replace(base.qos, **{_DURATIONS[name]: float(value)}), base.unknown)
     return QosValue(base.qos, f"its {name.replace('_', ' ')} is not known")

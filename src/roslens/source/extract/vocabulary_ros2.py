@@ -207,20 +207,6 @@ def wall_timer(engine: Evaluation, thing: Any, called: Called) -> Any:
     return Obj("rclcpp.TimerBase")
 
 
-@outer("ms", "us", "ns", "s", "std.chrono.milliseconds", "std.chrono.seconds", "std.chrono.microseconds",
-       "std.chrono.nanoseconds", "std.chrono.duration", "rclcpp.Duration", "ros.Duration", "ros.WallDuration",
-       "rospy.Duration", "rclcpp.Rate", "ros.Rate", "rclcpp.WallRate", "std.chrono_literals.ms",
-       "std.chrono_literals.s", quiet=True)  # fmt: skip
-def duration(_engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """A stretch of time in seconds."""
-    value = called.argument(0)
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return value if isinstance(value, Text) else Unknown("a duration")
-    last = called.name.rpartition(".")[2]
-    factor = {"ms": 1e-3, "milliseconds": 1e-3, "us": 1e-6, "microseconds": 1e-6, "ns": 1e-9, "nanoseconds": 1e-9}
-    return value * factor.get(last, 1.0)
-
-
 @method("node", "declare_parameter", anywhere=True)
 def declare(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A parameter is declared."""

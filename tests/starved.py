@@ -41,20 +41,26 @@ def look():
 def tell(what, much):
     os.write(1, f"{what} {time.monotonic()} {much}\\n".encode())
 
-looked = 0.0
-while True:
-    begun = time.monotonic()
-    asked = select.select([0], [], [], 0.02)[0]
-    late = time.monotonic() - begun - 0.02
-    if late > LATE_S:
-        tell("late", late)
-    if asked and not os.read(0, 1):
-        break
-    if asked or begun - looked > LOOK_EVERY_S:
-        looked = begun
-        look()
-    if asked:
-        tell("that is all", 0.0)
+def watch():
+    looked = 0.0
+    while True:
+        begun = time.monotonic()
+        asked = select.select([0], [], [], 0.02)[0]
+        late = time.monotonic() - begun - 0.02
+        if late > LATE_S:
+            tell("late", late)
+        if asked and not os.read(0, 1):
+            break
+        if asked or begun - looked > LOOK_EVERY_S:
+            looked = begun
+            look()
+        if asked:
+            tell("that is all", 0.0)
+
+try:
+    watch()
+except (BrokenPipeError, KeyboardInterrupt):
+    pass  # nobody listens any more
 """
 
 

@@ -187,6 +187,7 @@ def test_intersections_told_by_hand(one: str, other: str, both: bool):
     "text",
     ["/*a*a*a*a*a*a*a*b", "re:/(a+)+b", "re:/(a|aa)*b", "/{a,aa,**}{a,aa,**}b", "/**a**a**b", "/" + "*a" * 99 + "*b"],
 )
+@pytest.mark.timed
 def test_hostile_names_take_no_longer_than_their_length(text: str):
     pattern = Pattern.parse(text)
     started = time.process_time()

@@ -56,6 +56,7 @@ def test_the_index_finds_what_asking_each_finds(patterns: list[str], name: str):
     assert list(index.find(TOPIC, name)) == asked
 
 
+@pytest.mark.timed
 def test_a_new_entity_costs_far_less_than_a_millisecond_among_a_thousand_sentences():
     selectors = [Selector(TOPIC, f"/robot{n}/*/state") for n in range(500)]
     selectors += [Selector(TOPIC, f"/**/sensor{n}*") for n in range(250)]

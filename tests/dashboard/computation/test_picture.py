@@ -71,6 +71,7 @@ def test_styles() -> None:
     assert style_of(Line(0, 1, conditional=True, resolved=False, sure="likely")) == "conditional unresolved likely"
 
 
+@pytest.mark.timed
 def test_a_large_system_takes_less_than_a_second(made_up: ModuleType) -> None:
     large = made_up.large()
     begun = time.process_time()

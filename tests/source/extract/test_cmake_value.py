@@ -90,4 +90,4 @@ def test_a_search_ends_soon(pattern, text):
     if expression is not None and searchable(expression, text):
         before = time.process_time()
         expression.search(text)
-        assert turned_s(before) < 2
+        assert time.process_time() - before < 2 or turned_s(before) < 2

@@ -213,6 +213,7 @@ def test_a_condition_that_cannot_be_read_is_taken_to_hold(manifests: dict[str, b
     assert [one.active for one in package.dependencies if one.name == "rclcpp"] == [True]
 
 
+@pytest.mark.timed
 def test_entities_are_refused_at_once(manifests: dict[str, bytes]) -> None:
     started = time.process_time()
     package, failures = read_manifest(manifests["faulty_entities"], "arm/package.xml", ROS_2)
@@ -241,6 +242,7 @@ def test_a_huge_manifest_is_refused() -> None:
     assert failures[0].what == "the manifest is larger than 1048576 bytes"
 
 
+@pytest.mark.timed
 def test_a_manifest_of_the_largest_size_is_read_in_seconds() -> None:
     tag = b"<depend>a</depend>\n"
     content = b"<package><name>arm</name>" + tag * (MAXIMUM_SIZE // len(tag) - 2) + b"</package>"

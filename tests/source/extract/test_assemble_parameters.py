@@ -104,3 +104,44 @@ def test_a_node_may_declare_whatever_is_set():
         "a": ("declared", "1", ()), "b": ("read", None, ()), "c": ("declared", "3", ()), "d": ("declared", "4", ()),
     }  # fmt: skip
     assert [one.proof.line for one in found if one.proof] == [3, 3, 3, 1]
+
+
+def each(reason: str, default: str | None = None) -> Text:
+    return Text.of("t/", Hole(reason, "names", default))
+
+
+def names_of(values: Values, text: Text) -> list[tuple[str, Sure]]:
+    found = [values.fill(one) for one in values.each(text)]
+    return [(one.text.pattern, one.sure) for one in found]
+
+
+def test_names_out_of_a_list_that_is_set_or_declared():
+    values = Values(ROS2, (setting("names", "[a, 'b']"),))
+    assert names_of(values, each("each of parameter names", "[c]")) == [("t/a", Sure.CERTAIN), ("t/b", Sure.CERTAIN)]
+    none = Values(ROS2, ())
+    assert names_of(none, each("each of parameter names", "[c, d]")) == [("t/c", Sure.LIKELY), ("t/d", Sure.LIKELY)]
+    assert names_of(none, each("each of parameter names")) == [("t/*", Sure.POSSIBLE)]
+
+
+def test_an_empty_list_gives_no_name():
+    values = Values(ROS2, (setting("names", "[]"),))
+    assert names_of(values, each("each of parameter names", "[c]")) == [("t/*", Sure.POSSIBLE)]
+
+
+def test_a_list_that_is_set_to_what_is_unknown():
+    values = Values(ROS2, (setting("names", unknown("argument names")),))
+    assert names_of(values, each("each of parameter names", "[c]")) == [("t/*", Sure.POSSIBLE)]
+
+
+def test_one_item_of_a_list():
+    values = Values(ROS2, (setting("names", "[a, b]"),))
+    assert names_of(values, each("item 1 of parameter names")) == [("t/b", Sure.CERTAIN)]
+    assert names_of(values, each("item -1 of parameter names")) == [("t/b", Sure.CERTAIN)]
+    assert names_of(values, each("item -2 of parameter names")) == [("t/a", Sure.CERTAIN)]
+    assert names_of(values, each("item 2 of parameter names")) == [("t/*", Sure.POSSIBLE)]
+
+
+def test_parameters_that_a_list_names():
+    facts = (ParameterFact(Text.of(Hole("each of parameter names", "names", "[a, b]"), ".rate"), CODE, "declared"),)
+    assert [one.name for one in parameters_of(facts, Values(ROS2, ()))] == ["a.rate", "b.rate"]
+    assert [one.name for one in parameters_of(facts, Values(ROS2, (setting("names", "[c]"),)))] == ["c.rate", "names"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 import msgspec
@@ -19,6 +20,7 @@ _FULL_NAME_OF_NODE = "full name of the node"
 _NAMESPACE_OF_NODE = "namespace of the node"
 _NAMESPACE_ABOVE = "namespace above the node"
 _MOST_ITEMS = 100
+_ITEM = re.compile(r"item (-?\d+) of ")
 _ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
 
 
@@ -80,7 +82,11 @@ class Values:
         value = hole.default if found is None else found.value.known
         if value is None or not (value.startswith("[") and value.endswith("]")):
             return None
-        names = [one.strip().strip("\"'") for one in value[1:-1].split(",")][:_MOST_ITEMS]
+        names = _listed(value)[:_MOST_ITEMS]
+        one_of_them = _ITEM.match(hole.reason)
+        if one_of_them is not None:
+            place = int(one_of_them[1])
+            names = names[place : place + 1 or None] if -len(names) <= place < len(names) else []
         where = f"default of {hole.reason}" if found is None else f"{hole.reason}, set in {_place_of(found)}"
         # A hole that its value fills keeps the doubt of a default.
         return [Hole(where, default=one) if found is None else one for one in names if one]
@@ -166,6 +172,10 @@ class Values:
         return (value or "").lower() in ("true", "1", "yes", "on")
 
 
+def _listed(value: str) -> list[str]:
+    return [one.strip().strip("\"'") for one in value[1:-1].split(",")]
+
+
 def _is_global(text: Text) -> bool:
     first = text.parts[0] if text.parts else ""
     return isinstance(first, str) and first.startswith("/")
@@ -187,7 +197,8 @@ def doubt(*sures: Sure) -> Sure:
 def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[ConfiguredParameter, ...]:
     """Return the parameters that code knows with what sets them, then those that are set although no code is known."""
     found: dict[str, ConfiguredParameter] = {}
-    for fact in sorted(facts, key=lambda one: (_ACCESS.get(one.access, 3), one.evidence)):
+    each = [msgspec.structs.replace(one, name=name) for one in facts for name in values.each(one.name)]
+    for fact in sorted(each, key=lambda one: (_ACCESS.get(one.access, 3), one.evidence)):
         filled = values.fill(fact.name)
         name = values.key(filled.text)
         known = found.get(name)

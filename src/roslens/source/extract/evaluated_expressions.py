@@ -25,6 +25,7 @@ from roslens.source.extract.program import (
 )
 from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.unknown_lists import item_of
 from roslens.source.extract.vocabulary_streams import HELD, written_to
 
 if TYPE_CHECKING:
@@ -163,6 +164,9 @@ class Expressions:
             return of.get(hashable(key), Unknown(f"an item of {expression_text(expression.of)}"))
         if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
             return of[key]
+        inside = item_of(of, key)
+        if inside is not None:
+            return inside
         if isinstance(of, Text) and key == 0 and of.parts and isinstance(first := of.parts[0], str):
             return Text.of(first[:1])
         return of if isinstance(of, Unknown) else Unknown(expression_text(expression))

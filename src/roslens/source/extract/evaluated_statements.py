@@ -24,7 +24,8 @@ from roslens.source.extract.program import (
     Statement,
 )
 from roslens.source.extract.program_text import expression_text
-from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.text import Text
+from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.workspace_index import type_arguments, type_name
 
 if TYPE_CHECKING:
@@ -257,9 +258,8 @@ def _looped(engine: Evaluation, statement: Loop) -> None:
 
 def _each(over: Any, statement: Loop) -> Any:
     """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
-    if isinstance(over, Text) and over.holes:
-        hole = over.holes[0]
-        return unknown(f"each of {hole.reason}", parameter=hole.parameter)
+    if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
+        return each_of(over)
     return Unknown(f"each of {expression_text(statement.over)}" if statement.over is not None else "an item")
 
 

@@ -60,6 +60,7 @@ _MODULES = (
     "vocabulary_ros1",
     "vocabulary_nodelets",
     "vocabulary_durations",
+    "vocabulary_lists",
     "vocabulary_shared",
     "vocabulary_images",
     "vocabulary_trees",

@@ -1,0 +1,45 @@
+"""Lists of which the items are not known while source is evaluated, only what decides them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.source.extract.abstract_value import Unknown
+from roslens.source.extract.text import Hole, Text
+
+
+class Each(msgspec.Struct, frozen=True):
+    """A list of which nobody knows how long it is; ``item`` stands for each of its items."""
+
+    item: Any
+
+
+def each_of(value: Any) -> Any:
+    """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
+    if isinstance(value, Each):
+        return value.item
+    if isinstance(value, Text) and value.holes:
+        hole = value.holes[0]
+        return Text((Hole(f"each of {hole.reason}", hole.parameter, hole.default if is_list(hole) else None),))
+    return Unknown(f"each of {value.reason}" if isinstance(value, Unknown) else "an item")
+
+
+def item_of(value: Any, key: Any) -> Any:
+    """Return the item at a place of an unknown list; None where it is none that is known to be a list."""
+    if isinstance(value, Each):
+        return value.item
+    hole = value.parts[0] if isinstance(value, Text) and len(value.parts) == 1 else None
+    if not isinstance(hole, Hole) or not hole.parameter:
+        return None
+    if isinstance(key, Unknown):
+        return each_of(value)
+    if not is_list(hole) or isinstance(key, bool) or not isinstance(key, int):
+        return None
+    return Text((Hole(f"item {key} of {hole.reason}", hole.parameter, hole.default),))
+
+
+def is_list(hole: Hole) -> bool:
+    """Whether the default of a parameter is a list, as YAML in one line."""
+    return hole.default is not None and hole.default.startswith("[") and hole.default.endswith("]")

@@ -1,0 +1,71 @@
+"""What the functions of Python do that make lists of lists."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.abstract_value import Unknown
+from roslens.source.extract.command_words import Words
+from roslens.source.extract.text import Text
+from roslens.source.extract.unknown_lists import Each, each_of
+from roslens.source.extract.vocabulary import Called, outer
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_MOST = 16
+"""So many turns of a loop over numbers are followed one by one."""
+
+
+@outer("enumerate", quiet=True)
+def numbered(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Items with their numbers."""
+    over, first = called.argument(0), called.argument(1, "start", default=0)
+    items = engine.items(over)
+    if items is None:
+        return Each([Unknown("a number"), each_of(over)])
+    counted = isinstance(first, int)
+    return [[number + first if counted else Unknown("a number"), one] for number, one in enumerate(items)]
+
+
+@outer("zip", quiet=True)
+def side_by_side(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Items of several lists, side by side."""
+    lists = [engine.items(one) for one in called.arguments]
+    known = [one for one in lists if one is not None]
+    if len(known) == len(lists):
+        return [list(one) for one in zip(*known, strict=False)]
+    items = zip(called.arguments, lists, strict=True)
+    return Each([each_of(one) if found is None else Unknown("one of a list") for one, found in items])
+
+
+@outer("list", "tuple", "set", "frozenset", "reversed", "sorted", quiet=True)
+def collected(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A list of the items of another one."""
+    if not called.arguments and not called.keywords:
+        return []
+    over = called.argument(0)
+    if isinstance(over, Words):
+        return Words(over) if called.name in ("list", "tuple") else Unknown(f"result of {called.name}()")
+    items = engine.items(over)
+    if items is None:
+        listed = isinstance(over, Each) or (isinstance(over, Text) and over.known is None)
+        return over if listed else Unknown(f"result of {called.name}()")
+    if called.name == "reversed":
+        return items[::-1]
+    if called.name == "sorted":
+        texts = [one.known if isinstance(one, Text) else None for one in items]
+        known = [one for one in texts if one is not None]
+        plain = len(known) == len(items) and not called.keywords
+        return [Text.of(one) for one in sorted(known)] if plain else Unknown("result of sorted()")
+    return list(items)
+
+
+@outer("range", quiet=True)
+def counted(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Numbers in a row."""
+    given = [one for one in called.arguments if isinstance(one, int) and not isinstance(one, bool)]
+    if not given or len(given) != len(called.arguments) or len(given) > 3 or (len(given) == 3 and not given[2]):
+        return Each(Unknown("a number"))
+    numbers = range(*given)
+    return list(numbers) if len(numbers) <= _MOST else Each(Unknown("a number"))

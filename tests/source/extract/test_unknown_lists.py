@@ -1,0 +1,30 @@
+from roslens.source.extract.abstract_value import Unknown
+from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.unknown_lists import Each, each_of, is_list, item_of
+
+
+def listed(default=None):
+    return Text((Hole("parameter names", "names", default),))
+
+
+def test_what_decides_a_list_decides_each_item():
+    assert each_of(listed("[a, b]")) == Text((Hole("each of parameter names", "names", "[a, b]"),))
+    assert each_of(listed("a")).holes[0].default is None
+    assert each_of(Each(3)) == 3
+    assert each_of(Unknown("what is read")) == Unknown("each of what is read")
+
+
+def test_an_item_at_a_place():
+    assert item_of(listed("[a, b]"), 1) == Text((Hole("item 1 of parameter names", "names", "[a, b]"),))
+    assert item_of(listed("[a, b]"), Unknown("i")) == each_of(listed("[a, b]"))
+    assert item_of(Each(Text.of("x")), 4) == Text.of("x")
+
+
+def test_what_may_be_a_text_has_signs_and_no_items():
+    for one in (listed(), listed("abc"), Text.of("abc"), Unknown("a")):
+        assert item_of(one, 0) is None
+    assert item_of(listed("[a]"), True) is None
+
+
+def test_lists_by_their_default():
+    assert [is_list(Hole("", "", one)) for one in (None, "", "a", "[]", "[a]")] == [False, False, False, True, True]

@@ -1,0 +1,68 @@
+"""Names out of lists, in Python."""
+
+import pytest
+
+
+def names_of(units, *lines):
+    text = """
+import sys
+from rclpy.node import Node
+from std_msgs.msg import String
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+        self.p = self.declare_parameter('p', ['x', 'y']).value
+        self.q = self.declare_parameter('q').value
+"""
+    (facts,) = units(a_py=text + "".join(f"        {line}\n" for line in lines))
+    return [str(one.name) for one in facts.endpoints]
+
+
+@pytest.mark.parametrize(
+    ("over", "found"),
+    [
+        ("['x', 'y']", ["t/x", "t/y"]),
+        ("sorted(['y', 'x'])", ["t/x", "t/y"]),
+        ("reversed(['y', 'x'])", ["t/x", "t/y"]),
+        ("list(('x', 'y'))", ["t/x", "t/y"]),
+        ("range(2)", ["t/0", "t/1"]),
+        ("range(1, 3)", ["t/1", "t/2"]),
+        ("range(500)", ["t/{a number}"]),
+        ("range(len(self.p))", ["t/{a number}"]),
+        ("self.p", ["t/{each of parameter p}"]),
+        ("sorted(set(self.p))", ["t/{each of parameter p}"]),
+        ("[one + 's' for one in self.p]", ["t/{each of parameter p}s"]),
+        ("self.q", ["t/{each of parameter q}"]),
+    ],
+)
+def test_a_loop_over(units, over, found):
+    assert names_of(units, f"for n in {over}:", "    self.create_publisher(String, f't/{n}', 1)") == found
+
+
+@pytest.mark.parametrize(
+    ("over", "found"),
+    [
+        ("enumerate(['x', 'y'])", ["t/0/x", "t/1/y"]),
+        ("enumerate(['x', 'y'], start=1)", ["t/1/x", "t/2/y"]),
+        ("enumerate(self.p)", ["t/{a number}/{each of parameter p}"]),
+        ("zip(['a', 'b', 'c'], ['x', 'y'])", ["t/a/x", "t/b/y"]),
+        ("zip(['a', 'b'], self.p)", ["t/{one of a list}/{each of parameter p}"]),
+        ("zip(self.q, self.p)", ["t/{each of parameter q}/{each of parameter p}"]),
+    ],
+)
+def test_a_loop_over_pairs(units, over, found):
+    assert names_of(units, f"for n, m in {over}:", "    self.create_publisher(String, f't/{n}/{m}', 1)") == found
+
+
+def test_a_loop_that_counts_what_a_parameter_lists(units):
+    lines = ("for n in range(len(self.p)):", "    self.create_publisher(String, self.p[n], 1)")
+    assert names_of(units, *lines) == ["{each of parameter p}"]
+
+
+def test_an_item_of_a_list_that_is_a_parameter(units):
+    assert names_of(units, "self.create_publisher(String, self.p[1], 1)") == ["{item 1 of parameter p}"]
+
+
+def test_a_list_that_is_filled(units):
+    lines = ("names = list()", "names.append('x')", "for n in names:", "    self.create_publisher(String, n, 1)")
+    assert names_of(units, *lines) == ["x"]

@@ -24,7 +24,7 @@ from roslens.source.extract.program import (
     Statement,
 )
 from roslens.source.extract.program_text import expression_text
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.workspace_index import type_arguments, type_name
 

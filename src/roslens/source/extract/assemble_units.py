@@ -31,8 +31,11 @@ class Units(Protocol):
         ``words`` are those of its command line, that of the program first, where they are known.
         """
 
-    def of_class(self, name: str) -> Sequence[NodeFacts]:
-        """Return the nodes that an object of a class becomes; ``name`` is qualified, joined by ``.``."""
+    def of_class(self, name: str, sources: Sequence[str] = ()) -> Sequence[NodeFacts]:
+        """Return the nodes that an object of a class becomes; ``name`` is qualified, joined by ``.``.
+
+        ``sources`` are those of what is loaded: they tell which class is meant where several define one.
+        """
 
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return the checksum of an interface, as ``package/msg/Type``, for code in a file; empty where unknown."""
@@ -79,8 +82,9 @@ class KnownUnits:
                 return found
         return ()
 
-    def of_class(self, name: str) -> Sequence[NodeFacts]:
+    def of_class(self, name: str, sources: Sequence[str] = ()) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""
+        del sources
         return self._classes.get(name, ())
 
     def checksum(self, interface: str, generation: str, path: str) -> str:
@@ -110,7 +114,7 @@ def meant_by(launched: Launched, units: Units, words: Sequence[Text] | None = No
 def facts_of_target(target: Target, units: Units, words: Sequence[Text] | None = None) -> Meant:
     """Return the nodes that a target becomes."""
     if target.kind in _LOADED or (target.entry and ":" not in target.entry.replace("::", "")):
-        found = units.of_class((target.entry or target.name).replace("::", "."))
+        found = units.of_class((target.entry or target.name).replace("::", "."), target.sources)
         what = f"class {target.entry or target.name}"
     else:
         found = _of_program(target, units, words)

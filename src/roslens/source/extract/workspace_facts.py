@@ -127,9 +127,9 @@ class WorkspaceFacts:
         found = self._parts.index.programs.get(path)
         return _Reads(found is not None and reads_words(found), self._parts.programs.lasting)
 
-    def of_class(self, name: str) -> Sequence[NodeFacts]:
-        """Return the nodes that an object of a class becomes."""
-        return self._once(("class", name), lambda: self._of_class(name))
+    def of_class(self, name: str, sources: Sequence[str] = ()) -> Sequence[NodeFacts]:
+        """Return the nodes that an object of a class becomes, of several of that name the one in these sources."""
+        return self._once(("class", name, *sources), lambda: self._of_class(name, sources))
 
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return the checksum of an interface for code in a file; of two definitions of one name that of the nearer."""
@@ -173,13 +173,13 @@ class WorkspaceFacts:
             return tuple(main)
         return (joined_facts(main[0] if main else None, found[0]), *(main[1:] or found[1:]))
 
-    def _of_class(self, name: str) -> tuple[NodeFacts, ...]:
+    def _of_class(self, name: str, sources: Sequence[str]) -> tuple[NodeFacts, ...]:
         from roslens.source.extract.node_units import facts_of_class, node_classes
 
         index = self._parts.index
-        return tuple(
-            one
-            for defined, generation, kind in node_classes(index)
-            if index.key(defined) == name
-            for one in facts_of_class(index, defined, generation, kind)
-        )
+        found = list(node_classes(index))
+        named = [one for one in found if index.key(one[0]) == name]
+        if not named:
+            same = [one for one in found if one[0].what.qualified_name == name]
+            named = same if len(same) == 1 else [one for one in same if one[0].path in sources]
+        return tuple(fact for one in named for fact in facts_of_class(index, *one))

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import msgspec
 
+from roslens.source.extract.own_names import own_names
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -21,16 +22,11 @@ from roslens.source.extract.program import (
     Program,
     Statement,
 )
+from roslens.source.extract.type_names import dotted, type_arguments, type_name
 
-_SMART = frozenset(
-    {"std.shared_ptr", "std.unique_ptr", "std.weak_ptr", "boost.shared_ptr", "boost.scoped_ptr", "boost.weak_ptr",
-     "std.optional", "boost.optional", "std.reference_wrapper", "std.atomic", "shared_ptr", "unique_ptr", "weak_ptr"}
-)  # fmt: skip
-_POINTER_NAMES = frozenset({"SharedPtr", "WeakPtr", "UniquePtr", "ConstSharedPtr", "ConstWeakPtr", "ConstUniquePtr"})
+__all__ = ["Defined", "Index", "assigned_names", "dotted", "type_arguments", "type_name"]
+
 _CUSTOM = Name("RCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE")
-_QUALIFIERS = frozenset(
-    {"const", "constexpr", "static", "inline", "mutable", "typename", "struct", "class", "volatile"}
-)
 
 
 class Defined(msgspec.Struct, frozen=True):
@@ -50,6 +46,7 @@ class Index:
 
         self._outer = known_names()
         self.programs = dict(programs)
+        self._own = own_names(self.programs)
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}
         self._functions: dict[str, list[Defined]] = {}
@@ -90,14 +87,15 @@ class Index:
             pieces = path.removesuffix(".py").removesuffix("/__init__").split("/")
             for place in range(len(pieces)):
                 self._modules.setdefault(".".join(pieces[place:]), []).append(path)
-        self._add_classes(path, program, before)
+        self._add_classes(path, program)
         for statement in program.body:
             if not isinstance(statement, Assign) or not isinstance(statement.target, Name):
                 continue
+            whole = self._before(path, statement.target.name) + statement.target.name
             if not before:
-                self._globals.add(statement.target.name)
+                self._globals.add(whole)
             if statement.value is not None:
-                self._constants.setdefault(before + statement.target.name, (path, statement.value))
+                self._constants.setdefault(whole, (path, statement.value))
         for alias, meaning in program.imports.items() if not before else ():
             if "." not in alias and path.endswith((".h", ".hpp", ".hh", ".hxx")):
                 self._header_aliases.setdefault((self.package(path), alias), set()).add(meaning)
@@ -112,11 +110,12 @@ class Index:
         """All that is included anywhere, without brackets."""
         return frozenset(name.strip('<>"') for one in self.programs.values() for name, _line in one.includes)
 
-    def _add_classes(self, path: str, program: Program, before: str) -> None:
+    def _add_classes(self, path: str, program: Program) -> None:
         for one in program.classes:
             defined = Defined(path, one)
             if one.qualified_name in self._outer:
                 continue
+            before = self._before(path, one.qualified_name)
             self._classes.setdefault(before + one.qualified_name, []).append(defined)
             if not before:
                 self._classes_by_last.setdefault(one.name, []).append(defined)
@@ -125,8 +124,8 @@ class Index:
                     self._constants.setdefault(f"{before}{one.qualified_name}.{field.name}", (path, field.value))
 
     def _add_functions(self, path: str, program: Program) -> None:
-        before = _before(path, program)
         for function in program.functions:
+            before = self._before(path, function.class_name)
             if function.class_name and not before and function.class_name not in self._classes:
                 function = self._of_class_elsewhere(function, program)
             if function.name == "lambda" or not self._outer.isdisjoint((function.qualified_name, function.class_name)):
@@ -155,6 +154,13 @@ class Index:
         if program is not None and program.language == "python":
             yield from self._named_in_python(name, path, scope, program)
             return
+        own = path in self._own
+        for one in self._named_in_cpp(name, scope, program):
+            if own:
+                yield f"{path}:{one}"
+            yield one
+
+    def _named_in_cpp(self, name: str, scope: str, program: Program | None) -> Iterator[str]:
         for prefix in _prefixes(scope):
             yield f"{prefix}.{name}" if prefix else name
         if program is None:
@@ -224,7 +230,11 @@ class Index:
 
     def key(self, defined: Defined) -> str:
         """Return the name by which what a class defines is kept."""
-        return _before(defined.path, self.programs[defined.path]) + defined.what.qualified_name
+        return self._before(defined.path, defined.what.qualified_name) + defined.what.qualified_name
+
+    def _before(self, path: str, name: str) -> str:
+        """Return what stands before the name of what a file defines for itself."""
+        return f"{path}:" if name in self._own.get(path, ()) else _before(path, self.programs[path])
 
     def meaning(self, name: str, path: str, scope: str) -> str:
         """Return a name with its aliases of the file resolved, as far as they go."""
@@ -428,59 +438,3 @@ def _prefixes(scope: str) -> Iterator[str]:
         yield scope
         scope = scope.rpartition(".")[0]
     yield ""
-
-
-@lru_cache(maxsize=50_000)
-def dotted(written: str) -> str:
-    """Return a C++ type or name with ``.`` between scopes and without template arguments."""
-    depth, kept = 0, []
-    for sign in written:
-        depth += (sign == "<") - (sign == ">")
-        if not depth and sign != ">":
-            kept.append(sign)
-    return "".join(kept).replace("::", ".").strip(" .&*")
-
-
-@lru_cache(maxsize=50_000)
-def type_name(written: str) -> tuple[str, str]:
-    """Return the class that a declared type means, without smart pointers, and its template arguments."""
-    text = " ".join(word for word in written.replace("&", " ").replace("*", " ").split() if word not in _QUALIFIERS)
-    for _ in range(5):
-        head, bracket, rest = text.partition("<")
-        inside = rest.rpartition(">")[0]
-        name = dotted(head)
-        if bracket and name in _SMART:
-            text = " ".join(word for word in _first(inside).split() if word not in _QUALIFIERS)
-            continue
-        tail = rest.rpartition(">")[2]
-        if tail.startswith("::"):
-            return _pointed(f"{name}{tail.replace('::', '.')}".strip(" .")), inside
-        return _pointed(name.strip()), inside
-    return dotted(text), ""
-
-
-def _pointed(name: str) -> str:
-    """Return the class that a smart pointer declared in it points to: ``rclcpp.Node.SharedPtr``."""
-    head, _, last = name.rpartition(".")
-    return head if head and last in _POINTER_NAMES else name
-
-
-def _first(arguments: str) -> str:
-    depth = 0
-    for place, sign in enumerate(arguments):
-        depth += (sign in "<(") - (sign in ">)")
-        if sign == "," and not depth:
-            return arguments[:place]
-    return arguments
-
-
-def type_arguments(written: str) -> list[str]:
-    """Return template arguments one by one."""
-    found, depth, begin = [], 0, 0
-    for place, sign in enumerate(written):
-        depth += (sign in "<(") - (sign in ">)")
-        if sign == "," and not depth:
-            found.append(written[begin:place].strip())
-            begin = place + 1
-    last = written[begin:].strip()
-    return [*found, last] if last else found

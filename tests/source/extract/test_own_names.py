@@ -1,0 +1,44 @@
+"""Several sources that define the same names, each for itself."""
+
+import pytest
+
+NODE = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+static const char * TOPIC = "{name}_topic";
+class Demo : public rclcpp::Node {{
+public:
+  Demo() : Node("{name}") {{ pub_ = create_publisher<std_msgs::msg::String>(TOPIC, 1); more(); }}
+  void more();
+  static constexpr const char * SERVICE = "{name}_service";
+}};
+void Demo::more() {{ serve_ = create_service<std_srvs::srv::Empty>(SERVICE, nullptr); }}
+int main() {{ rclcpp::spin(std::make_shared<Demo>()); }}
+"""
+
+
+def test_each_source_means_its_own(units):
+    facts = units(a_cpp=NODE.format(name="a"), b_cpp=NODE.format(name="b"))
+    of_mains = {one.name.known: one for one in facts if one.unit == "main"}
+    assert set(of_mains) == {"a", "b"}
+    for name, one in of_mains.items():
+        assert [two.name.known for two in one.endpoints] == [f"{name}_topic", f"{name}_service"]
+        assert {two.evidence.path for two in one.endpoints} == {f"pkg/{name}.cpp"}
+
+
+def test_a_class_of_a_header_is_meant_by_all_that_define_none(index_of):
+    index = index_of(a_hpp="class A { int of_header; };", b_cpp="class A { int own; };", c_cpp="A a;")
+    assert index.class_of("A", "pkg/c.cpp", "").path == "pkg/a.hpp"
+    assert index.class_of("A", "pkg/b.cpp", "").path == "pkg/b.cpp"
+    assert index.key(index.class_of("A", "pkg/b.cpp", "")) == "pkg/b.cpp:A"
+
+
+@pytest.mark.parametrize("header", ["extern const std::string TOPIC;", "class Other {};"])
+def test_what_a_source_defines_for_all(index_of, header):
+    index = index_of(a_hpp=header, b_cpp='const std::string TOPIC = "t";', c_cpp="int main() {}")
+    assert index.constant("TOPIC", "pkg/c.cpp", "")[1].value == "t"
+
+
+def test_a_source_that_another_one_includes_is_like_a_header(index_of):
+    index = index_of(a_cpp="class A {};", b_cpp='#include "a.cpp"\n', c_cpp="class A {};")
+    assert index.class_of("A", "pkg/b.cpp", "").path == "pkg/a.cpp"

@@ -18,6 +18,7 @@ from roslens.source.extract.program import (
     Evaluate,
     Expression,
     Format,
+    Leave,
     Literal,
     Loop,
     Member,
@@ -49,6 +50,7 @@ class StatementLowering:
         self._variables = Variables(lowered, expressions)
         self._relevance: Relevance | None = None
         self._whole = True
+        self._leaves: frozenset[str] = frozenset()
 
     def body(self, node: Node, test: bool = False) -> tuple[Statement, ...]:
         """Return what the body of a function, or of a ``test``, says, as far as it may matter."""
@@ -56,12 +58,12 @@ class StatementLowering:
         relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test, head)
         if relevance.level is Level.NOTHING:
             return ()
-        before = self._relevance, self._whole
-        self._relevance, self._whole = relevance, relevance.level is Level.WHOLE
+        before = self._relevance, self._whole, self._leaves
+        self._relevance, self._whole, self._leaves = relevance, relevance.level is Level.WHOLE, frozenset()
         try:
             return self.block(node)
         finally:
-            self._relevance, self._whole = before
+            self._relevance, self._whole, self._leaves = before
 
     def _may_lead(self, node: Node) -> bool:
         return self._whole or self._relevance is None or self._relevance.may_lead(node.start_byte, node.end_byte)
@@ -103,8 +105,23 @@ class StatementLowering:
             if kind == "assignment_expression":
                 if not is_filling(source, start, end):
                     self._assign(inner, out)
+            elif kind == "update_expression":
+                out += self._counted(inner)
             elif kind != "comment" and not is_logging(source, start, end):
                 self._evaluate(inner, node, out)
+
+    def _counted(self, node: Node) -> Statements:
+        """Return ``++i``, ``i--`` as assignments."""
+        counter, operator = node.child_by_field_name("argument"), node.child_by_field_name("operator")
+        if counter is None or operator is None:
+            return []
+        target = self._lower(counter)
+        value = Operation(operator.type[:1], (target, Literal(1)))
+        return [Assign(target, value, "", "=", node.start_point.row + 1)]
+
+    def _leave(self, node: Node, out: Statements) -> None:
+        if node.type in self._leaves:
+            out.append(Leave(node.type == "continue_statement", node.start_point.row + 1))
 
     def _evaluate(self, inner: Node, node: Node, out: Statements) -> None:
         text = self._lowered.text(inner)
@@ -220,6 +237,8 @@ class StatementLowering:
         if self._left_out(node):
             return
         self._lowered.depth += 1
+        # What ``break`` leaves here is the choice.
+        around, self._leaves = self._leaves, self._leaves - {"break_statement"}
         subject = self._condition(node.child_by_field_name("condition"), out)
         body = node.child_by_field_name("body")
         labels: list[Expression] = []
@@ -245,6 +264,7 @@ class StatementLowering:
                     cases.append(([], condition, tuple(statements), case.start_point.row + 1))
                 labels, default = [], False
         self._chain(cases, otherwise, node, out)
+        self._leaves = around
         self._lowered.depth -= 1
 
     def _loop(self, node: Node, out: Statements) -> None:
@@ -256,13 +276,29 @@ class StatementLowering:
             self.add((first,), out)
         condition = node.child_by_field_name("condition")
         over = self._condition(condition, out) if condition is not None else None
-        body: Statements = [*self.block(node.child_by_field_name("body"))]
-        update = node.child_by_field_name("update")
-        if update is not None and b"(" in self._lowered.text(update):
-            self._evaluate(update, update, body)
-        if body or not (over is None or isinstance(over, _SAYING_NOTHING)):
-            out.append(Loop(None, over, tuple(body), node.start_point.row + 1))
+        body: Statements = [*self._turn(node)]
+        if node.type == "do_statement":
+            if isinstance(over, Call | Operation):
+                body.append(Evaluate(over, node.start_point.row + 1))
+            over = None
+        update: Statements = []
+        after = node.child_by_field_name("update")
+        if after is not None and after.type == "update_expression":
+            update = self._counted(after)
+        elif after is not None and after.type == "assignment_expression":
+            self._assign(after, update)
+        elif after is not None and b"(" in self._lowered.text(after):
+            self._evaluate(after, after, update)
+        if body or any(isinstance(one, Evaluate) for one in update) or not _says_nothing(over):
+            out.append(Loop(None, over, tuple(body), node.start_point.row + 1, tuple(update)))
         self._lowered.depth -= 1
+
+    def _turn(self, node: Node) -> tuple[Statement, ...]:
+        """Return what one turn of a loop does."""
+        around, self._leaves = self._leaves, _LEAVES
+        found = self.block(node.child_by_field_name("body"))
+        self._leaves = around
+        return found
 
     def _range(self, node: Node, out: Statements) -> None:
         if self._left_out(node):
@@ -274,8 +310,8 @@ class StatementLowering:
             self.add(first.named_children if first.type == "init_statement" else (first,), out)
         target = target_of(self._lowered.text(declarator)) if declarator is not None else None
         sequence = self._lower(over) if over is not None else None
-        body = self.block(node.child_by_field_name("body"))
-        if body or not (sequence is None or isinstance(sequence, _SAYING_NOTHING)):
+        body = self._turn(node)
+        if body or not _says_nothing(sequence):
             out.append(Loop(target or Opaque(""), sequence, body, node.start_point.row + 1))
         self._lowered.depth -= 1
 
@@ -305,11 +341,12 @@ class StatementLowering:
 
 
 _SHORT_VALUE = 40
+_LEAVES = frozenset({"break_statement", "continue_statement"})
 _SAYING_NOTHING = (Name, Opaque, Literal, Member)
 """A branch or loop that holds nothing is left out with such a condition."""
 _BLOCKS = ("compound_statement", "translation_unit")
 _SILENT_WORDS = (
-    "comment break_statement continue_statement goto_statement static_assert_declaration empty_statement identifier "
+    "comment goto_statement static_assert_declaration empty_statement identifier "
     "attribute_declaration gnu_asm_expression parameter_list number_literal string_literal"
 )
 _SILENT = frozenset(_SILENT_WORDS.split())
@@ -327,11 +364,16 @@ _KINDS = {
     "loop": "for_statement while_statement do_statement",
     "range": "for_range_loop",
     "try": "try_statement",
+    "leave": "break_statement continue_statement",
 }
 _HANDLERS: dict[str, Callable[[StatementLowering, Node, Statements], None]] = {
     kind: getattr(StatementLowering, f"_{method}") for method, kinds in _KINDS.items() for kind in kinds.split()
 }
 """Kind of a node to the method that lowers it."""
+
+
+def _says_nothing(condition: Expression | None) -> bool:
+    return condition is None or isinstance(condition, _SAYING_NOTHING)
 
 
 def _owned(call: Call, node: Node) -> tuple[Expression, Expression] | None:

@@ -6,6 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Obj, Remappings, Unknown, as_text
+from roslens.source.extract.evaluated_loops import left, looped, negated, without_ways_out
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import (
@@ -15,6 +16,7 @@ from roslens.source.extract.program import (
     Evaluate,
     Expression,
     Item,
+    Leave,
     Loop,
     Member,
     Name,
@@ -25,13 +27,10 @@ from roslens.source.extract.program import (
 )
 from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.workspace_index import type_arguments, type_name
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
-
-MOST_TURNS = 64
 
 
 def initialise(engine: Evaluation, statement: Statement) -> None:
@@ -189,30 +188,32 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     written = expression_text(statement.condition).strip("`")
     if written.startswith("(") and written.endswith(")"):
         written = written[1:-1]
-    before = engine.frame.snapshot()
+    frame = engine.frame
+    before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
     if written == "no exception":
         block(engine, statement.then)
-        returned = engine.frame.returned
         otherwise = "an exception"
     else:
-        returned = _noted(engine, written, statement.then)
-        plain = written.startswith("not ") and " and " not in written and " or " not in written
-        otherwise = written.removeprefix("not ") if plain else f"not {written}"
-    plainly = engine.frame.plainly
-    after = engine.frame.snapshot()
-    engine.frame.restore(before)
-    engine.frame.returned = engine.frame.stopped = False
-    left = _noted(engine, otherwise, statement.otherwise)
-    # A way that leaves the function has no say in what holds after it.
-    if left and not returned:
-        engine.frame.restore(after)
-    elif left is returned:
-        engine.frame.join(after, written)
-    engine.frame.returned = returned and left
-    if returned and not left and plainly and _asks_parameter(engine, statement.condition):
+        _noted(engine, written, statement.then)
+        otherwise = negated(written)
+    returned, gone = frame.returned, frame.returned or frame.stopped
+    plainly, after = frame.plainly, frame.snapshot()
+    frame.restore(before)
+    frame.returned = frame.stopped = False
+    _noted(engine, otherwise, statement.otherwise)
+    other_returned, other_gone = frame.returned, frame.returned or frame.stopped
+    # A way that leaves the function, or the loop, has no say in what holds after it.
+    if other_gone and not gone:
+        frame.restore(after)
+    elif other_gone is gone:
+        frame.join(after, written)
+    frame.returned = returned and other_returned
+    frame.stopped = gone and other_gone and not frame.returned
+    if returned and not other_gone and plainly and _asks_parameter(engine, statement.condition):
         # What follows is reached only where the function was not left.
         engine.conditions.append(otherwise)
-        engine.frame.passed += 1
+        frame.passed += 1
+    without_ways_out(engine, ways)
 
 
 def _asks_parameter(engine: Evaluation, condition: Expression) -> bool:
@@ -223,44 +224,13 @@ def _asks_parameter(engine: Evaluation, condition: Expression) -> bool:
     return isinstance(value, Text) and any(hole.parameter for hole in value.holes)
 
 
-def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> bool:
-    """Follow statements under a condition; return whether they return for sure."""
+def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
+    """Follow statements under a condition."""
     engine.conditions.append(note)
     try:
         block(engine, body)
     finally:
         engine.conditions.pop()
-    returned = engine.frame.returned
-    engine.frame.returned = engine.frame.stopped = False
-    return returned
-
-
-def _looped(engine: Evaluation, statement: Loop) -> None:
-    over = engine.value(statement.over) if statement.over is not None else None
-    items = engine.items(over)
-    if statement.target is not None and items is not None:
-        for item in items[:MOST_TURNS]:
-            assign(engine, statement.target, item)
-            block(engine, statement.body)
-            engine.frame.stopped = False
-            if engine.frame.returned:
-                return
-        return
-    if statement.target is not None:
-        assign(engine, statement.target, _each(over, statement))
-    if statement.over is not None and statement.target is None and engine.truth(over) is False:
-        return
-    block(engine, statement.body)
-    engine.frame.stopped = False
-    if statement.target is not None:
-        engine.frame.returned = False
-
-
-def _each(over: Any, statement: Loop) -> Any:
-    """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
-    if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
-        return each_of(over)
-    return Unknown(f"each of {expression_text(statement.over)}" if statement.over is not None else "an item")
 
 
 _STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
@@ -268,5 +238,6 @@ _STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
     Evaluate: _evaluated,
     Return: _returned,
     Branch: _branched,
-    Loop: _looped,
+    Loop: looped,
+    Leave: left,
 }

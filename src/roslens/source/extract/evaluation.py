@@ -27,14 +27,13 @@ from roslens.source.extract.evaluated_statements import assign, block, initialis
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.program import Call, Expression, Function, Parameter
+from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
 from roslens.source.extract.workspace_index import Index, type_name
 
 MOST_STEPS = 60_000
 MOST_DEPTH = 14
-MOST_TURNS = 64
 _STOPPED = object()
 _NONE = Text()
 
@@ -118,6 +117,10 @@ class Evaluation(Objects):
     def assign(self, target: Expression, value: Any) -> None:
         """Put a value where an expression says."""
         assign(self, target, value)
+
+    def block(self, body: tuple[Statement, ...]) -> None:
+        """Follow statements in order."""
+        block(self, body)
 
     def further(self, evidence: Evidence, name: Text = _NONE, arguments: Sequence[Text] = ()) -> Building:
         """Return a further node of ROS 2 that is made."""

@@ -10,6 +10,37 @@ from roslens.source.extract.abstract_value import Made, Obj, Unknown, as_text
 from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.text import Hole, Text, unknown
 
+Held = tuple[dict[str, Any], dict[str, Any]]
+"""What names and members of the object hold."""
+
+
+class WayOut(msgspec.Struct, frozen=True):
+    """A place at which a loop or a turn of it is left.
+
+    Attributes:
+        conditions: all that are around it, outermost first.
+        held: what names held there.
+        again: whether only the turn is left.
+    """
+
+    conditions: tuple[str, ...]
+    held: Held
+    again: bool
+
+
+class Ways:
+    """The ways out of one loop.
+
+    Attributes:
+        depth: conditions around the loop.
+        out: those that were found so far.
+    """
+
+    def __init__(self, depth: int) -> None:
+        """Begin a loop with so many conditions around it."""
+        self.depth = depth
+        self.out: list[WayOut] = []
+
 
 class Frame:
     """One call of a function.
@@ -21,7 +52,8 @@ class Frame:
         names: its parameters and variables.
         templates: what template parameters stand for.
         returned: whether it returned for sure.
-        stopped: whether the loop around was left.
+        stopped: whether the turn of the loop around was left for sure.
+        ways: out of the loop around; None outside of loops.
         result: what it returned.
         depth: conditions around the call, of which a return in it does not depend.
         passed: how many of the conditions hold because the function was not left before.
@@ -36,6 +68,7 @@ class Frame:
         self.templates: dict[str, str] = {}
         self.returned = False
         self.stopped = False
+        self.ways: Ways | None = None
         self.result: Any = None
         self.depth = 0
         self.passed = 0
@@ -59,18 +92,18 @@ class Frame:
             return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {self._given}")
         return before
 
-    def snapshot(self) -> tuple[dict[str, Any], dict[str, Any]]:
+    def snapshot(self) -> Held:
         """Return what names and members of the object hold."""
         return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
 
-    def restore(self, before: tuple[dict[str, Any], dict[str, Any]]) -> None:
+    def restore(self, before: Held) -> None:
         """Put back what a snapshot holds."""
         self.names = dict(before[0])
         if isinstance(self.self, Obj):
             self.self.fields.clear()
             self.self.fields.update(before[1])
 
-    def join(self, other: tuple[dict[str, Any], dict[str, Any]], condition: str) -> None:
+    def join(self, other: Held, condition: str) -> None:
         """Let hold what either way of a condition came to, ``other`` being that where it is true."""
         join(self.names, other[0], condition)
         if isinstance(self.self, Obj):

@@ -150,15 +150,27 @@ class Branch(msgspec.Struct, frozen=True, array_like=True, tag="if"):
 
 
 class Loop(msgspec.Struct, frozen=True, array_like=True, tag="loop"):
-    """``for`` and ``while``; ``target`` and ``over`` are of a loop over a sequence, None and the condition else."""
+    """``for`` and ``while``; ``target`` and ``over`` are of a loop over a sequence, None and the condition else.
+
+    ``update`` is done after each turn: ``++i``. Of ``do … while``, which has its first turn in any case, ``over`` is
+    None and what the condition calls stands at the end of the body.
+    """
 
     target: Expression | None
     over: Expression | None
     body: tuple[Statement, ...]
     line: int = 0
+    update: tuple[Statement, ...] = ()
 
 
-Statement = Assign | Evaluate | Return | Branch | Loop
+class Leave(msgspec.Struct, frozen=True, array_like=True, tag="leave", gc=False):
+    """``break`` of a loop, or with ``again`` its ``continue``."""
+
+    again: bool = False
+    line: int = 0
+
+
+Statement = Assign | Evaluate | Return | Branch | Loop | Leave
 
 
 class Parameter(msgspec.Struct, frozen=True, array_like=True):

@@ -36,6 +36,7 @@ from roslens.source.extract.program import (
     Function,
     Item,
     Lambda,
+    Leave,
     Literal,
     Loop,
     Mapping,
@@ -144,9 +145,14 @@ class _Writer:
             if statement.otherwise:
                 yield "else:"
                 yield from _indented(self._block(statement.otherwise))
+        elif isinstance(statement, Leave):
+            yield f"{'continue' if statement.again else 'break'}{at}"
         else:
             yield f"{self._loop(statement)}:{at}"
             yield from _indented(self._block(statement.body))
+            if statement.update:
+                yield "then:"
+                yield from _indented(self._block(statement.update))
 
     def _loop(self, loop: Loop) -> str:
         over = "" if loop.over is None else self.expression(loop.over)

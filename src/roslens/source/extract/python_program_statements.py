@@ -29,7 +29,7 @@ from roslens.source.extract.program import (
     Field,
     Function,
     Lambda,
-    Literal,
+    Leave,
     Loop,
     Member,
     Name,
@@ -40,7 +40,7 @@ from roslens.source.extract.program import (
     Sequence,
     Statement,
 )
-from roslens.source.extract.python_program_expressions import Expressions
+from roslens.source.extract.python_program_patterns import Patterns
 from roslens.source.extract.python_program_reading import DEEPEST
 from roslens.source.syntax.python_names import base_names, definition_name
 from roslens.source.syntax.python_tree import LANGUAGE
@@ -78,7 +78,8 @@ _HANDLERS = {
     "future_import_statement": "future",
     "block": "statements",
     "ERROR": "statements",
-    **dict.fromkeys(("pass_statement", "break_statement", "continue_statement", "comment"), "nothing"),
+    **dict.fromkeys(("break_statement", "continue_statement"), "leave"),
+    **dict.fromkeys(("pass_statement", "comment"), "nothing"),
     **dict.fromkeys(("type_alias_statement", "string", "identifier", "integer", "concatenated_string"), "nothing"),
 }
 
@@ -91,7 +92,7 @@ _KINDS = {(_kind(name) if name != "ERROR" else 65535): method for name, method i
 _ASSIGNMENT, _BLOCK = _kind("assignment"), _kind("block")
 
 
-class Statements(Expressions):
+class Statements(Patterns):
     """Lowers the statements of one file.
 
     Attributes:
@@ -135,6 +136,9 @@ class Statements(Expressions):
 
     def _on_nothing(self, node: Node) -> None:
         """Leave out what says nothing."""
+
+    def _on_leave(self, node: Node) -> None:
+        self.pending.append(Leave(node.type == "continue_statement", self.line(node)))
 
     # Simple statements
 
@@ -358,7 +362,7 @@ class Statements(Expressions):
                 break
             self._depth += 1
             self.pending = []
-            condition = self._case(case, subject)
+            condition = self.case(case, subject)
             made = self.pending
             found.append((made, condition, self.block(case.child_by_field_name("consequence")), self.line(case)))
         self.pending, self._depth = outer, depth
@@ -366,38 +370,6 @@ class Statements(Expressions):
         for made, condition, then, line in reversed(found):
             rest = (*made, *then) if condition is None else (*made, Branch(condition, then, rest, line))
         self.pending += rest
-
-    def _case(self, case: Node, subject: Expression) -> Expression | None:
-        """Return the condition of a case; None where there is none."""
-        conditions: list[Expression] = []
-        for part in self.parts(case):
-            if part.type == "case_pattern":
-                one = self._pattern(part, subject)
-                conditions += [] if one is None else [one]
-            elif part.type == "if_clause":
-                conditions.append(self._first(part))
-        if not conditions:
-            return None
-        return conditions[0] if len(conditions) == 1 else Operation("and", tuple(conditions))
-
-    def _pattern(self, pattern: Node, subject: Expression) -> Expression | None:
-        parts = self.parts(pattern)
-        if not parts:
-            return None if self.text(pattern) == "_" else self._text_only(pattern)
-        inner = parts[0]
-        if inner.type == "union_pattern":
-            labels = [self._label(part, subject) for part in self.parts(inner)]
-            return Operation("or", tuple(labels))
-        if inner.type == "dotted_name" and inner.child_count == 1 and len(parts) == 1:
-            self.pending.append(Assign(self.expression(inner), subject, line=self.line(inner)))
-            return None
-        return self._label(inner, subject) if len(parts) == 1 else self._text_only(pattern)
-
-    def _label(self, node: Node, subject: Expression) -> Expression:
-        value = self.expression(node)
-        if isinstance(value, (Literal, Member)):
-            return Operation("==", (subject, value))
-        return self._text_only(node)
 
     # Definitions
 

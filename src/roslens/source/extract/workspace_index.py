@@ -404,7 +404,7 @@ def assigned_names(body: tuple[Statement, ...]) -> set[str]:
         elif isinstance(one, Branch):
             waiting += [*one.then, *one.otherwise]
         elif isinstance(one, Loop):
-            waiting += one.body
+            waiting += [*one.body, *one.update]
     return found
 
 

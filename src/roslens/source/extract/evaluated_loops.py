@@ -1,0 +1,233 @@
+"""Loops while source is evaluated, over what is known turn by turn, else once for all turns; and the ways out."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.evaluation_frame import WayOut, Ways
+from roslens.source.extract.program import (
+    Assign,
+    Branch,
+    Expression,
+    Leave,
+    Literal,
+    Loop,
+    Member,
+    Name,
+    Operation,
+    Statement,
+)
+from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.unknown_lists import Each, each_of
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+MOST_TURNS = 64
+MOST_COUNTED = 16
+"""So many turns of a loop that counts are followed one by one."""
+
+
+def negated(condition: str) -> str:
+    """Return the opposite of a condition as written."""
+    plain = condition.startswith("not ") and " and " not in condition and " or " not in condition
+    return condition.removeprefix("not ") if plain else f"not {condition}"
+
+
+def left(engine: Evaluation, statement: Leave) -> None:
+    """Leave a loop, or a turn of it."""
+    frame = engine.frame
+    if frame.ways is None:
+        return
+    frame.ways.out.append(WayOut(tuple(engine.conditions), frame.snapshot(), statement.again))
+    frame.stopped = True
+
+
+def without_ways_out(engine: Evaluation, since: int) -> None:
+    """Note of what follows that no way out was taken of those that were found since."""
+    ways = engine.frame.ways
+    if ways is None or engine.frame.stopped:
+        return
+    here = len(engine.conditions)
+    for way in ways.out[since:]:
+        _hold_not(engine, way.conditions[here:])
+
+
+def _hold_not(engine: Evaluation, conditions: tuple[str, ...]) -> None:
+    if not conditions:
+        return
+    joined = " and ".join(conditions)
+    note = negated(joined) if len(conditions) == 1 else f"not ({joined})"
+    if note not in engine.conditions:
+        engine.conditions.append(note)
+        engine.frame.passed += 1
+
+
+def looped(engine: Evaluation, statement: Loop) -> None:
+    """Follow a loop."""
+    frame, depth = engine.frame, len(engine.conditions)
+    around, frame.ways = frame.ways, Ways(depth)
+    try:
+        _followed(engine, statement)
+    finally:
+        ways, frame.ways = frame.ways, around
+        frame.passed -= len(engine.conditions) - depth
+        del engine.conditions[depth:]
+        frame.stopped = False
+    for way in ways.out:
+        if not way.again and len(way.conditions) > depth:
+            frame.join(way.held, " and ".join(way.conditions[depth:]))
+
+
+def _followed(engine: Evaluation, statement: Loop) -> None:
+    over = engine.value(statement.over) if statement.over is not None else None
+    items = engine.items(over) if statement.target is not None else None
+    if statement.target is not None and items is not None:
+        for item in items[:MOST_TURNS]:
+            engine.assign(statement.target, item)
+            if not _turn(engine, statement):
+                return
+        return
+    holds = engine.truth(over) if statement.over is not None else True
+    if statement.target is None and holds is False:
+        return
+    count = _count(engine, statement) if statement.target is None else None
+    if count is not None and count <= MOST_COUNTED:
+        for _ in range(count):
+            if not _turn(engine, statement):
+                return
+        return
+    before = engine.frame.snapshot()
+    _forget_counters(engine, statement)
+    if statement.target is not None:
+        engine.assign(statement.target, _each(over, statement))
+    _turn(engine, statement)
+    frame = engine.frame
+    if statement.target is None and (statement.over is None or isinstance(statement.over, Literal)):
+        return
+    # It may have no turn at all.
+    after, returned = frame.snapshot(), frame.returned
+    frame.restore(before)
+    frame.returned = False
+    if not returned:
+        frame.join(after, _written(statement))
+        _keep_filled(frame.names, after[0])
+
+
+def _keep_filled(names: dict[str, Any], after: dict[str, Any]) -> None:
+    """Keep what a turn put into lists: what stands for each item of a list is there if any item is."""
+    for name, value in after.items():
+        before = names.get(name)
+        if isinstance(value, list) and isinstance(before, list) and len(value) > len(before):
+            names[name] = value
+
+
+def _written(statement: Loop) -> str:
+    text = expression_text(statement.over).strip("`") if statement.over is not None else "a loop"
+    return text if statement.target is None else f"there is any of {text}"
+
+
+def _turn(engine: Evaluation, statement: Loop) -> bool:
+    """Follow one turn; return whether another one may follow."""
+    frame = engine.frame
+    ways = frame.ways
+    if ways is None:
+        return False
+    here, known = len(engine.conditions), len(ways.out)
+    engine.block(statement.body)
+    found = ways.out[known:]
+    gone, frame.stopped = frame.stopped, False
+    if frame.returned:
+        return False
+    for way in found:
+        conditions = way.conditions[here:]
+        if way.again and conditions:
+            frame.join(way.held, " and ".join(conditions))
+        elif not way.again:
+            # There is no turn after one that left the loop.
+            _hold_not(engine, conditions)
+    if gone and found and not any(one.again for one in found):
+        return False
+    engine.block(statement.update)
+    return True
+
+
+def _count(engine: Evaluation, statement: Loop) -> int | None:
+    """Return how many turns a loop has that counts: ``for (i = 0; i < 3; ++i)``; None where that is unknown."""
+    over, step = statement.over, _step(statement)
+    if step is None or not isinstance(over, Operation) or len(over.operands) != 2 or over.operator not in _STOPS:
+        return None
+    counter, end = over.operands
+    if not isinstance(counter, Name) or counter.name != step[0]:
+        return None
+    first, last = engine.value(counter), engine.value(end)
+    if not (_is_number(first) and _is_number(last)) or not step[1]:
+        return None
+    turns = float(last - first) / step[1]
+    whole = math.floor(turns) + 1 if over.operator in ("<=", ">=") else math.ceil(turns)
+    return max(0, whole)
+
+
+def _step(statement: Loop) -> tuple[str, int | float] | None:
+    """Return what counts the turns, and by which step."""
+    one = statement.update[0] if len(statement.update) == 1 else None
+    if not isinstance(one, Assign) or not isinstance(one.target, Name):
+        return None
+    name, value = one.target.name, one.value
+    if one.operator == "+=" and isinstance(value, Literal) and _is_number(value.value):
+        return name, value.value  # type: ignore[return-value]
+    if isinstance(value, Operation) and value.operator in ("+", "-") and value.operands[0] == one.target:
+        by = value.operands[1]
+        if isinstance(by, Literal) and _is_number(by.value):
+            return name, by.value if value.operator == "+" else -by.value  # type: ignore[operator,return-value]
+    return None
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _forget_counters(engine: Evaluation, statement: Loop) -> None:
+    """Let be unknown what has another value in each turn: numbers that are set, and texts that grow."""
+    frame = engine.frame
+    for place, grows in _assigned((*statement.body, *statement.update)):
+        if isinstance(place, Name) and place.name in frame.names:
+            holder = frame.names
+        elif isinstance(frame.self, Obj) and isinstance(place, Name | Member) and place.name in frame.self.fields:
+            holder = frame.self.fields
+        else:
+            continue
+        before = holder[place.name]
+        if _is_number(before):
+            holder[place.name] = Unknown(f"{place.name}, which changes in a loop")
+        elif isinstance(before, Text) and grows:
+            holder[place.name] = unknown(f"{place.name}, which grows in a loop")
+
+
+def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
+    """Return what statements assign, and whether the new value is made of the old one."""
+    found: list[tuple[Expression, bool]] = []
+    waiting: list[Statement] = list(body)
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, Assign) and one.value is not None and not one.declared:
+            grows = isinstance(one.value, Operation) and one.target in one.value.operands
+            found.append((one.target, grows or one.operator == "+="))
+        elif isinstance(one, Branch):
+            waiting += [*one.then, *one.otherwise]
+        elif isinstance(one, Loop):
+            waiting += [*one.body, *one.update]
+    return found
+
+
+def _each(over: Any, statement: Loop) -> Any:
+    """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
+    if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
+        return each_of(over)
+    return Unknown(f"each of {expression_text(statement.over)}" if statement.over is not None else "an item")
+
+
+_STOPS = frozenset({"<", "<=", ">", ">=", "!="})

@@ -12,7 +12,7 @@ from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Assign, Function, Member
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.vocabulary import find_outer
+from roslens.source.extract.vocabulary import Called, find_class, find_outer
 from roslens.source.extract.workspace_index import Defined, type_arguments, type_name
 
 if TYPE_CHECKING:
@@ -40,6 +40,10 @@ class Objects(Calls):
     ) -> Any:
         """Make an object of a class of the workspace, its constructor evaluated."""
         engine: Evaluation = self  # type: ignore[assignment]
+        known = find_class(engine, defined.what.qualified_name, defined.path)
+        if known is not None:
+            name, word = known
+            return word(engine, None, Called(name, arguments, keywords, templates, (), engine.site))
         thing = Obj(defined.what.qualified_name, defined, {})
         names = getattr(defined.what, "templates", ())
         thing.templates.update(zip(names, templates, strict=False))

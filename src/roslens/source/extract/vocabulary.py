@@ -54,6 +54,8 @@ _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
 _QUIET: set[Word] = set()
+_BETTER = {"tf2_ros.Buffer": ("tf2_ros.Buffer", ""), "Buffer": ("tf2_ros.Buffer", "/tf2_ros/buffer.py")}
+"""By the qualified name of a class of a library its whole name, and the end of the path of the file that has it."""
 _MODULES = (
     "vocabulary_options",
     "vocabulary_ros2",
@@ -62,6 +64,7 @@ _MODULES = (
     "vocabulary_durations",
     "vocabulary_lists",
     "vocabulary_shared",
+    "vocabulary_transforms",
     "vocabulary_images",
     "vocabulary_trees",
     "command_words",
@@ -120,6 +123,15 @@ def find_outer(engine: Evaluation, name: str) -> Word | None:
     """Return what calling a function or class by its whole name does."""
     _load()
     return _said(engine, _OUTER.get(name))
+
+
+def find_class(engine: Evaluation, name: str, path: str) -> tuple[str, Word] | None:
+    """Return whole name and word of a class that is in the workspace, and known better than what its code says."""
+    known = _BETTER.get(name)
+    if known is None or (known[1] and not path.endswith(known[1])):
+        return None
+    word = find_outer(engine, known[0])
+    return None if word is None else (known[0], word)
 
 
 def _said(engine: Evaluation, word: Word | None) -> Word | None:

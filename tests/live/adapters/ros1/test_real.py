@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
+from pace import slowness
 
 from roslens.live import inside
 from roslens.live.adapters.ros1.resolve import Resolver
@@ -155,7 +156,7 @@ class Observer1:
         self.frames = []
         self.graph = None
 
-    def until(self, wanted, seconds=20.0):
+    def until(self, wanted, seconds=60.0):
         """Read frames until one is wanted; return it."""
         end = time.monotonic() + seconds
         with selectors.DefaultSelector() as ready:
@@ -212,7 +213,7 @@ def measured(observer, count, *key, rate, rel=0.05):
             return False
         return sum(t.count for t in tallies) / sum(t.end - t.start for t in tallies) == pytest.approx(rate, rel=rel)
 
-    observer.until(kept, 40)
+    observer.until(kept, 90)
     return tallies
 
 
@@ -256,7 +257,7 @@ def test_a_killed_node_is_noticed_at_once_and_a_new_one_of_its_name_found(ros, o
     frame = observer.until(lambda frame: any(event.entity == "node:/talker" for event in frame.events))
     event = next(event for event in frame.events if event.entity == "node:/talker")
     assert (event.change, event.detail) == (Change.VANISHED, "registered, but its API refuses connections")
-    assert event.time - killed < 0.5
+    assert event.time - killed < 0.5 * slowness()
     again = ros.python(TALKER, "talker", "/chat", "20")
     graph = observer.until_graph("/talker")
     assert {node.name: node.pid for node in graph.nodes}["/talker"] == again.pid
@@ -370,7 +371,7 @@ def test_parameters_and_diagnostics(ros, observe):
     ros.python(TELLING)
     events = lambda: [event for frame in observer.frames for event in frame.events]  # noqa: E731
     told = lambda entity: [(one.change, one.detail) for one in events() if one.entity == entity]  # noqa: E731
-    observer.until(lambda frame: (Change.VANISHED, "was 0.5") in told("parameter:/telling/gain"), 30)
+    observer.until(lambda frame: (Change.VANISHED, "was 0.5") in told("parameter:/telling/gain"))
     assert told("parameter:/telling/gain") == [(Change.APPEARED, "is 0.5"), (Change.VANISHED, "was 0.5")]
     assert told("parameter:/telling/api_key") == [(Change.APPEARED, "is ***")]
     counted = told("parameter:/shared/count")

@@ -29,8 +29,9 @@ EXAMPLES = ROOT / "tests" / "fixtures" / "metrics" / "profiles"
 TABLE = json.loads((EXAMPLES / "disagreements.json").read_text())
 NOT_REPRODUCED = set(TABLE.pop("not reproduced"))
 MACROS = load_macros()
-PYTHON_FOLDERS = [EXAMPLES, ROOT / "tests" / "fixtures" / "syntax" / "python", ROOT / "examples", ROOT / "src/roslens/live"]
-CPP_FOLDERS = [ROOT / "tests" / "fixtures" / "syntax" / "cpp", ROOT / "examples"]
+SYNTAX = ROOT / "tests" / "fixtures" / "syntax"
+PYTHON_FOLDERS = [EXAMPLES, SYNTAX / "python", ROOT / "examples", ROOT / "src" / "roslens" / "live"]
+CPP_FOLDERS = [SYNTAX / "cpp", ROOT / "examples"]
 EXPLAINED = {("hidden_braces", "loops"), ("local_classes", "outer"), ("logical", "mix")}
 """Functions with a macro that loops, a class inside, and the words ``and`` and ``or``, which lizard does not know."""
 CPP_ENDINGS = (".h", ".hpp", ".hh", ".c", ".cpp", ".cc", ".cxx")

@@ -2,7 +2,7 @@ import msgspec
 import pytest
 
 from roslens.judge.read_reference import GivenText, load_reference
-from roslens.live.session import Session, Step, run
+from roslens.live.session import BEGIN_S, Session, Step, run
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -115,6 +115,51 @@ def test_a_run_asks_all_sources_and_closes_them(session):
     )
     assert [one.what for step in steps for one in step.failures] == ["second", "first"]
     assert all(source.closed for source in sources)
+
+
+class Starting:
+    """A source whose polls take a quarter of a second each, and that tells a graph once it has started."""
+
+    def __init__(self, clock, starts, graph):
+        self.clock, self.starts, self.graph = clock, starts, graph
+        self.seeing = False
+
+    def poll(self, seconds):
+        self.clock[0] += 0.25
+        if self.seeing or self.clock[0] < self.starts:
+            return []
+        self.seeing = True
+        return [frame(self.clock[0], graph=self.graph)]
+
+    def close(self):
+        pass
+
+
+ALWAYS = """
+kind: reference
+name: rover
+defaults: {grace: 2 s}
+constraints:
+  - {node: /lidar, expected: always}
+  - {topic: /scan, rate: 8..12 Hz}
+  - {topic: /map, expected: always}
+  - {host: base, cpu: <= 50 %}
+"""
+NEVER_SEEN = {"topic:/scan", "topic:/map", "host:base"}
+
+
+@pytest.mark.parametrize("starts", [0.25, 4.0, 25.0, 1000.0])
+@pytest.mark.parametrize("there", [True, False])
+def test_grace_counts_from_when_observers_see(starts, there):
+    clock, told = [0.0], []
+    session = Session(load_reference([GivenText("rover.yaml", ALWAYS.encode())], BY_KEY), start=0.0)
+    source = Starting(clock, starts, Graph("ros2", nodes=(Node("/lidar"),) if there else ()))
+    run(session, [source], wall=lambda: clock[0], stopped=lambda now: now > 40.0, told=told.append)
+    bad = {str(one.entity): step.time for step in told for one in step.changes if one.state.bad}
+    assert bad.keys() == NEVER_SEEN if there and starts < 40.0 else {*NEVER_SEEN, "node:/lidar"}
+    # Who never says anything is not waited for for ever.
+    begins = min(starts, BEGIN_S)
+    assert all(begins + 2 <= time <= begins + 3 for time in bad.values()), bad
 
 
 class Watcher(Scripted):

@@ -27,11 +27,16 @@ class Publishes(msgspec.Struct, frozen=True):
 
 
 class ChildSource:
-    """A process that observes, asked for its frames."""
+    """A process that observes, asked for its frames.
+
+    Attributes:
+        seeing: whether it has told who is there, or that it cannot.
+    """
 
     def __init__(self, child: Child, *, steady: Callable[[], float], downlink: Downlink | None = None) -> None:
         """Read ``child``; ``steady`` is a clock that never jumps, ``downlink`` leads to the child."""
         self.downlink = downlink
+        self.seeing = False
         self._child = child
         self._steady = steady
 
@@ -39,7 +44,9 @@ class ChildSource:
         """Wait at most so long for the next frame, and return what came."""
         file = self._child.fileno()
         select.select([file] if file is not None else [], [], [], seconds)
-        return self._child.poll(self._steady())
+        came = self._child.poll(self._steady())
+        self.seeing = self.seeing or any(map(_of_who_is_there, came))
+        return came
 
     def descriptors(self) -> list[int]:
         """Return what becomes readable with the next frame."""
@@ -49,6 +56,12 @@ class ChildSource:
     def close(self) -> None:
         """End the process."""
         self._child.close()
+
+
+def _of_who_is_there(told: Frame | Failure) -> bool:
+    if isinstance(told, Failure):
+        return not told.partial
+    return told.graph is not None or any(not one.partial for one in told.failures)
 
 
 def ros1_source(

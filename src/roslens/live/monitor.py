@@ -193,6 +193,15 @@ class Monitor:
         self.failures.extend(frame.failures)
         self.shed += max(frame.shed, 0)
 
+    def begin(self, time: float) -> None:
+        """Let grace of what nobody saw yet count from ``time``: before, nobody could see it."""
+        self._began = time
+        self._presences.look_again()
+        for one in self._entities():
+            if not one.seen:
+                one.appeared = time
+                self._lookout.wait(one)
+
     def clock_stands(self, time: float) -> None:
         """Suspend what is judged of traffic until :meth:`clock_runs`, :meth:`clock_jumped` or the next message."""
         self._held = True

@@ -28,6 +28,9 @@ from roslens.model.tally import Tally
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
+BEGIN_S = 30.0
+"""So long is waited for observers that say nothing at all; then what nobody saw counts as absent all the same."""
+
 
 class Source(Protocol):
     """An observer that is asked again and again."""
@@ -51,6 +54,14 @@ class HostFinder(Protocol):
 
     def hosts(self) -> Mapping[str, str]:
         """Return names of hosts by address."""
+
+
+class Beginner(Protocol):
+    """A source that takes a while until it sees anything."""
+
+    @property
+    def seeing(self) -> bool:
+        """Whether it does."""
 
 
 class Step(msgspec.Struct, frozen=True):
@@ -93,7 +104,7 @@ class Session:
         self._stretches = OneStretch()
         self._counted = CountedOnce()
         self._services = ServiceCalls()
-        self._now = start
+        self._now = self._start = start
         self._hosts: dict[str, str] = {}
         self._events: list[Event] = []
         self._failures: list[Failure] = []
@@ -119,6 +130,17 @@ class Session:
     def know_hosts(self, hosts: Mapping[str, str]) -> None:
         """Take which host has which address."""
         self._graph_changed |= self._graphs.places.know(hosts)
+
+    def wait_for(self, beginners: Sequence[Beginner], now: float) -> bool:
+        """Let grace of what nobody saw yet count from when all of these see; return whether they do.
+
+        A process that observes takes a second to start, and five on a busy machine: what it has not told by then was
+        not looked for.
+        """
+        if not beginners:
+            return True
+        self.monitor.begin(now)
+        return now - self._start > BEGIN_S or all(one.seeing for one in beginners)
 
     def take(self, came: Iterable[Frame | Failure]) -> None:
         """Take what observers tell."""
@@ -254,7 +276,8 @@ def run(
     """
     watchers = [cast("ProcessWatcher", source) for source in sources if hasattr(source, "name")]
     finders = [cast("HostFinder", source) for source in sources if hasattr(source, "hosts")]
-    waiting = Waiting(sources, longest_wait_s)
+    beginners = [cast("Beginner", source) for source in sources if hasattr(source, "seeing")]
+    waiting, begun = Waiting(sources, longest_wait_s), False
     try:
         while not stopped(wall()):
             share = waiting.wait()
@@ -263,6 +286,7 @@ def run(
             for finder in finders:
                 session.know_hosts(finder.hosts())
             session.name_processes(watchers)
+            begun = begun or session.wait_for(beginners, wall())
             told(session.look(wall()))
     finally:
         for source in sources:

@@ -78,7 +78,7 @@ def test_documents_in_a_parameter_of_a_node(tmp_path):
         "ROSLENS_ROS2_PYTHON": python,
     }
     with running(python, "-c", HOLD, environment=environment):
-        ended = watch(environment, "--ros2", "--reference", "param:/roslens/reference", "--for", "8 s")
+        ended = watch(environment, "--ros2", "--reference", "param:/roslens/reference", "--for", "12 s")
     assert ended.returncode == 1, ended.stderr
     assert "topic:/never  is absent" in ended.stdout
     assert "topic:/ever  is absent" in ended.stdout

@@ -97,3 +97,13 @@ def test_a_failure_is_no_way_out(node_of):
         ' create_publisher<std_msgs::msg::String>("started", 1); return true; }',
     )
     assert [(str(one.name), one.conditions) for one in facts.endpoints] == [("started", ())]
+
+
+def test_a_base_is_meant_by_its_name_whatever_else_is_named_like_it(units):
+    tree = "namespace tree { struct Node { Node(const char * key); }; }\n"
+    text = (
+        "#include <rclcpp/rclcpp.hpp>\n"
+        'class A : public rclcpp::Node { public: A() : Node("named") { create_publisher<std_msgs::msg::String>("a", 1); }'
+        " };"
+    )
+    assert [one.name.known for one in units(a_cpp=text, tree_hpp=tree)] == ["named"]

@@ -2,6 +2,8 @@
 
 import pytest
 
+SENSOR = "rmw_qos_profile_sensor_data"
+
 
 @pytest.mark.parametrize(
     ("given", "quality"),
@@ -10,6 +12,18 @@ import pytest
         ("rclcpp::QoS(3).best_effort().transient_local()", ("best_effort", "transient_local", "keep_last", 3)),
         ("rclcpp::SensorDataQoS()", ("best_effort", "volatile", "keep_last", 5)),
         ("rclcpp::QoS(rclcpp::KeepAll())", ("reliable", "volatile", "keep_all", 0)),
+        ("rclcpp::KeepLast(4)", ("reliable", "volatile", "keep_last", 4)),
+        ("rclcpp::SensorDataQoS(rclcpp::KeepLast(7))", ("best_effort", "volatile", "keep_last", 7)),
+        ("rclcpp::SensorDataQoS(rclcpp::KeepLast(7)).reliable()", ("reliable", "volatile", "keep_last", 7)),
+        ("rclcpp::QoS(rclcpp::KeepLast(2), rmw_qos_profile_sensor_data)", ("best_effort", "volatile", "keep_last", 2)),
+        (
+            "rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(rmw_qos_profile_sensor_data))",
+            ("reliable", "volatile", "keep_last", 5),
+        ),
+        (
+            f"rclcpp::QoS(rclcpp::QoSInitialization::from_rmw({SENSOR}), {SENSOR})",
+            ("best_effort", "volatile", "keep_last", 5),
+        ),
     ],
 )
 def test_quality_of_service(node_of, given, quality):
@@ -22,6 +36,13 @@ def test_a_depth_that_a_parameter_decides(node_of):
     body = 'int depth = declare_parameter("depth", 5);\n'
     (one,) = node_of(body + 'pub_ = create_publisher<std_msgs::msg::String>("a", rclcpp::QoS(depth));').endpoints
     assert "depth" in one.qos_unknown
+
+
+def test_a_preset_that_keeps_what_a_parameter_says(node_of):
+    body = 'int depth = declare_parameter("depth", 5);\n'
+    quality = "rclcpp::SensorDataQoS(rclcpp::KeepLast(depth))"
+    (one,) = node_of(f'{body}pub_ = create_publisher<std_msgs::msg::String>("a", {quality});').endpoints
+    assert (one.qos.reliability, "depth" in one.qos_unknown) == ("best_effort", True)
 
 
 def python_endpoints(units, *lines):

@@ -73,6 +73,7 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
     scope, _, last = written.rpartition(".")
     # ``Base::Base(…)`` names the constructor.
     written = scope if scope.rpartition(".")[2] == last else written
+    written = _base_named(engine, thing, written)
     base = engine.index.class_of(written, engine.frame.path, engine.frame.scope)
     if base is not None:
         names = getattr(base.what, "templates", ())
@@ -81,12 +82,21 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
             thing.base_templates[base.what.qualified_name] = given
     if base is None:
         name = engine.index.meaning(written, engine.frame.path, engine.frame.scope)
-        # The name of a base is known in a class without its scope.
         bases = engine.index.outer_bases(thing.defined) if thing.defined is not None else []
         name = next((one for one in bases if one.rpartition(".")[2] == name), name)
         engine.construct_outer(thing, name, arguments, keywords)
     else:
         engine.construct_as(thing, base, arguments, keywords)
+
+
+def _base_named(engine: Evaluation, thing: Obj, written: str) -> str:
+    """Return a base as its class writes it: its last name is known there, whatever else has that name elsewhere."""
+    inside = engine.frame.scope.rpartition(".")[0]
+    for one in engine.index.chain(thing.defined) if thing.defined is not None and "." not in written else ():
+        if one.what.qualified_name == inside:
+            bases = getattr(one.what, "bases", ())
+            return next((base for base in bases if base.rpartition(".")[2] == written), written)
+    return written
 
 
 def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:

@@ -32,6 +32,10 @@ _PRESETS = {
     "qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
     "rmw_qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
     "rmw_qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
+    "rmw_qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
+    "rmw_qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
+    "rmw_qos_profile_system_default": Qos(),
+    "rmw_qos_profile_best_available": Qos("best_available", "best_available", "keep_last", 10),
 }
 _OF_RCLPY = {
     "SENSOR_DATA": _PRESETS["qos_profile_sensor_data"],
@@ -42,6 +46,8 @@ _OF_RCLPY = {
     "ACTION_STATUS_DEFAULT": Qos("reliable", "transient_local", "keep_last", 1),
 }
 """Of rclpy.qos.QoSPresetProfiles."""
+_DEFAULT = _PRESETS["rmw_qos_profile_default"]
+_INITIALISATION = "rclcpp.QoSInitialization"
 _DURATIONS = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
 _ENDLESS = frozenset({"rclpy.duration.Infinite", "rclpy.qos.Infinite", "RMW_DURATION_INFINITE"})
 _WORDS = {
@@ -95,7 +101,9 @@ def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
 def _from_words(called: Called) -> QosValue:
     base = QosValue(Qos("reliable", "volatile", "keep_last", 0))
     first = called.argument(0, "depth", "history_depth")
-    if isinstance(first, QosValue):
+    if isinstance(first, Obj) and first.type == _INITIALISATION:
+        base = _keeping(quality_of(called.argument(1)) or QosValue(_DEFAULT), first.fields["qos"])
+    elif isinstance(first, QosValue):
         base = first
     elif isinstance(first, int) and not isinstance(first, bool):
         base = QosValue(Qos("reliable", "volatile", "keep_last", first))
@@ -110,6 +118,12 @@ def _from_words(called: Called) -> QosValue:
         elif name in _DURATIONS:
             base = _lasting(base, name, value)
     return base
+
+
+def _keeping(base: QosValue, kept: QosValue) -> QosValue:
+    """Return a quality of service with the history that something else says, not the policies."""
+    qos_ = msgspec.structs.replace(base.qos, history=kept.qos.history, depth=kept.qos.depth)
+    return QosValue(qos_, base.unknown or kept.unknown)
 
 
 def _lasting(base: QosValue, name: str, value: Any) -> QosValue:
@@ -130,18 +144,25 @@ def _with(base: QosValue, name: str, value: Any) -> QosValue:
 @outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
 def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     """How many messages are kept."""
+    first = called.argument(0)
     if called.name.endswith("from_rmw"):
-        return quality_of(called.argument(0)) or QosValue(Qos(), "a profile of the middleware")
-    if called.name.endswith("All"):
-        return QosValue(Qos("reliable", "volatile", "keep_all", 0))
-    depth = called.argument(0)
-    return quality_of(depth) if depth is not None else QosValue()
+        value = quality_of(first) or QosValue(Qos(), "a profile of the middleware")
+    elif called.name.endswith("All"):
+        value = QosValue(Qos(history="keep_all", depth=0))
+    else:
+        value = (quality_of(first) if first is not None else None) or QosValue(Qos(), "how many messages are kept")
+    return Obj(_INITIALISATION, None, {"qos": _keeping(QosValue(_DEFAULT), value)})
 
 
 @outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in _PRESETS))
 def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A quality of service that has a name."""
+    """A quality of service that has a name, with the history that it is given."""
     value = QosValue(_PRESETS[called.name.rpartition(".")[2]])
+    first = called.argument(0)
+    if isinstance(first, Obj) and first.type == _INITIALISATION:
+        value = _keeping(value, first.fields["qos"])
+    elif first is not None:
+        value = QosValue(value.qos, "how many messages it keeps")
     if isinstance(thing, Obj):
         thing.fields["qos"] = value
         return thing

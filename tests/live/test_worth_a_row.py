@@ -18,6 +18,9 @@ from roslens.live.worth_a_row import worth_a_row
         ("node", "/rosout", True),
         ("host", "base", True),
         ("connection", "/a > /rosout > /b", True),
+        ("connection", "/a > /scan > ?", False),
+        ("connection", "? > /scan > /b", True),
+        ("connection", "/a > /scan > \\?", True),
     ],
 )
 def test_what_all_nodes_have_is_left_out_unless_it_is_judged(kind, name, worth):

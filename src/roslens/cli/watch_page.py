@@ -166,10 +166,7 @@ def _rows(parts: Iterable[SystemView], depth: int, above: str) -> Iterator[Row]:
             shown,
             part.observer,
         )
-        # What is sent to nobody in particular is told by its topic.
-        only = part.children[0] if part.kind == "topic" and len(part.children) == 1 else None
-        if only is None or ends_of(only.id)[2]:
-            yield from _rows(part.children, depth + 1, key)
+        yield from _rows(part.children, depth + 1, key)
 
 
 @lru_cache(maxsize=65536)

@@ -6,11 +6,13 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from roslens.judge.amount import amount_text
+from roslens.live.connection_name import connection_ends
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.reported_levels import is_reported
 from roslens.live.signals import BY_KEY
 from roslens.live.tree import SystemView
 from roslens.live.worth_a_row import worth_a_row
+from roslens.model.entity import EntityId
 from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict
 from roslens.report.terminal import Terminal, columns, left, right
@@ -20,6 +22,7 @@ COLUMNS = ("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth", "loss
 _HEADINGS = ("rate", "gap", "latency", "cpu", "memory", "bandwidth", "loss", "calls", "answer in")
 _CELL = 11
 _LEAST_NAME = 24
+_STATE = 11
 _MOST_ALERTS = 8
 
 GLYPHS: Mapping[State, tuple[str, str, str]] = {
@@ -88,9 +91,11 @@ def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
     lines = [terminal.paint(" " * 12 + left("", width) + "".join(right(_HEADINGS[at], _CELL) for at in shown), "quiet")]
     chosen = rows if len(rows) <= room else _worst(rows, room - 1)
     for depth, row in chosen:
-        name = terminal.cut("  " * depth + terminal.clean(_name(row)), width - 1)
+        name = terminal.cut("  " * depth + terminal.clean(_name(row, terminal)), width - 1)
         cells = "".join(right(_cell(row, COLUMNS[at]), _CELL) for at in shown)
-        lines.append(f"{state_text(terminal, row.state)} {left(name, width)}{cells}".rstrip())
+        # What no sentence is about is not fine: nobody knows.
+        state = state_text(terminal, row.state) if row.counts else " " * _STATE
+        lines.append(f"{state} {left(name, width)}{cells}".rstrip())
     if len(chosen) < len(rows):
         more = len(rows) - len(chosen)
         lines.append(terminal.paint(f"{' ' * 12}{more} more that are fine or no worse", "quiet"))
@@ -102,8 +107,7 @@ def _rows(parts: Iterable[SystemView], depth: int) -> Iterable[tuple[int, System
         if not worth_a_row(part):
             continue
         yield depth, part
-        # A topic with one connection is told by that connection.
-        yield from _rows(part.children if len(part.children) != 1 or part.kind != "topic" else (), depth + 1)
+        yield from _rows(part.children, depth + 1)
 
 
 def _worst(rows: Sequence[tuple[int, SystemView]], room: int) -> list[tuple[int, SystemView]]:
@@ -112,7 +116,10 @@ def _worst(rows: Sequence[tuple[int, SystemView]], room: int) -> list[tuple[int,
     return [rows[at] for at in sorted(ranked[:room])]
 
 
-def _name(row: SystemView) -> str:
+def _name(row: SystemView, terminal: Terminal) -> str:
+    if row.kind == "connection":
+        _, _, subscriber = connection_ends(EntityId.parse(row.id))
+        return f"{'→' if terminal.unicode else '->'} {subscriber or '?'}"
     if row.name:
         return row.name
     return "(host unknown)" if row.kind == "host" else "(publisher unknown)"

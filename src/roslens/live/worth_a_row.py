@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslens.live.tree import SystemView
 
 _TOPICS = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
+_TO_NOBODY = " > ?"
 _ENDS = frozenset(
     {"get_parameters", "set_parameters", "set_parameters_atomically", "list_parameters", "describe_parameters",
      "get_parameter_types", "get_type_description", "get_loggers", "set_logger_level", "get_logger_levels",
@@ -17,11 +18,12 @@ def worth_a_row(part: SystemView) -> bool:
     """Return whether to show a part: something is expected of it, or it is not like what all others have too.
 
     What a process uses is told of its nodes; alone it is worth a row where a sentence is about it. Likewise with the
-    log, the parameters and the life cycle of nodes, which ROS itself serves.
+    log, the parameters and the life cycle of nodes, which ROS itself serves, and with what was sent to nobody in
+    particular: the topic above tells it.
     """
     if part.counts:
         return True
-    if part.kind == "process":
+    if part.kind == "process" or (part.kind == "connection" and part.name.endswith(_TO_NOBODY)):
         return False
     if part.kind == "topic" and part.name in _TOPICS:
         return False

@@ -108,6 +108,29 @@ def test_focus_shows_what_is_near_with_inputs_on_the_left(visit: Visit) -> None:
     assert "/lidar" in shown(page)
 
 
+def test_names_far_away_stay_inside_of_the_picture(visit: Visit) -> None:
+    page = visit("/computation/rover", viewport={"width": 900, "height": 420})
+    expect(page.locator(".scene[transform]")).to_be_visible()
+    canvas = page.locator("#graph-canvas").bounding_box() or {}
+    names = page.locator(".no-names .nodes .node.named text")
+    assert names.count()
+    for number in range(names.count()):
+        box = names.nth(number).bounding_box() or {}
+        assert canvas["x"] <= box["x"]
+        assert box["x"] + box["width"] <= canvas["x"] + canvas["width"]
+
+
+def test_a_mark_that_nothing_leaves_has_no_line_behind_it(visit: Visit) -> None:
+    page = visit("/computation/rover", viewport={"width": 900, "height": 420})
+    expect(page.locator(".scene[transform]")).to_be_visible()
+    leads = page.locator(".nodes .node:not([hidden]) .lead").evaluate_all(
+        "found => found.filter(one => one.checkVisibility()).map(one => Number(one.closest('.node').dataset.n))"
+    )
+    giving = page.evaluate("JSON.parse(document.getElementById('graph-data').textContent).wires.map(one => one.source)")
+    assert leads
+    assert set(leads) <= set(giving)
+
+
 def test_what_is_searched_for_stands_out(visit: Visit) -> None:
     page = visit("/computation/rover")
     page.get_by_label("Find", exact=True).fill("camera")
@@ -182,6 +205,10 @@ def open_file(browser: Browser, path: Path, fragment: str = "") -> tuple[Page, l
 def test_a_large_system_in_one_file_starts_quickly_and_readably(browser: Browser, one_file: Path) -> None:
     page, problems = open_file(browser, one_file)
     expect(page.locator("section.current .nodes .node:not([hidden])")).to_have_count(80)
+    expect(page.locator("section.current .scene[transform]")).to_be_visible()
+    # Every node has its name, as far as there is room for it.
+    nodes = page.locator("section.current .nodes .node.node:not([hidden])")
+    assert page.locator("section.current .nodes .node.node.named").count() >= 0.6 * nodes.count()
     # Names touch neither each other nor the boxes of other nodes.
     boxes = page.locator("section.current .nodes .node:not([hidden])").evaluate_all(
         """found => found.map(one => [one.querySelector(".outline"), one.querySelector("text")].map(part =>

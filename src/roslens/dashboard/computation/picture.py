@@ -161,7 +161,8 @@ def _lane_order(name: str) -> tuple[str, ...]:
 
 
 def _size(element: Element) -> tuple[float, float]:
-    width = len(label_of(element)) * CHARACTER
+    # A sign of doubt stands behind the name where there is no mark for it.
+    width = (len(label_of(element)) + 2 * (element.sure != "certain")) * CHARACTER
     if element.kind is Kind.NODE:
         return round(max(48.0, width + 24), 1), NODE_HEIGHT
     return round(MARK + width + 4, 1), MARK_HEIGHT

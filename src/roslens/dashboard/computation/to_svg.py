@@ -40,7 +40,7 @@ text{font:12px system-ui,"Segoe UI",Roboto,"Noto Sans","Liberation Sans",Arial,s
 .wire{fill:none;stroke-width:1.1}.outline{stroke-width:1.4}.name{paint-order:stroke;stroke-width:3px}
 .node .name{text-anchor:middle;stroke:none}.many .wire{stroke-width:.8}.mark{font-weight:700}
 .conditional{stroke-dasharray:6 4}.unresolved{stroke-dasharray:1.5 3.5;stroke-linecap:round}
-.conditional>.outline{stroke-dasharray:6 4}.unresolved>.outline{stroke-dasharray:1.5 3.5;stroke-linecap:round}
+.conditional>.outline{stroke-dasharray:3 2}.unresolved>.outline{stroke-dasharray:1.5 3.5;stroke-linecap:round}
 """
 _COLOUR = re.compile(r"--([\w-]+): (#[0-9a-f]{6});")
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")

@@ -16,6 +16,9 @@ export function parameters() {
 /** Set parameters; an empty value takes one away. The page is not loaded again. */
 export function setParameters(changes) {
   const now = parameters();
+  const held = Object.entries(changes).every(([name, value]) => (now.get(name) || "") === (value || ""));
+  // To write the same address again takes a browser milliseconds.
+  if (held) return;
   for (const [name, value] of Object.entries(changes)) {
     now.delete(name);
     if (value) now.set(name, value);

@@ -15,6 +15,7 @@ export class Camera {
     this.x = 0;
     this.y = 0;
     this.drawn = { k: 1, x: 0, y: 0 };
+    this.room = null;
     svg.removeAttribute("viewBox");
     this.finish = settled(() => this.redraw(), 140);
     this.pointers = new Map();
@@ -31,8 +32,13 @@ export class Camera {
     }, true);
   }
 
+  /** How large the canvas is. To ask for it lays the page out, so it is asked once; `resized` tells what changes. */
   size() {
-    return { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+    return (this.room ||= this.resized());
+  }
+
+  resized() {
+    return (this.room = { width: this.canvas.clientWidth, height: this.canvas.clientHeight });
   }
 
   /** Show all of a box. */

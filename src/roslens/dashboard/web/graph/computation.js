@@ -17,16 +17,26 @@ const cellOf = (row, key) => row.cells[[...row.closest("table").tHead.rows[0].ce
 const textOf = (row, key) => cellOf(row, key)?.textContent.trim() || "";
 const SEVERITIES = ["error", "warning", "note"];
 
+// Of a topic, service or action the mark stands at the left end of its room; far away only the mark is drawn.
+const MARK = 20;
 const SHAPE = {
-  across: (node) => node.w / 2,
+  left: (node) => node.w / 2,
+  right: (node) => (node.kind === "node" ? node.w / 2 : MARK - node.w / 2),
   down: (node) => node.h / 2,
-  put(element, node, where) {
+  centre: (node) => (node.kind === "node" ? 0 : MARK / 2 - 1 - node.w / 2),
+  beside: (node) => node.kind === "node",
+  put(element, node, where, shift) {
     const text = element.lastElementChild;
+    const classes = element.classList;
     const inside = where === "home";
-    element.classList.toggle("outside", !inside);
-    text.setAttribute("x", inside && node.kind !== "node" ? (20 - node.w / 2).toFixed(1) : "0");
-    element.classList.toggle("above", where === "above");
-    text.setAttribute("y", inside ? "0" : String((where === "above" ? -1 : 1) * (node.h / 2 + 2)));
+    const beside = where === "right" ? 1 : where === "left" ? -1 : 0;
+    classes.toggle("outside", !inside);
+    classes.toggle("above", where === "above");
+    classes.toggle("rightward", beside > 0);
+    classes.toggle("leftward", beside < 0);
+    const x = inside ? (node.kind === "node" ? 0 : MARK - node.w / 2) : beside ? (beside * node.w) / 2 : this.centre(node) + shift;
+    text.setAttribute("x", x.toFixed(1));
+    text.setAttribute("y", inside || beside ? "0" : String((where === "above" ? -1 : 1) * (node.h / 2 + 2)));
   },
 };
 
@@ -166,6 +176,8 @@ class ComputationView extends Stage {
       boxes = close.boxes;
     }
     this.titles = boxes.filter((box) => !box.depth).map((box) => ({ x: box.x + 7, y: box.y + 3, width: 7.6 * box.name.length }));
+    const giving = new Set(this.shown.map((one) => one.source));
+    this.elements.forEach((element, number) => element.classList.toggle("last", !giving.has(number)));
     const as = ready ? `${lines}` : "";
     if (this.drawnAs === null && ready && lines === drawn.lines) {
       // The page came with this picture.

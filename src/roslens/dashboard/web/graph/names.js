@@ -4,11 +4,15 @@
 export const READABLE = 0.66;
 const WIDTH = 6.9;
 const HEIGHT = 15;
+const SLIM = 13;
+/** Between a disc and the name beside it, and between a name and the end of the picture, in pixels. */
+const GAP = 5;
+const EDGE = 4;
 
 /**
  * Show names for a zoom. `order` is who comes first; `places` are where they stand. While only some have a name, because
- * a selection dims the rest, a name may lie on a dimmed disc. `shape` says how discs are drawn that are none: their half
- * height and width and where the name goes.
+ * a selection dims the rest, a name may lie on a dimmed disc. `shape` says how discs are drawn that are none: how far they
+ * reach to the left, the right and up, where a name is centred, whether it may stand beside them, and where it goes.
  */
 export function showNames(svg, elements, nodes, order, places, camera, shape = DISC, titles = []) {
   const all = camera.k >= READABLE;
@@ -17,19 +21,13 @@ export function showNames(svg, elements, nodes, order, places, camera, shape = D
   if (all) {
     elements.forEach((element, number) => {
       element.classList.remove("named");
-      shape.put(element, nodes[number], "home");
+      shape.put(element, nodes[number], "home", 0);
     });
     return;
   }
-  const { width, height } = camera.size();
   const taken = new Rows();
   const bright = order.length < places.size ? new Set(order) : places;
-  for (const [number, place] of places) {
-    if (!bright.has(number)) continue;
-    const [x, y] = [camera.k * place.x + camera.x, camera.k * place.y + camera.y];
-    const [across, down] = [camera.k * shape.across(nodes[number]), camera.k * shape.down(nodes[number])];
-    taken.add({ owner: number, left: x - across, right: x + across, top: y - down, bottom: y + down });
-  }
+  for (const [number, place] of places) if (bright.has(number)) taken.add(discOf(number, nodes[number], place, camera, shape));
   titles.forEach(({ x, y, width: across }, number) => {
     const [left, top] = [camera.k * x + camera.x, camera.k * y + camera.y];
     taken.add({ owner: `title ${number}`, left, right: left + across, top: top - HEIGHT, bottom: top });
@@ -37,30 +35,57 @@ export function showNames(svg, elements, nodes, order, places, camera, shape = D
   const named = new Set();
   for (const number of order) {
     const place = places.get(number);
-    if (!place) continue;
-    const x = camera.k * place.x + camera.x;
-    const y = camera.k * place.y + camera.y;
-    const away = camera.k * (shape.down(nodes[number]) + 2);
-    const half = (nodes[number].label.length * WIDTH) / 2;
-    const from = (top) => ({ owner: number, left: x - half, right: x + half, top, bottom: top + HEIGHT });
-    const box = [from(y + away), from(y - away - HEIGHT)].find(
-      (one) => one.right > 0 && one.left < width && one.bottom > 0 && one.top < height && taken.free(one),
-    );
-    if (!box) continue;
-    shape.put(elements[number], nodes[number], box.top < y ? "above" : "below");
-    taken.add(box);
+    const name = place && roomsFor(number, nodes[number], place, camera, shape).find((one) => taken.free(one));
+    if (!name) continue;
+    shape.put(elements[number], nodes[number], name.where, name.shift / camera.k);
+    taken.add(name);
     named.add(number);
   }
   elements.forEach((element, number) => element.classList.toggle("named", named.has(number)));
 }
 
+function discOf(number, node, place, camera, shape) {
+  const [x, y] = [camera.k * place.x + camera.x, camera.k * place.y + camera.y];
+  const down = camera.k * shape.down(node);
+  return { owner: number, left: x - camera.k * shape.left(node), right: x + camera.k * shape.right(node), top: y - down, bottom: y + down };
+}
+
+/** Where a name may stand: below, above, beside; moved aside where the picture ends. */
+function roomsFor(number, node, place, camera, shape) {
+  const { width, height } = camera.size();
+  const disc = discOf(number, node, place, camera, shape);
+  const long = node.label.length * WIDTH;
+  const centre = camera.k * (place.x + shape.centre(node)) + camera.x;
+  const away = camera.k * 2;
+  const inside = centre > 0 && centre < width;
+  const left = inside ? Math.max(EDGE, Math.min(width - EDGE - long, centre - long / 2)) : centre - long / 2;
+  const shift = left + long / 2 - centre;
+  const over = { owner: number, left, right: left + long, shift };
+  const rooms = [
+    { ...over, where: "below", top: disc.bottom + away, bottom: disc.bottom + away + HEIGHT },
+    { ...over, where: "above", top: disc.top - away - HEIGHT, bottom: disc.top - away },
+  ];
+  if (shape.beside(node)) {
+    const middle = (disc.top + disc.bottom) / 2;
+    const level = { owner: number, shift: 0, top: middle - SLIM / 2, bottom: middle + SLIM / 2 };
+    rooms.push({ ...level, where: "right", left: disc.right + GAP, right: disc.right + GAP + long });
+    rooms.push({ ...level, where: "left", left: disc.left - GAP - long, right: disc.left - GAP });
+  }
+  const seen = (one) => (one.where === "left" || one.where === "right" ? one.left > 0 && one.right < width : one.right > 0 && one.left < width);
+  return rooms.filter((one) => seen(one) && one.bottom > 0 && one.top < height);
+}
+
 /** A disc has its name below, or above where there is no room below. */
 const DISC = {
-  across: (node) => node.r,
+  left: (node) => node.r,
+  right: (node) => node.r,
   down: (node) => node.r,
-  put(element, node, where) {
+  centre: () => 0,
+  beside: () => false,
+  put(element, node, where, shift) {
     const above = where === "above";
     element.classList.toggle("above", above);
+    element.lastElementChild.setAttribute("x", shift.toFixed(1));
     element.lastElementChild.setAttribute("y", (above ? -node.r - 2 : node.r + 2).toFixed(1));
   },
 };

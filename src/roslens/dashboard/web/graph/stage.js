@@ -35,13 +35,13 @@ export class Stage {
 
   start() {
     this.readAddress(parameters());
+    // Until it is known which names fit, none is laid out.
+    this.svg.classList.add("no-names");
     this.camera = new Camera(this.canvas, this.svg, this.svg.querySelector(".scene"), () => this.cameraChanged());
     this.listen();
     this.placeNodes();
     this.recolour();
     this.select(this.selected, false);
-    this.showStart();
-    this.ready = true;
   }
 
   readAddress(now) {
@@ -79,11 +79,13 @@ export class Stage {
     this.canvas.addEventListener("dblclick", (event) => this.doubleClicked(event));
     this.canvas.addEventListener("dragstart", (event) => event.preventDefault());
     this.canvas.addEventListener("keydown", (event) => this.pressed(event));
-    // The observer tells the first width too; to ask for it here would lay the page out once more.
-    let width = -1;
+    // The observer tells the first size too, before anything is painted; to ask for it here would lay the page out twice.
+    let before = 0;
     new ResizeObserver(() => {
-      if (width === 0 && this.canvas.clientWidth) this.showStart();
-      width = this.canvas.clientWidth;
+      const { width } = this.camera.resized();
+      if (!before && width) this.showStart();
+      before = width;
+      this.ready = true;
     }).observe(this.canvas);
     const here = (action) => (event) => (this.root.checkVisibility() ? action(event) : false);
     onKey("t", here(actions.table));

@@ -23,7 +23,8 @@ _TOGETHER = (
     "A mistake is one of a system, and the data set names its launch files. Where the other end is in a program",
     "without public source, the node that stands for it is known from the catalogue; where a launch file of that",
     "time is gone, its nodes are named. Repositories that were one per package stand beside each other at commits",
-    "of the same time.",
+    "of the same time. `{panel}` is the argument that the control panel of the robot starts the launch file with, as",
+    "the panel's file of the revision says.",
 )
 
 

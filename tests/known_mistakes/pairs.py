@@ -28,6 +28,8 @@ class Pair(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         beside: by repository a commit that is the same on both sides; ``name@part`` where a repository had parts.
         launch: what runs together, inside of ``<launch>``; empty where it is not tried.
         programs: what stands for ``{program}`` in it, buggy and fixed.
+        panel: file of a control panel, block and name of the value in it that stands for ``{panel}``: the panel starts
+            the launch file with it as an argument.
         reported: rule and entity of the finding; empty where it is not found.
         joined: topic that has both ends in the fixed revision.
         why: it is not found.
@@ -40,6 +42,7 @@ class Pair(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     beside: dict[str, str] = {}
     launch: str = ""
     programs: tuple[str, str] = ("", "")
+    panel: tuple[str, ...] = ()
     reported: tuple[str, ...] = ()
     joined: str = ""
     why: str = ""
@@ -70,7 +73,8 @@ def told(pair: Pair, side: int, clones: Path, folder: Path) -> Told:
     for name, commit in pair.beside.items():
         check_out(clones / name.partition("@")[0], commit, folder / name.replace("@", "_"))
     launch = folder / "pair.launch"
-    launch.write_text(f"<launch>\n{pair.launch.replace('{program}', pair.programs[side])}</launch>\n")
+    text = pair.launch.replace("{program}", pair.programs[side]).replace("{panel}", panel_value(pair, folder))
+    launch.write_text(f"<launch>\n{text}</launch>\n")
     checked = _run(folder, launch, "--check", "--fail-on", "never")
     findings = {(one["rule"], one["entity"]): one["severity"] for one in checked}
     graph = read_graph(folder, launch)
@@ -80,6 +84,15 @@ def told(pair: Pair, side: int, clones: Path, folder: Path) -> Told:
             roles.setdefault(one["endpoint"]["name"], set()).add(one["endpoint"]["role"])
     both = {name for name, found in roles.items() if {"publisher", "subscription"} <= found}
     return Told(findings, frozenset(both))
+
+
+def panel_value(pair: Pair, folder: Path) -> str:
+    """Return the argument that the control panel gives, as its file in a folder says; empty where there is none."""
+    if not pair.panel:
+        return ""
+    file, block, name = pair.panel
+    blocks = {one["name"]: one["vars"] for one in yaml.safe_load((folder / file).read_text())["params"]}
+    return str(next(one["v"] for one in blocks[block] if one["name"] == name))
 
 
 def read_graph(folder: Path, launch: Path, *options: str) -> Any:

@@ -11,7 +11,7 @@ import pytest
 from known_mistakes.checkout import check_out
 from known_mistakes.golden import KINDS, counts, observed, read, systems
 from known_mistakes.page import PAGE, page
-from known_mistakes.pairs import missing, pairs, told
+from known_mistakes.pairs import missing, pairs, panel_value, told
 
 PAIRS = pairs()
 
@@ -43,6 +43,15 @@ def test_a_revision_is_laid_out_without_pictures(tmp_path):
     check_out(clone, git("rev-parse", "HEAD").strip(), tmp_path / "out")
     assert [path.name for path in (tmp_path / "out").rglob("*")] == ["a.cpp"]
     assert (tmp_path / "out" / "a.cpp").read_text() == "int a;\n"
+
+
+def test_what_a_control_panel_gives_is_read_from_its_file(tmp_path):
+    pair = next(one for one in PAIRS if one.panel)
+    file = tmp_path / pair.panel[0]
+    file.parent.mkdir(parents=True)
+    file.write_text(f"params: [{{name: {pair.panel[1]}, vars: [{{name: {pair.panel[2]}, v: /a/b}}]}}]")
+    assert panel_value(pair, tmp_path) == "/a/b"
+    assert panel_value(PAIRS[0], tmp_path) == ""
 
 
 @pytest.mark.slow

@@ -1,0 +1,77 @@
+"""Rule ``graph.parameter_topic``: a parameter that names a topic which nobody has."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fnmatch import fnmatchcase
+
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import is_launched, is_unknown, listed, unknown_nodes
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.parameter_topic",
+    "Parameter that names no topic",
+    "A parameter whose name ends with `topic` is set to a global name below a node or namespace that is not there, and "
+    "no node of the configuration has a topic of that name. It is told of nodes whose code is known; names that may be "
+    "those of unknown parts, and names whose other end is usually elsewhere, are left out. Correct the value, or start "
+    "who has the topic.",
+    Severity.WARNING,
+    ("ros", "graph", "parameters", "names", "launch"),
+    "What was to be connected by the parameter is not, as after a copy from another node.",
+    tool=TOOL,
+    scope="configuration",
+)
+_GLOBAL = re.compile(r"/[A-Za-z]\w*(?:/[A-Za-z]\w*)+")
+_TOPIC = re.compile(r"(?:\A|[_./])topic(?:_name)?\Z", re.IGNORECASE)
+
+
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each parameter that names a topic which no node has."""
+    if not is_launched(configuration):
+        return
+    unknown = unknown_nodes(configuration)
+    names = {one.endpoint.name for node in configuration.nodes for one in node.endpoints}
+    patterns = [name for name in names if "*" in name]
+    spaces = {space for name in (*names, *(node.name for node in configuration.nodes)) for space in _spaces(name)}
+    for node in configuration.nodes:
+        for one in node.parameters if _is_understood(node) else ():
+            value = one.value or ""
+            if one.set_by is None or not _TOPIC.search(one.name) or not _GLOBAL.fullmatch(value):
+                continue
+            if not _own(one, node, ros1=configuration.generation == "ros1") or "/" + value.split("/")[1] in spaces:
+                continue
+            if not any(fnmatchcase(value, other) for other in (*patterns, *surroundings.external)):
+                yield _told(one, node, [other.name for other in unknown])
+
+
+def _is_understood(node: ConfiguredNode) -> bool:
+    return node.defined is not None and node.defined.origin is Origin.CODE and not is_unknown(node)
+
+
+def _spaces(name: str) -> Iterator[str]:
+    """Yield the outermost namespace of a name."""
+    if name.startswith("/"):
+        yield "/" + name.split("/")[1]
+
+
+def _own(one: ConfiguredParameter, node: ConfiguredNode, *, ros1: bool) -> bool:
+    return not ros1 or one.name.startswith(f"{node.name}/")
+
+
+def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str]) -> Finding:
+    more = f"nobody knows what {listed(unknown)} may have" if unknown else ""
+    severity, doubt = weighed(RULE.severity, (one.set_by,), (*node.conditions, *one.conditions), more=more)
+    proof = one.set_by
+    assert proof is not None  # noqa: S101 - only parameters that are set are told
+    space = "/" + (one.value or "").split("/")[1]
+    unread = "" if one.access else f" {node.name} is not known to use the parameter."
+    message = (
+        f"parameter `{one.name}` is set to `{one.value}`, a topic that nobody has: there is no node and no name in "
+        f"`{space}`.{unread} Correct the name, or start who has the topic.{doubt}"
+    )
+    return told(RULE, message, proof, entity=f"parameter:{node.name}:{one.name}", severity=severity, context=one.name)

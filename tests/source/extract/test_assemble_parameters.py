@@ -1,3 +1,5 @@
+import pytest
+
 from roslens.model.configuration import Proof
 from roslens.source.extract.assemble_parameters import Values, declared_as_set, doubt, parameters_of, set_outside
 from roslens.source.extract.launched import Setting
@@ -139,6 +141,15 @@ def test_one_item_of_a_list():
     assert names_of(values, each("item -1 of parameter names")) == [("t/b", Sure.CERTAIN)]
     assert names_of(values, each("item -2 of parameter names")) == [("t/a", Sure.CERTAIN)]
     assert names_of(values, each("item 2 of parameter names")) == [("t/*", Sure.POSSIBLE)]
+
+
+@pytest.mark.parametrize(
+    "reason",
+    ["each of a part of {parameter names}", "each of each of parameter names", "result of f() of {parameter names}"],
+)
+def test_what_is_made_of_a_list_is_no_item_of_it(reason):
+    values = Values(ROS2, (setting("names", "[a, b]"),))
+    assert names_of(values, each(reason)) == [("t/*", Sure.POSSIBLE)]
 
 
 def test_parameters_that_a_list_names():

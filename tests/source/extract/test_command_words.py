@@ -30,13 +30,19 @@ def test_the_words_that_roslaunch_starts_a_node_with():
 @pytest.mark.parametrize(
     ("one", "generation"),
     [
-        (launched("scan"), "ros2"),
+        (launched(unknown("argument topic")), "ros2"),
         (launched(unknown("argument topic")), "ros1"),
+        (launched("scan", kind="component"), "ros2"),
         (launched("scan", kind="nodelet"), "ros1"),
     ],
 )
 def test_words_that_are_not_all_known(one, generation):
     assert words_of(one, generation) is None
+
+
+def test_the_words_that_launch_ros_starts_a_node_with():
+    found = words_of(launched("scan", "-r", "out"), "ros2")
+    assert [one.pattern for one in found or ()] == ["*", "scan", "-r", "out", "--ros-args"]
 
 
 def test_words_without_those_of_ros():
@@ -113,3 +119,93 @@ def test_programs_that_read_their_words(index_of, text, reads):
 def test_a_script_that_reads_its_words(index_of):
     assert reads_words(index_of(a_py="import sys\nf(sys.argv[1])").programs["pkg/a.py"])
     assert not reads_words(index_of(a_py="import sys\nf(sys.path)").programs["pkg/a.py"])
+
+
+ROS2 = tuple(Text.of(one) for one in ("/bin/a", "scan", "--rate", "3", "--ros-args"))
+MAIN2 = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+int main(int argc, char ** argv) {
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "topic", "name"),
+    [
+        ("rclcpp::init(argc, argv);", "argv[1]", "scan"),
+        ("auto args = rclcpp::init_and_remove_ros_arguments(argc, argv);", "args[1]", "scan"),
+        ("auto args = rclcpp::remove_ros_arguments(argc, argv);", "args[argc > 2 ? 1 : 2]", "scan"),
+        ('std::string t = rcutils_cli_get_option(argv, argv + argc, "--rate");', 't + "_x"', "3_x"),
+        ('std::string t = "no"; if (rcutils_cli_option_exist(argv, argv + argc, "--no")) { t = "yes"; }', "t", "no"),
+        ('std::string t = "no"; if (rcutils_cli_option_exist(argv, argv + argc, "--rate")) { t = "yes"; }', "t", "yes"),
+    ],
+)
+def test_a_program_of_rclcpp_with_its_words(index_of, before, topic, name):
+    body = f'{before}\nrclcpp::Node n("a"); auto p = n.create_publisher<std_msgs::msg::String>({topic}, 1);'
+    (found,) = facts_of_main(index_of(a_cpp=f"{MAIN2}{body}\n}}"), "pkg/a.cpp", words=ROS2)
+    assert [(str(one.name), one.conditions) for one in found.endpoints] == [(name, ())]
+
+
+PYTHON2 = """
+import sys
+import rclpy
+from rclpy.utilities import remove_ros_args
+from std_msgs.msg import String
+def main(args=sys.argv[1:]):
+    rclpy.init(args=args)
+    node = rclpy.create_node('a')
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("node.create_publisher(String, sys.argv[1], 1)", [("scan", ())]),
+        ("node.create_publisher(String, args[0], 1)", [("scan", ())]),
+        ("node.create_publisher(String, remove_ros_args(args)[-1], 1)", [("3", ())]),
+        ("node.create_publisher(String, remove_ros_args()[1:][0], 1)", [("scan", ())]),
+        ("if len(sys.argv) > 3: node.create_publisher(String, 'a', 1)", [("a", ())]),
+        ("if len(sys.argv) < 2: node.create_publisher(String, 'a', 1)", []),
+        ("if len(remove_ros_args()) == 4: node.create_publisher(String, 'a', 1)", [("a", ())]),
+    ],
+)
+def test_a_program_of_rclpy_with_its_words(index_of, line, told):
+    index = index_of(a_py=f"{PYTHON2}    {line}\n    node.create_timer(1, main)\n")
+    (found,) = facts_of_module(index, "pkg/a.py", "main", words=ROS2)
+    assert [(str(one.name), one.conditions) for one in found.endpoints] == told
+
+
+@pytest.mark.parametrize("line", ["sys.argv[-1]", "sys.argv[7]", "sys.argv[1:-1][0]", "args[9]"])
+def test_words_behind_those_that_are_known_are_not(index_of, line):
+    text = f"{PYTHON2}    node.create_publisher(String, {line}, 1)\n"
+    (found,) = facts_of_module(index_of(a_py=text), "pkg/a.py", "main", words=ROS2)
+    assert [one.name.known for one in found.endpoints] == [None]
+
+
+def test_how_many_words_there_are_may_be_unknown(index_of):
+    text = f"{PYTHON2}    if len(sys.argv) == 8: node.create_publisher(String, 'a', 1)\n"
+    (found,) = facts_of_module(index_of(a_py=text), "pkg/a.py", "main", words=ROS2)
+    assert [bool(one.conditions) for one in found.endpoints] == [True]
+
+
+@pytest.mark.parametrize(
+    ("text", "reads"),
+    [
+        (f"{MAIN2}rclcpp::init(argc, argv); }}", False),
+        (f"{MAIN2}rclcpp::init(argc, argv); f(argv[1]); }}", True),
+    ],
+)
+def test_programs_of_rclcpp_that_read_their_words(index_of, text, reads):
+    assert reads_words(index_of(a_cpp=text).programs["pkg/a.cpp"]) is reads
+
+
+@pytest.mark.parametrize(
+    ("text", "reads"),
+    [
+        ("import sys, rclpy\nrclpy.init(args=sys.argv)", False),
+        ("import sys\ndef main(args=sys.argv[1:]):\n    pass", True),
+        ("def main():\n    parser.parse_args()", True),
+    ],
+)
+def test_scripts_of_rclpy_that_read_their_words(index_of, text, reads):
+    assert reads_words(index_of(a_py=text).programs["pkg/a.py"]) is reads

@@ -20,6 +20,8 @@ _FULL_NAME_OF_NODE = "full name of the node"
 _NAMESPACE_OF_NODE = "namespace of the node"
 _NAMESPACE_ABOVE = "namespace above the node"
 _MOST_ITEMS = 100
+_WHOLE = re.compile(r"(?:each of |item -?\d+ of )?(?!each of |item -?\d|.*\{)")
+"""A list, each of its items or one of them; of anything else that is made of a list nobody knows what it is."""
 _ITEM = re.compile(r"item (-?\d+) of ")
 _ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
 
@@ -80,7 +82,7 @@ class Values:
         """Return the elements of a list that a parameter is; None where it is none."""
         found = self.value(Text.of(hole.parameter))
         value = hole.default if found is None else found.value.known
-        if value is None or not (value.startswith("[") and value.endswith("]")):
+        if value is None or not (value.startswith("[") and value.endswith("]")) or not _WHOLE.match(hole.reason):
             return None
         names = _listed(value)[:_MOST_ITEMS]
         one_of_them = _ITEM.match(hole.reason)

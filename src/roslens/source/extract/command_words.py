@@ -12,27 +12,32 @@ from roslens.source.extract.launched import Launched
 from roslens.source.extract.program import Call, Member, Name, Program
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, outer
+from roslens.source.extract.word_list import ROS_ARGS, Words, without_ros2
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
-_READ = frozenset({"argv", "argc", "sys.argv", "myargv", "rospy.myargv"})
-_OF_ROS = frozenset({"ros.init"})
+_READ = frozenset({"argv", "argc", "sys.argv", "myargv", "rospy.myargv", "parse_args", "parse_known_args",
+                   "remove_ros_args"})  # fmt: skip
+_OF_ROS = frozenset({"ros.init", "rclcpp.init", "rclpy.init"})
+_STARTED = frozenset({"node", "test", "lifecycle", "container"})
 _ASSIGNS = ":="
-
-
-class Words(list[Any]):
-    """The words of a command line, that of the program first: a list of which nothing is missing."""
+_FLAGS = frozenset({"-r", "--remap", "-p", "--param", "--params-file", "--log-level", "--log-config-file", "-e",
+                    "--enclave", "--enable-rosout-logs", "--"})  # fmt: skip
+"""What may stand behind ``--ros-args``."""
 
 
 def words_of(launched: Launched, generation: str) -> tuple[Text, ...] | None:
     """Return the words that a node is started with; None where a part of them is unknown.
 
-    Those of ROS 1 only: roslaunch puts remappings, the name and the file of the log after what the launch file says
-    (roslaunch, node_args.py and launch.py).
+    roslaunch puts remappings, the name and the file of the log after what the launch file says (roslaunch, node_args.py
+    and launch.py). launch_ros puts ``--ros-args`` there, and behind it names, remappings and files of parameters
+    (launch_ros, actions/node.py): they are for ROS alone, so these words end with it.
     """
-    if generation != "ros1" or launched.kind not in ("node", "test") or any(one.holes for one in launched.arguments):
+    if launched.kind not in _STARTED or any(one.holes for one in launched.arguments):
         return None
+    if generation != "ros1":
+        return Text((Hole("path of the program"),)), *launched.arguments, Text.of(ROS_ARGS)
     remaps = (Text.of(one.source, _ASSIGNS, one.target) for one in launched.remaps)
     name = Text.of("__name:=", launched.name)
     log = Text.of("__log:=", Hole("file of the log"))
@@ -41,7 +46,7 @@ def words_of(launched: Launched, generation: str) -> tuple[Text, ...] | None:
 
 def reads_words(program: Program) -> bool:
     """Return whether a program does more with its command line than to give it to ROS."""
-    waiting: list[object] = [one.initialisers + one.body for one in program.functions]
+    waiting: list[object] = [(*one.parameters, *one.initialisers, *one.body) for one in program.functions]
     waiting.append(program.body)
     while waiting:
         one = waiting.pop()
@@ -50,10 +55,17 @@ def reads_words(program: Program) -> bool:
         elif isinstance(one, Name | Member) and one.name in _READ:
             return True
         elif isinstance(one, msgspec.Struct):
-            if isinstance(one, Call) and isinstance(one.function, Name) and one.function.name in _OF_ROS:
+            if isinstance(one, Call) and _written(one.function) in _OF_ROS:
                 continue
             waiting += [getattr(one, name) for name in one.__struct_fields__]
     return False
+
+
+def _written(function: object) -> str:
+    """Return what is called as written, of names and members of names."""
+    if isinstance(function, Member) and isinstance(function.of, Name):
+        return f"{function.of.name}.{function.name}"
+    return function.name if isinstance(function, Name) else ""
 
 
 def without_ros(words: Sequence[Any]) -> Words:
@@ -85,11 +97,50 @@ def my_words(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return without_ros(words) if isinstance(words, Words) else Unknown("result of rospy.myargv()")
 
 
+@outer("rclpy.utilities.remove_ros_args", "rclpy.remove_ros_args", "rclcpp.remove_ros_arguments",
+       "rclcpp.init_and_remove_ros_arguments", quiet=True)  # fmt: skip
+def of_program(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The words that are not for ROS 2."""
+    words = called.argument(1 if "rclcpp" in called.name else 0, "args")
+    words = engine.words if words is None else words
+    return without_ros2(words) if isinstance(words, Words) else Unknown(f"result of {called.name}()")
+
+
+@outer("rcutils_cli_option_exist", quiet=True)
+def option_given(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Whether a word is among those of the command line."""
+    words, option = called.argument(0), called.argument(2)
+    place = _place(words, option)
+    return Unknown(f"whether {option} is given") if place is None else place >= 0
+
+
+@outer("rcutils_cli_get_option", quiet=True)
+def option_value(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The word after an option; nothing where it is not given."""
+    words, option = called.argument(0), called.argument(2)
+    place = _place(words, option)
+    if place is None or (place >= 0 and not words.has(place + 1)):
+        return Unknown(f"what {option} is")
+    return words[place + 1] if place >= 0 else None
+
+
+def _place(words: Any, option: Any) -> int | None:
+    """Return where an option is among words, -1 where it is not; None where that is unknown."""
+    known = option.known if isinstance(option, Text) else None
+    if not isinstance(words, Words) or not known:
+        return None
+    texts = [one.known if isinstance(one, Text) else None for one in words]
+    if known in texts:
+        return texts.index(known)
+    # The first word is the path of the program.
+    return None if None in texts[1:] or (words.goes_on and known in _FLAGS) else -1
+
+
 @outer("len", quiet=True)
 def count(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     """How many words there are; other lists may have become longer in a way that was not followed."""
     words = called.argument(0)
-    return len(words) if isinstance(words, Words) else Unknown("result of len()")
+    return words.length if isinstance(words, Words) else Unknown("result of len()")
 
 
 @outer("strcmp", "std.strcmp", quiet=True)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.list_slices import is_slice, part_of
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
 from roslens.source.extract.program import (
     Call,
@@ -27,6 +28,7 @@ from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.unknown_lists import item_of
 from roslens.source.extract.vocabulary_streams import HELD, written_to
+from roslens.source.extract.word_list import AtLeast, Words
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -159,11 +161,14 @@ class Expressions:
 
     def item(self, expression: Item) -> Any:
         """Return an item."""
-        of, key = self.value(expression.of), self.value(expression.key)
+        of = self.value(expression.of)
+        if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
+            return part_of(of, expression.key.text)
+        key = self.value(expression.key)
         if isinstance(of, dict):
             return of.get(hashable(key), Unknown(f"an item of {expression_text(expression.of)}"))
         if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
-            return of[key]
+            return of[key] if not isinstance(of, Words) or of.has(key) else Unknown(expression_text(expression))
         inside = item_of(of, key)
         if inside is not None:
             return inside
@@ -227,6 +232,9 @@ class Expressions:
             plain = isinstance(one, str | int | float | bool) and isinstance(other, str | int | float | bool)
             if plain and not any(isinstance(value, Text) and value.known is None for value in values):
                 return (one == other) is (operator == "==")
+        if len(values) == 2 and isinstance(values[0], AtLeast):
+            found = values[0].compared(operator, values[1])
+            return Unknown(expression_text(expression)) if found is None else found
         if len(values) == 2 and operator == "%" and isinstance(values[0], Text):
             return formatted(values[0], values[1] if isinstance(values[1], list) else [values[1]])
         if all(isinstance(value, int | float) for value in values) and len(values) == 2:

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Obj, Unknown, as_text
 from roslens.source.extract.base_templates import bind_bases
-from roslens.source.extract.command_words import Words
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Assign, Function, Member
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, find_class, find_outer
+from roslens.source.extract.word_list import Words
 from roslens.source.extract.workspace_index import Defined, type_arguments, type_name
 
 if TYPE_CHECKING:

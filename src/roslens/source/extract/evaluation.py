@@ -20,7 +20,6 @@ from roslens.source.extract.abstract_value import (
     QosValue,
     Unknown,
 )
-from roslens.source.extract.command_words import Words
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_objects import Objects, overload
 from roslens.source.extract.evaluated_statements import assign, block, initialise
@@ -30,6 +29,7 @@ from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
+from roslens.source.extract.word_list import Words
 from roslens.source.extract.workspace_index import Index, type_name
 
 MOST_STEPS = 60_000

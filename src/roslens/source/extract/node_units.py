@@ -6,7 +6,6 @@ from collections.abc import Callable as Callable1
 from collections.abc import Iterator, Sequence
 
 from roslens.source.extract.abstract_value import Building, Callable, Named, Obj, Unknown
-from roslens.source.extract.command_words import Words
 from roslens.source.extract.evaluated_statements import block
 from roslens.source.extract.evaluation import Evaluation, SpentError
 from roslens.source.extract.evaluation_frame import Frame
@@ -26,6 +25,7 @@ from roslens.source.extract.program import (
     Statement,
 )
 from roslens.source.extract.text import Text
+from roslens.source.extract.word_list import words_given
 from roslens.source.extract.workspace_index import Defined, Index, type_name
 
 Reached = set[tuple[str, int]]
@@ -127,7 +127,8 @@ def facts_of_main(
 
     def run() -> None:
         engine.frame = Frame(path, "")
-        given = [Unknown("argc"), Unknown("argv")] if words is None else [len(words), Words(words)]
+        held = None if words is None else words_given(words)
+        given = [Unknown("argc"), Unknown("argv")] if held is None else [held.length, held]
         engine.call(Callable(main, path), given, {})
         _run_callbacks(engine)
         if len(engine.made) > 1:
@@ -151,7 +152,7 @@ def facts_of_module(
     program = index.programs[path]
     building = _building(function or "<module>", path, 1, generation_of(index, path), "node")
     engine = Evaluation(index, building)
-    engine.words = None if words is None else Words(words)
+    engine.words = None if words is None else words_given(words)
 
     def run() -> None:
         engine.frame = Frame(path, "")

@@ -8,6 +8,7 @@ import msgspec
 
 from roslens.source.extract.abstract_value import Unknown, as_text
 from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.extract.word_list import Words
 
 SAME = frozenset(
     {"c_str", "get", "lock", "value", "str", "data", "as_string", "get_value", "strip", "encode", "decode",
@@ -121,7 +122,7 @@ def _of_list(of: list[Any], name: str, arguments: list[Any]) -> Any:
         of.append(arguments[0])
         return None
     if name in ("size", "length", "empty"):
-        return not of if name == "empty" else len(of)
+        return not of if name == "empty" else of.length if isinstance(of, Words) else len(of)
     if name in ("front", "back") and of:
         return of[0 if name == "front" else -1]
     return Unknown(f"{name} of a list")

@@ -63,6 +63,7 @@ _MODULES = (
     "vocabulary_nodelets",
     "vocabulary_durations",
     "vocabulary_lists",
+    "vocabulary_argparse",
     "vocabulary_shared",
     "vocabulary_transforms",
     "vocabulary_images",

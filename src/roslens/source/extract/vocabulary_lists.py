@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Unknown
-from roslens.source.extract.command_words import Words
 from roslens.source.extract.text import Text
 from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.vocabulary import Called, outer
+from roslens.source.extract.word_list import Words
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -46,7 +46,7 @@ def collected(engine: Evaluation, _thing: Any, called: Called) -> Any:
         return []
     over = called.argument(0)
     if isinstance(over, Words):
-        return Words(over) if called.name in ("list", "tuple") else Unknown(f"result of {called.name}()")
+        return over.part(None, None) if called.name in ("list", "tuple") else Unknown(f"result of {called.name}()")
     items = engine.items(over)
     if items is None:
         listed = isinstance(over, Each) or (isinstance(over, Text) and over.known is None)

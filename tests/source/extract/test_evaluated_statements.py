@@ -16,7 +16,31 @@ def test_what_is_known_is_followed_alone(node_of):
 def test_one_text_or_another(node_of):
     body = 'std::string t = "a";\nif (ask()) { t = "b"; }\n' + PUB.format("t")
     (one,) = node_of(body).endpoints
-    assert (one.name.known, one.name.usual, one.evidence.sure.value) == (None, "a", "likely")
+    assert (one.name.known, one.name.usual, one.evidence.sure.value) == (None, None, "possible")
+    (choice,) = one.name.holes[0].choice
+    assert (choice.condition, str(choice.then), str(choice.otherwise)) == ("ask()", "b", "a")
+
+
+def test_nothing_is_one_of_two_texts(node_of):
+    body = 'std::string t;\nif (ask()) { t = "robot/"; }\n' + PUB.format('t + "scan"')
+    (one,) = node_of(body).endpoints
+    assert str(one.name) == "{robot/ if ask(), else nothing}scan"
+
+
+def test_what_a_parameter_decides_is_kept(node_of):
+    body = 'bool p = declare_parameter("p", true); auto m = declare_parameter<std::string>("m", "x");\n'
+    body += 'std::string t = "a"; if (p && m != "x") { t = "b"; }\n' + PUB.format("t")
+    (one,) = node_of(body).endpoints
+    (test,) = one.name.holes[0].choice[0].test
+    assert (test.kind, [inner.kind for inner in test.tests]) == ("and", ["true", "not"])
+
+
+def test_a_value_that_is_read_or_written(node_of):
+    members = 'std::string which() { if (ask()) { return read(); } return "b"; }'
+    (one,) = node_of(PUB.format("which()"), members).endpoints
+    assert one.name.known is None
+    (one,) = node_of(PUB.format('ask() ? read() : "b"')).endpoints
+    assert one.name.known is None
 
 
 def test_a_function_that_returns_this_or_that(node_of):

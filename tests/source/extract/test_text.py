@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.extract.text import Asked, Choice, Hole, Text, unknown
 
 HOLES = st.builds(Hole, st.sampled_from(["argument", "parameter"]), default=st.none() | st.text(max_size=3))
 PARTS = st.lists(st.text(max_size=3) | HOLES, max_size=6)
@@ -29,3 +29,23 @@ def test_joining_keeps_order_and_is_stable(parts):
     assert text.pattern == "".join(part if isinstance(part, str) else "*" for part in parts)
     assert (text.known is None) == bool(text.holes)
     assert not any(isinstance(a, str) and isinstance(b, str) for a, b in zip(text.parts, text.parts[1:], strict=False))
+
+
+def test_the_name_of_a_node_counts_with_what_is_below_it_only():
+    whole = Hole("full name of the node", default="~")
+    assert Text.of(whole, "/x").usual == "~/x"
+    assert Text.of(whole).usual == "~"
+    assert Text.of(whole, "x").usual is None
+    assert Text.of("x", whole).usual is None
+    assert Text.of("~", Hole("parameter a", "a", "b")).usual == "~b"
+
+
+def test_holes_are_changed_in_choices_too():
+    hole = Hole("a")
+    test = Asked("not", (), (Asked("true", (Text((hole,)),)),))
+    text = Text((Hole("one or the other", choice=(Choice("c", Text((hole,)), Text.of("b"), (test,)),)),))
+    changed = text.mapped(lambda one: Text.of("known") if one == hole else one)
+    (choice,) = changed.holes[0].choice
+    assert (str(choice.then), str(choice.otherwise)) == ("known", "b")
+    assert choice.test[0].opposite.texts == (Text.of("known"),)
+    assert Text.of("a").mapped(lambda one: one) == Text.of("a")

@@ -22,16 +22,17 @@ from roslens.source.extract.node_facts import (
     with_texts,
 )
 from roslens.source.extract.program import Function
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Asked, Hole, Text
 from roslens.source.extract.workspace_index import Defined
 
 MAKER = " that makes it"
 
 
 class Unknown(msgspec.Struct, frozen=True):
-    """A value of which nothing is known but why."""
+    """A value of which nothing is known but why; ``test`` is what decides whether it is true, where that is known."""
 
     reason: str
+    test: Asked | None = None
 
 
 _OF_NODE = re.compile(r"(.* (?:of|above) the node)(?: no\. (\d+))?|(parameter .*?)(?: of node no\. (\d+))?", re.DOTALL)
@@ -85,7 +86,7 @@ class Building(msgspec.Struct, eq=False):
 
     def _seen_from_here(self, text: Text) -> Text:
         """Return a text with holes that this node fills as such, and those of the first one as of another."""
-        return Text(tuple(self._hole(part) if isinstance(part, Hole) else part for part in text.parts))
+        return text.mapped(self._hole)
 
     def _hole(self, hole: Hole) -> Hole:
         found = _OF_NODE.fullmatch(hole.reason)
@@ -175,6 +176,13 @@ class Class(msgspec.Struct, frozen=True, eq=False):
     """A class of the workspace as a value."""
 
     defined: Defined
+
+
+def test_of(value: Any) -> Asked | None:
+    """Return what decides whether a value is true; None where nothing that is known does."""
+    if isinstance(value, Unknown):
+        return value.test
+    return Asked("true", (value,)) if isinstance(value, Text) and value.holes else None
 
 
 def as_text(value: Any) -> Text:

@@ -17,8 +17,9 @@ from roslens.model.configuration import (
 from roslens.model.graph import Endpoint
 from roslens.source.extract.assemble_actions import folded
 from roslens.source.extract.assemble_arguments import CommandLine, command_line, kind_of_value
+from roslens.source.extract.assemble_choices import Alternative, alternatives, chosen_of, doubt
 from roslens.source.extract.assemble_overrides import overridden
-from roslens.source.extract.assemble_parameters import Values, declared_as_set, doubt, parameters_of
+from roslens.source.extract.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.hints import hint_of, hinted
@@ -42,6 +43,7 @@ from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.settings import NodeHint
 
 _IS_SET = " is set"
+_ITSELF = Alternative(Text())
 _SIM_TIME = {"ros2": "use_sim_time", "ros1": "/use_sim_time"}
 
 
@@ -159,9 +161,10 @@ class _Node:
         facts, launched = self.facts, self.given.launched
         named = self.hint.names if self.hint else {}
         endpoints = [
-            self._endpoint(msgspec.structs.replace(one, name=name))
+            self._endpoint(chosen_of(one, chosen, name), told=chosen)
             for one in (_renamed(fact, named) for fact in self._there(facts.endpoints))
-            for name in self.values.each(one.name)
+            for chosen in alternatives(one.name, self.values)
+            for name in self.values.each(chosen.text)
         ]
         if self.hint:
             told = hinted(self.hint, self.given.generation, self.given.hinted_in, self.hint_key)
@@ -214,18 +217,20 @@ class _Node:
             return self.facts.kind
         return self.meant.kind or kind
 
-    def _endpoint(self, fact: EndpointFact, origin: Origin | None = None) -> ConfiguredEndpoint:
+    def _endpoint(
+        self, fact: EndpointFact, origin: Origin | None = None, told: Alternative = _ITSELF
+    ) -> ConfiguredEndpoint:
         filled = self.values.fill(fact.name)
         resolved, by = resolve(filled.text, self.place, self.rules)
         self._note(filled.text, by)
         kind = self.values.fill(fact.type)
         # Doubt about a name is that of its holes; with what launch files set they may be none.
         stated = Sure.CERTAIN if fact.name.holes else fact.evidence.sure
-        sure = doubt(stated, filled.sure, kind.sure if fact.type.holes else Sure.CERTAIN)
+        sure = doubt(stated, told.sure, filled.sure, kind.sure if fact.type.holes else Sure.CERTAIN)
         if resolved.holes or (by is None and any(may_match(one, filled.text, self.place) for one in self.rules)):
             sure = Sure.POSSIBLE
         proof = proof_of(fact.evidence, origin or self.origin)
-        how = "; ".join(filled.how) or ("" if fact.name.holes else proof.how)
+        how = "; ".join(dict.fromkeys((*told.how, *filled.how))) or ("" if fact.name.holes else proof.how)
         proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
         given = str(fact.name)
         if resolved.holes:

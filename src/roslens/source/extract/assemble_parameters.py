@@ -9,11 +9,12 @@ import msgspec
 
 from roslens.model.configuration import ConfiguredParameter, Proof
 from roslens.source.extract.abstract_value import MAKER
+from roslens.source.extract.assemble_choices import decided_by, doubt
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
 from roslens.source.extract.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Choice, Hole, Text
 
 _NAME_OF_NODE = "name of the node"
 _FULL_NAME_OF_NODE = "full name of the node"
@@ -53,6 +54,11 @@ class Values:
                 self.set.pop(name, None)
                 self.set[name] = one
 
+    @property
+    def generation(self) -> str:
+        """``ros1`` or ``ros2``."""
+        return self._place.generation
+
     def key(self, name: Text) -> str:
         """Return a name in the form in which parameters are compared: as it is in ROS 2, resolved in ROS 1."""
         if self._place.generation == "ros2":
@@ -72,7 +78,8 @@ class Values:
     def each(self, text: Text) -> tuple[Text, ...]:
         """Return a text for each element where a parameter in it is a list, with the element in its place."""
         for place, part in enumerate(text.parts):
-            items = self._items(part) if isinstance(part, Hole) and part.parameter else None
+            asked = isinstance(part, Hole) and part.parameter and not part.choice
+            items = self._items(part) if asked and isinstance(part, Hole) else None
             if items is not None and isinstance(part, Hole):
                 none = Hole(f"{part.reason}, which is empty")
                 return tuple(Text.of(*text.parts[:place], one, *text.parts[place + 1 :]) for one in items or [none])
@@ -103,13 +110,13 @@ class Values:
             if isinstance(part, str):
                 parts.append(Text((part,)))
                 continue
-            found, doubt, note = self._of_hole(part)
+            found, less, note = self._of_hole(part)
             if _is_global(found) and len(parts) == 1 and _is_private_space(parts[0]):
                 # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
                 parts.clear()
             parts.append(found)
             how += [note] if note else []
-            sure = max(sure, doubt, key=_DOUBT.__getitem__)
+            sure = doubt(sure, less)
         return Filled(Text.of(*parts), sure, tuple(dict.fromkeys(how)))
 
     def _of_hole(self, hole: Hole) -> tuple[Text, Sure, str]:
@@ -120,6 +127,8 @@ class Values:
             return name, Sure.POSSIBLE if name.holes else Sure.CERTAIN, hole.reason
         if hole.reason in (_NAMESPACE_OF_NODE, _NAMESPACE_ABOVE):
             return self._namespace(hole.reason), Sure.CERTAIN, hole.reason
+        if hole.choice:
+            return self._of_choice(hole, hole.choice[0])
         found = self.value(Text.of(hole.parameter)) if hole.parameter else None
         if found is not None:
             how = f"parameter {hole.parameter}, set in {_place_of(found)}"
@@ -132,6 +141,13 @@ class Values:
             of = f"default of parameter {hole.parameter}" if hole.parameter else f"default of {hole.reason}"
             return self._placed(Text.of(hole.default), hole), Sure.LIKELY, of
         return Text((hole,)), Sure.POSSIBLE, hole.reason
+
+    def _of_choice(self, hole: Hole, choice: Choice) -> tuple[Text, Sure, str]:
+        decided = decided_by(choice, self)
+        if decided.holds is None:
+            return Text((Hole(hole.reason),)), Sure.POSSIBLE, hole.reason
+        filled = self.fill(choice.then if decided.holds else choice.otherwise)
+        return filled.text, doubt(decided.sure, filled.sure), "; ".join(dict.fromkeys((*decided.how, *filled.how)))
 
     def _namespace(self, reason: str) -> Text:
         space = self._place.namespace
@@ -154,7 +170,7 @@ class Values:
         return with_texts(facts, self._made)
 
     def _made(self, text: Text) -> Text:
-        return Text.of(*(self._of_maker(one) if isinstance(one, Hole) else one for one in text.parts))
+        return text.mapped(self._of_maker)
 
     def _of_maker(self, hole: Hole) -> Text | Hole:
         if not hole.reason.endswith(MAKER):
@@ -186,14 +202,6 @@ def _is_global(text: Text) -> bool:
 def _is_private_space(text: Text) -> bool:
     known = text.known or ""
     return known.startswith("~") and known.endswith("/")
-
-
-_DOUBT = {Sure.CERTAIN: 0, Sure.LIKELY: 1, Sure.POSSIBLE: 2}
-
-
-def doubt(*sures: Sure) -> Sure:
-    """Return the least sure of several."""
-    return max(sures, key=_DOUBT.__getitem__, default=Sure.CERTAIN)
 
 
 def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[ConfiguredParameter, ...]:

@@ -85,7 +85,7 @@ def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tupl
 
 
 def _vague(fact: EndpointFact) -> bool:
-    return any(hole.default is None and not hole.parameter for hole in fact.name.holes)
+    return any(hole.default is None and not hole.parameter and not hole.choice for hole in fact.name.holes)
 
 
 def _place(evidence: Evidence) -> tuple[str, int, int]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text
-from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
+from roslens.source.extract.evaluation_frame import Frame, either
 from roslens.source.extract.list_slices import is_slice, part_of
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
 from roslens.source.extract.program import (
@@ -25,7 +25,7 @@ from roslens.source.extract.program import (
     Sequence,
 )
 from roslens.source.extract.program_text import expression_text
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.unknown_lists import item_of
 from roslens.source.extract.vocabulary_streams import HELD, written_to
 from roslens.source.extract.word_list import AtLeast, Words
@@ -183,10 +183,11 @@ class Expressions:
         if operator in ("and", "or"):
             return self._boolean(operator, expression.operands)
         if operator == "?:":
-            holds = engine.truth(self.value(expression.operands[0]))
+            decides = self.value(expression.operands[0])
+            holds = engine.truth(decides)
             if holds is not None:
                 return self.value(expression.operands[1 if holds else 2])
-            return self._either(expression)
+            return self._either(expression, decides)
         if operator == "=":
             value = self.value(expression.operands[1])
             engine.assign(expression.operands[0], value)
@@ -201,30 +202,50 @@ class Expressions:
             return whole
         if operator == "not" and values:
             holds = engine.truth(values[0])
-            return Unknown(expression_text(expression)) if holds is None else not holds
+            return _not(expression, values[0]) if holds is None else not holds
         return self._computed(operator, values, expression)
 
-    def _either(self, expression: Operation) -> Any:
+    def _either(self, expression: Operation, decides: Any) -> Any:
         one, other = self.value(expression.operands[1]), self.value(expression.operands[2])
         if isinstance(one, Text) and isinstance(other, Text):
-            if one == other:
-                return one
-            condition = self.value(expression.operands[0])
-            if (one.known, other.known) == ("true", "false") and isinstance(condition, Text):
-                return condition
-            return Text((Hole(f"one of {one} and {other}", default=other.usual),))
+            if (one.known, other.known) == ("true", "false") and isinstance(decides, Text):
+                return decides
+            return either(one, other, _plain(expression.operands[0]), test_of(decides))
+        texts = isinstance(one, Text | Unknown) and isinstance(other, Text | Unknown)
+        if texts and isinstance(one, Text) is not isinstance(other, Text):
+            return either(as_text(one), as_text(other), _plain(expression.operands[0]), test_of(decides))
         return one if not isinstance(one, Unknown) else other
 
     def _boolean(self, operator: str, operands: tuple[Expression, ...]) -> Any:
+        """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
         engine: Evaluation = self  # type: ignore[assignment]
-        stops = operator == "or"
-        known = True
-        for one in operands:
-            holds = engine.truth(self.value(one))
+        python = engine.index.programs[engine.frame.path].language == "python"
+        stops, whole = operator == "or", Operation(operator, operands)
+        open_: list[Any] = []
+        value: Any = not stops
+        for number, one in enumerate(operands):
+            value = self.value(one)
+            holds = engine.truth(value)
             if holds is stops:
-                return stops
-            known = known and holds is not None
-        return not stops if known else Unknown(expression_text(Operation(operator, operands)))
+                break
+            if holds is None:
+                open_.append(value)
+                if python and stops and number < len(operands) - 1 and isinstance(value, Text):
+                    return self._or_else(value, operands[number:])
+        if not open_:
+            holds = engine.truth(value)
+            return value if python or holds is None else holds
+        if engine.truth(value) is stops:
+            return stops if not python or isinstance(value, bool) else Unknown(expression_text(whole))
+        tests = [test for one in open_ if (test := test_of(one)) is not None]
+        test = tests[0] if len(tests) == 1 else Asked(operator, (), tuple(tests))
+        return Unknown(expression_text(whole), test if len(tests) == len(open_) else None)
+
+    def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Any:
+        """Return a text, or where it is empty what comes after ``or``."""
+        rest = self.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
+        other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
+        return either(value, other, _plain(operands[0]), test_of(value))
 
     def _computed(self, operator: str, values: list[Any], expression: Operation) -> Any:
         if len(values) == 2 and operator in ("==", "!="):
@@ -232,6 +253,7 @@ class Expressions:
             plain = isinstance(one, str | int | float | bool) and isinstance(other, str | int | float | bool)
             if plain and not any(isinstance(value, Text) and value.known is None for value in values):
                 return (one == other) is (operator == "==")
+            return _compared(operator, values, expression)
         if len(values) == 2 and isinstance(values[0], AtLeast):
             found = values[0].compared(operator, values[1])
             return Unknown(expression_text(expression)) if found is None else found
@@ -295,6 +317,26 @@ class Expressions:
         if isinstance(value, list):
             return value
         return list(value) if isinstance(value, dict) else None
+
+
+def _plain(condition: Expression) -> str:
+    """Return a condition as people write it."""
+    written = expression_text(condition).strip("`")
+    return written[1:-1] if written.startswith("(") and written.endswith(")") else written
+
+
+def _not(expression: Operation, value: Any) -> Unknown:
+    test = test_of(value)
+    return Unknown(expression_text(expression), None if test is None else test.opposite)
+
+
+def _compared(operator: str, values: list[Any], expression: Operation) -> Unknown:
+    """Return a comparison that is open, with what decides it where texts are compared."""
+    texts = [as_text(one) for one in values if isinstance(one, Text | str | int | float)]
+    if len(texts) < len(values) or not any(one.holes for one in texts):
+        return Unknown(expression_text(expression))
+    test = Asked("equal", tuple(texts))
+    return Unknown(expression_text(expression), test if operator == "==" else test.opposite)
 
 
 def _comparable(value: Any) -> Any:

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluation_frame import WayOut, Ways
 from roslens.source.extract.program import (
     Assign,
@@ -31,18 +32,12 @@ MOST_COUNTED = 16
 """So many turns of a loop that counts are followed one by one."""
 
 
-def negated(condition: str) -> str:
-    """Return the opposite of a condition as written."""
-    plain = condition.startswith("not ") and " and " not in condition and " or " not in condition
-    return condition.removeprefix("not ") if plain else f"not {condition}"
-
-
 def left(engine: Evaluation, statement: Leave) -> None:
     """Leave a loop, or a turn of it."""
     frame = engine.frame
     if frame.ways is None:
         return
-    frame.ways.out.append(WayOut(tuple(engine.conditions), frame.snapshot(), statement.again))
+    frame.ways.out.append(WayOut(tuple(engine.conditions), frame.ways.turn, frame.snapshot(), statement.again))
     frame.stopped = True
 
 
@@ -59,8 +54,7 @@ def without_ways_out(engine: Evaluation, since: int) -> None:
 def _hold_not(engine: Evaluation, conditions: tuple[str, ...]) -> None:
     if not conditions:
         return
-    joined = " and ".join(conditions)
-    note = negated(joined) if len(conditions) == 1 else f"not ({joined})"
+    note = negated(" and ".join(conditions))
     if note not in engine.conditions:
         engine.conditions.append(note)
         engine.frame.passed += 1
@@ -78,8 +72,8 @@ def looped(engine: Evaluation, statement: Loop) -> None:
         del engine.conditions[depth:]
         frame.stopped = False
     for way in ways.out:
-        if not way.again and len(way.conditions) > depth:
-            frame.join(way.held, " and ".join(way.conditions[depth:]))
+        if not way.again and len(way.conditions) > way.turn:
+            frame.join(way.held, " and ".join(way.conditions[way.turn :]))
 
 
 def _followed(engine: Evaluation, statement: Loop) -> None:
@@ -137,6 +131,7 @@ def _turn(engine: Evaluation, statement: Loop) -> bool:
     if ways is None:
         return False
     here, known = len(engine.conditions), len(ways.out)
+    ways.turn = here
     engine.block(statement.body)
     found = ways.out[known:]
     gone, frame.stopped = frame.stopped, False

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Callable, Obj, Remappings, Unknown, as_text
-from roslens.source.extract.evaluated_loops import left, looped, negated, without_ways_out
+from roslens.source.extract.abstract_value import Callable, Obj, Remappings, Unknown, as_text, test_of
+from roslens.source.extract.condition import negated
+from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import (
@@ -186,12 +187,13 @@ def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
 
 def _returned(engine: Evaluation, statement: Return) -> None:
     value = None if statement.value is None else engine.value(statement.value)
-    engine.frame.give(value, " and ".join(engine.conditions[engine.frame.depth :]))
+    engine.frame.give(value, engine.conditions[engine.frame.depth :])
     engine.frame.plainly = value is None or value is True or (value == 0 and value is not False)
 
 
 def _branched(engine: Evaluation, statement: Branch) -> None:
-    holds = engine.truth(engine.value(statement.condition))
+    decides = engine.value(statement.condition)
+    holds = engine.truth(decides)
     if holds is not None:
         block(engine, statement.then if holds else statement.otherwise)
         return
@@ -200,12 +202,12 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
         written = written[1:-1]
     frame = engine.frame
     before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
+    otherwise = negated(written)
+    frame.know(written, otherwise, test_of(decides))
     if written == "no exception":
         block(engine, statement.then)
-        otherwise = "an exception"
     else:
         _noted(engine, written, statement.then)
-        otherwise = negated(written)
     returned, gone = frame.returned, frame.returned or frame.stopped
     plainly, after = frame.plainly, frame.snapshot()
     frame.restore(before)

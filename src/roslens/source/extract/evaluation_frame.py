@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import msgspec
 
 from roslens.source.extract.abstract_value import Made, Obj, Unknown, as_text
 from roslens.source.extract.plain_methods import is_namespace
-from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.extract.text import Asked, Choice, Hole, Text, unknown
 
 Held = tuple[dict[str, Any], dict[str, Any]]
 """What names and members of the object hold."""
@@ -19,11 +20,13 @@ class WayOut(msgspec.Struct, frozen=True):
 
     Attributes:
         conditions: all that are around it, outermost first.
+        turn: how many of them were around the turn.
         held: what names held there.
         again: whether only the turn is left.
     """
 
     conditions: tuple[str, ...]
+    turn: int
     held: Held
     again: bool
 
@@ -32,13 +35,13 @@ class Ways:
     """The ways out of one loop.
 
     Attributes:
-        depth: conditions around the loop.
+        turn: conditions around the turn that is followed.
         out: those that were found so far.
     """
 
     def __init__(self, depth: int) -> None:
         """Begin a loop with so many conditions around it."""
-        self.depth = depth
+        self.turn = depth
         self.out: list[WayOut] = []
 
 
@@ -58,6 +61,7 @@ class Frame:
         depth: conditions around the call, of which a return in it does not depend.
         passed: how many of the conditions hold because the function was not left before.
         plainly: whether the last return told no failure.
+        tests: what decides the conditions of branches, as written, where that is known.
     """
 
     def __init__(self, path: str, scope: str, self_: Any = None, names: dict[str, Any] | None = None) -> None:
@@ -73,21 +77,44 @@ class Frame:
         self.depth = 0
         self.passed = 0
         self.plainly = False
+        self.tests: dict[str, Asked] = {}
         self._given = ""
+        self._given_test: Asked | None = None
 
-    def give(self, value: Any, condition: str) -> None:
-        """Return a value, under a condition that is open or for sure where that is empty."""
+    def give(self, value: Any, conditions: Sequence[str] = ()) -> None:
+        """Return a value, under conditions that are open or for sure where there are none."""
         self.result = self._or_else(value) if self._given else value
+        condition = " and ".join(conditions)
         self._given = condition or self._given or "always"
+        if condition:
+            self._given_test = self.test_of(conditions)
         self.returned = True
+
+    def know(self, condition: str, otherwise: str, test: Asked | None) -> None:
+        """Remember what decides a condition and its opposite."""
+        if test is not None:
+            self.tests[condition], self.tests[otherwise] = test, test.opposite
+        else:
+            self.tests.pop(condition, None)
+            self.tests.pop(otherwise, None)
+
+    def test_of(self, conditions: Sequence[str]) -> Asked | None:
+        """Return what decides whether all of several conditions hold; None where that is not known of each."""
+        tests = [self.tests[one] for one in conditions if one in self.tests]
+        if not tests or len(tests) < len(conditions):
+            return None
+        return tests[0] if len(tests) == 1 else Asked("and", (), tuple(tests))
 
     def _or_else(self, value: Any) -> Any:
         """Return what is known where a function returns one value or another one."""
         before = self.result
-        if _less(before, value):
+        texts = [unknown(one.reason) if isinstance(one, Unknown) else one for one in (before, value)]
+        one, other = texts
+        if isinstance(one, Text) and isinstance(other, Text):
+            known = isinstance(before, Text) or isinstance(value, Text)
+            return either(one, other, self._given, self._given_test) if known else before
+        if before is None or isinstance(before, Unknown):
             return value
-        if isinstance(before, Text) and isinstance(value, Text) and value != before and value.parts:
-            return _either(before, value, self._given)
         if isinstance(before, bool | int | float) and isinstance(value, bool | int | float) and value != before:
             return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {self._given}")
         return before
@@ -105,19 +132,30 @@ class Frame:
 
     def join(self, other: Held, condition: str) -> None:
         """Let hold what either way of a condition came to, ``other`` being that where it is true."""
-        join(self.names, other[0], condition)
+        test = self.tests.get(condition)
+        join(self.names, other[0], condition, test)
         if isinstance(self.self, Obj):
-            join(self.self.fields, other[1], condition)
+            join(self.self.fields, other[1], condition, test)
+
+
+def join(self, other: Held, condition: str) -> None:
+        """Let hold what either way of a condition came to, ``other`` being that where it is true."""
+        test = self.tests.get(condition)
+        join(self.names, other[0], condition, test)
+        if isinstance(self.self, Obj):
+            join(self.self.fields, other[1], condition, test)
 
 
 def _less(one: Any, other: Any) -> bool:
     """Whether a value says less than another one."""
     if one is None or isinstance(one, Unknown):
         return True
-    return isinstance(one, Text) and isinstance(other, Text) and one.usual is None and other.usual is not None
+    if not isinstance(one, Text) or not isinstance(other, Text) or any(hole.choice for hole in one.holes):
+        return False
+    return one.usual is None and other.usual is not None
 
 
-def join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
+def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Asked | None = None) -> None:
     """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
     for name, value in other.items():
         before = names.get(name)
@@ -128,21 +166,21 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str) -> None:
         elif isinstance(value, Unknown | Text | bool | int | float) and isinstance(
             before, Unknown | Text | bool | int | float
         ):
-            names[name] = _one_of(value, before, condition)
+            names[name] = _one_of(value, before, condition, test)
         elif isinstance(before, Unknown):
             names[name] = value
         elif isinstance(before, Text) and value is not None:
-            names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition)
+            names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
 
 
-def _one_of(value: Any, before: Any, condition: str) -> Any:
+def _one_of(value: Any, before: Any, condition: str, test: Asked | None) -> Any:
     """Return what is known of a value that is one thing where a condition holds, and another one else."""
     if isinstance(value, Text) and isinstance(before, Text):
-        return _either(value, before, condition)
+        return either(value, before, condition, test)
     if isinstance(value, Text) and isinstance(before, Unknown):
-        return _either(value, unknown(before.reason), condition)
+        return either(value, unknown(before.reason), condition, test)
     if isinstance(before, Text) and isinstance(value, Unknown):
-        return _either(unknown(value.reason), before, condition)
+        return either(unknown(value.reason), before, condition, test)
     reasons = [one.reason if isinstance(one, Unknown) else str(as_text(one)) for one in (value, before)]
     return Unknown(f"one of {reasons[0]} and {reasons[1]}, by {condition}"[:200])
 
@@ -181,21 +219,27 @@ def _deciding(text: Text) -> list[str]:
     return [hole.parameter or hole.reason for hole in text.holes]
 
 
-def _either(one: Text, other: Text, condition: str) -> Text:
-    """Return the text that is one or the other; a known one counts for the usual."""
-    if not one.parts:
-        return other
-    if not other.parts:
+def either(one: Text, other: Text, condition: str, test: Asked | None = None) -> Text:
+    """Return the text that is one where a condition holds, and the other one where it does not."""
+    if one == other:
         return one
-    if one.pattern == other.pattern and _deciding(one) == _deciding(other):
-        return min(one, other, key=lambda text: len(str(text)))
-    same = _but_for_slashes(one, other)
-    if same is not None:
-        return same
-    below = _below(one, other, condition) or _below(other, one, condition)
-    if below is not None:
-        return below
-    reason = f"{one} if {condition[:60]}, else {other}"
+    if condition == "no exception" and not (one.parts and other.parts):
+        return one if one.parts else other
+    if one.parts and other.parts:
+        if one.pattern == other.pattern and _deciding(one) == _deciding(other) and not _chooses(one, other):
+            return min(one, other, key=lambda text: len(str(text)))
+        same = _but_for_slashes(one, other)
+        if same is not None:
+            return same
+        below = _below(one, other, condition) or _below(other, one, condition)
+        if below is not None:
+            return below
+    shown = [str(text) if text.parts else "nothing" for text in (one, other)]
+    reason = f"{shown[0]} if {condition[:60]}, else {shown[1]}"
     parameter = next((hole.parameter for hole in (*one.holes, *other.holes) if hole.parameter), "")
-    usual = other.usual if other.usual is not None else one.usual
-    return Text((Hole(reason[:400], parameter, usual),))
+    choice = Choice(condition, one, other, () if test is None else (test,))
+    return Text((Hole(reason[:400], parameter, choice=(choice,)),))
+
+
+def _chooses(*texts: Text) -> bool:
+    return any(hole.choice for text in texts for hole in text.holes)

@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Unknown, as_text
-from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.extract.text import Asked, Hole, Text, unknown
 from roslens.source.extract.word_list import Words
 
 SAME = frozenset(
@@ -65,7 +65,7 @@ def _of_edge(of: Text, name: str) -> Any:
     if name == "empty":
         if any(isinstance(part, str) or is_namespace(part) for part in of.parts):
             return False
-        return Unknown(f"whether {of} is empty") if of.parts else True
+        return Unknown(f"whether {of} is empty", Asked("equal", (of, Text()))) if of.parts else True
     edge = of.parts[0 if name in ("front", "begin") else -1] if of.parts else ""
     if isinstance(edge, str) and edge:
         return Text.of(edge[0 if name == "front" else -1])

@@ -28,7 +28,7 @@ from roslens.source.extract.interface_name import (
 )
 from roslens.source.extract.node_facts import EndpointFact, Evidence, Overrides, ParameterFact, Sure, TimerFact
 from roslens.source.extract.program import Call, Name
-from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.extract.text import Asked, Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, node_of
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
 
@@ -234,6 +234,12 @@ def parameter(
     known = written.known or written.pattern
     usual = text.usual if text is not None else declared_default(node, written)
     return Text((Hole(node.said(f"parameter {written}"), known, usual),))
+
+
+def is_set(value: Text) -> Asked | None:
+    """Return what decides whether a parameter that was read is set; None where that is no question of its name."""
+    hole = value.parts[0] if len(value.parts) == 1 else None
+    return Asked("set", (value,)) if isinstance(hole, Hole) and hole.parameter and "*" not in hole.parameter else None
 
 
 def value_text(value: Any) -> Text:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import msgspec
 
 
@@ -13,12 +15,14 @@ class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole",
         parameter: the parameter that decides it, where one does.
         default: what stands there where nothing is set; None where that is unknown too.
         below: the namespace that a relative name is below, where it is another one than the node's own.
+        choice: the texts of which one stands there; none or one.
     """
 
     reason: str
     parameter: str = ""
     default: str | None = None
     below: str = ""
+    choice: tuple[Choice, ...] = ()
 
 
 class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
@@ -49,7 +53,12 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
     def usual(self) -> str | None:
         """The text with the defaults of its holes, None where one has none."""
         pieces = [part if isinstance(part, str) else part.default for part in self.parts]
-        return None if None in pieces else "".join(piece for piece in pieces if piece is not None)
+        if None in pieces:
+            return None
+        whole = "".join(piece for piece in pieces if piece is not None)
+        # What stands for the name of the node is it with something below only: not in ``~x``, nor in ``x~``.
+        named = [place for place, one in enumerate(self.parts) if isinstance(one, Hole) and one.default == "~"]
+        return None if named and (named != [0] or whole[:2] not in ("~", "~/")) else whole
 
     @property
     def holes(self) -> tuple[Hole, ...]:
@@ -61,6 +70,12 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
         """The text with ``*`` for each hole."""
         return "".join(part if isinstance(part, str) else "*" for part in self.parts)
 
+    def mapped(self, change: Callable[[Hole], Hole | Text]) -> Text:
+        """Return a text with each of its holes changed, those of its choices too."""
+        if not self.holes:
+            return self
+        return Text.of(*(part if isinstance(part, str) else _mapped(part, change) for part in self.parts))
+
     def __bool__(self) -> bool:
         """Whether there is anything in it, known or not."""
         return bool(self.parts)
@@ -68,6 +83,49 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
     def __str__(self) -> str:
         """Write it for people: holes as ``{reason}``."""
         return "".join(part if isinstance(part, str) else f"{{{part.reason}}}" for part in self.parts)
+
+
+class Asked(msgspec.Struct, frozen=True, array_like=True, order=True, tag="asked", gc=False):
+    """A condition that parameters decide.
+
+    Attributes:
+        kind: ``true`` (the text is), ``set`` (the parameter of the text is), ``equal`` (both texts are), ``not``,
+            ``and`` or ``or``.
+        texts: that are asked.
+        tests: that are joined or turned round.
+    """
+
+    kind: str
+    texts: tuple[Text, ...] = ()
+    tests: tuple[Asked, ...] = ()
+
+    @property
+    def opposite(self) -> Asked:
+        """The test that holds where this one does not."""
+        return self.tests[0] if self.kind == "not" else Asked("not", (), (self,))
+
+
+class Choice(msgspec.Struct, frozen=True, array_like=True, order=True, tag="choice", gc=False):
+    """One text where a condition holds, another one else; ``test`` is what decides it, none or one."""
+
+    condition: str
+    then: Text
+    otherwise: Text
+    test: tuple[Asked, ...] = ()
+
+
+def _mapped(hole: Hole, change: Callable[[Hole], Hole | Text]) -> Hole | Text:
+    if not hole.choice:
+        return change(hole)
+    (one,) = hole.choice
+    test = tuple(_mapped_test(each, change) for each in one.test)
+    choice = Choice(one.condition, one.then.mapped(change), one.otherwise.mapped(change), test)
+    return msgspec.structs.replace(hole, choice=(choice,))
+
+
+def _mapped_test(test: Asked, change: Callable[[Hole], Hole | Text]) -> Asked:
+    texts = tuple(one.mapped(change) for one in test.texts)
+    return Asked(test.kind, texts, tuple(_mapped_test(one, change) for one in test.tests))
 
 
 def unknown(reason: str, *, parameter: str = "", default: str | None = None) -> Text:

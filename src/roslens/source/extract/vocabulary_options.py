@@ -166,7 +166,7 @@ def replaced(engine: Evaluation, _thing: Any, called: Called) -> Any:
         if isinstance(one, str):
             parts.append(one.replace(before.known, after.known))
         else:
-            default = None if one.default is None else one.default.replace(before.known, after.known)
+            default = None if one.default in (None, "~") else (one.default or "").replace(before.known, after.known)
             parts.append(Hole(f"{one.reason} with {after.known} for {before.known}", "", default))
     engine.assign(of, Text.of(*parts))
     return None

@@ -9,7 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
 from roslens.source.extract.command_words import given_to_ros
-from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
+from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, method, node_of, outer
 
@@ -192,7 +192,7 @@ def read(engine: Evaluation, thing: Any, called: Called) -> Any:
     value = parameter(engine, thing, called, "read", called.argument(0), default=default, given=default is not None)
     if len(called.written) > 1 and not (called.name == "param" and len(called.arguments) == 2):
         engine.assign(called.written[1], value)
-        return Unknown("whether the parameter is set")
+        return Unknown("whether the parameter is set", is_set(value))
     return value
 
 
@@ -220,7 +220,26 @@ def search(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return Unknown("whether the parameter is found")
 
 
-@method("handle", "hasParam", "deleteParam", "ok", "shutdown", quiet=True)
+@method("handle", "hasParam", quiet=True)
+def has(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """Whether a parameter is set."""
+    return _has(engine, thing, called)
+
+
+@outer("ros.param.has", "rospy.has_param", quiet=True)
+def has_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Whether a parameter is set, by its name."""
+    return _has(engine, Handle(engine.node), called)
+
+
+def _has(engine: Evaluation, thing: Any, called: Called) -> Unknown:
+    name = below(thing, as_text(called.argument(0)))
+    known = name.known or name.pattern
+    test = is_set(Text((Hole(f"parameter {name}", known),))) if node_of(engine, thing) is engine.node else None
+    return Unknown(f"whether the parameter {name} is set", test)
+
+
+@method("handle", "deleteParam", "ok", "shutdown", quiet=True)
 def ask(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     """Something is asked that only a run can answer."""
     return Unknown(f"result of {called.name}()")
@@ -244,9 +263,10 @@ def own_name(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
 
 
 @outer("ros.this_node.getNamespace", "rospy.get_namespace")
-def own_namespace(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
-    """The namespace of the node."""
-    return Text((Hole("namespace of the node", default="/"),))
+def own_namespace(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The namespace of the node; that of rospy ends with ``/``."""
+    space = Hole("namespace of the node", default="/")
+    return Text.of(space, "/") if called.name.startswith("rospy") else Text((space,))
 
 
 @outer("ros.names.resolve", "rospy.resolve_name", "ros.names.remap")

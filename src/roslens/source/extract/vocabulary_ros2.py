@@ -17,7 +17,7 @@ from roslens.source.extract.abstract_value import (
     as_text,
 )
 from roslens.source.extract.plain_methods import is_namespace
-from roslens.source.extract.record import endpoint, parameter, timer, type_of_callback
+from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.vocabulary_options import given_options, take_options
@@ -266,7 +266,7 @@ def read(engine: Evaluation, thing: Any, called: Called) -> Any:
     )
     if len(called.written) > 1 and called.name in ("get_parameter", "get_parameter_or"):
         engine.assign(called.written[1], value)
-        return Unknown("whether the parameter is set")
+        return Unknown("whether the parameter is set", is_set(value))
     return value
 
 

@@ -39,7 +39,7 @@ class Line:
 
 
 def source(line):
-    return ChildSource(None, steady=float, downlink=line)
+    return ChildSource("ros2", None, steady=float, downlink=line)
 
 
 def options(**given):

@@ -130,6 +130,7 @@ def _of_what_runs(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]
 def _watched(options: argparse.Namespace) -> DraftSession:
     import contextlib
 
+    from roslens.cli.stretch import Stretch
     from roslens.cli.until_stopped import when_stopped
     from roslens.cli.watch_live import length_of, sources_of
     from roslens.live.draft_session import DraftSession
@@ -138,9 +139,8 @@ def _watched(options: argparse.Namespace) -> DraftSession:
     length = length_of(options.live, "--live")
     session = DraftSession(start=time.time())
     with contextlib.ExitStack() as stack:
-        ended, begun = when_stopped(stack), time.monotonic()
+        stretch = Stretch(session, length, when_stopped(stack))
         sources = sources_of(options)
         print(f"roslens: watching for {length:g} s; Ctrl-C drafts from what was seen until then", file=sys.stderr)
-        over = lambda _: bool(ended) or time.monotonic() - begun >= length  # noqa: E731
-        run(session, sources, wall=time.time, stopped=over, told=lambda _: None)
+        run(session, sources, wall=time.time, stopped=stretch.over, told=lambda _: None)
     return session

@@ -17,19 +17,19 @@ import msgspec
 
 from roslens.cli.about_nothing import about_nothing, kinds_of
 from roslens.cli.graph_file import write_graph
+from roslens.cli.stretch import Stretch, blind, never_saw
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_publish import publish_through, unpublished, wanted
 from roslens.cli.watch_screen import screen, time_of_day
 from roslens.live.reported_levels import is_reported
-from roslens.live.session import Session, Source, run
+from roslens.live.session import Session, Source, Step, run
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 
 if TYPE_CHECKING:
     from roslens.cli.watch_reload import ReferenceFiles
     from roslens.live.child_source import Publishes
-    from roslens.live.session import Step
     from roslens.store.history import History
 
 _REDRAW_S = 1.0
@@ -74,8 +74,8 @@ def _watched(
             page, shown = page_beside(stack, session, platform.node(), address_of(options.serve), time_of_day)
             sinks.append(shown)
         on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None
-        sinks.append(stack.enter_context(_screen(teller, session, page)) if on_screen else teller.tell)
-        begun, ended = time.monotonic(), when_stopped(stack)
+        sinks.append(stack.enter_context(_screen(teller, session, sources, page)) if on_screen else teller.tell)
+        stretch = Stretch(session, length, when_stopped(stack))
         last = time.time()
 
         def told(step: Step) -> None:
@@ -87,10 +87,8 @@ def _watched(
             for sink in sinks:
                 sink(step)
 
-        def stopped(_: float) -> bool:
-            return bool(ended) or (length is not None and time.monotonic() - begun >= length)
-
-        run(session, sources, wall=time.time, stopped=stopped, told=told)
+        run(session, sources, wall=time.time, stopped=stretch.over, told=told)
+        teller.tell(Step(last, failures=never_saw(sources, stretch.passed)))
     for text in teller.said if on_screen else ():
         # The screen that showed it is gone.
         print(f"roslens: {text}", file=sys.stderr)
@@ -98,7 +96,7 @@ def _watched(
     missed = about_nothing(session, files.reference, last, kinds_of(session))
     if options.graph_out is not None:
         write_graph(session.graph(), options.graph_out)
-    teller.end(session, last, f"after {time.monotonic() - begun:.0f} s:", missed)
+    teller.end(session, last, f"after {stretch.passed:.0f} s:", missed)
     return teller.code(states, nothing_seen=not session.records)
 
 
@@ -272,7 +270,9 @@ def _serve(
 
 
 @contextlib.contextmanager
-def _screen(teller: Teller, session: Session, page: str | None) -> Iterator[Callable[[Step], None]]:
+def _screen(
+    teller: Teller, session: Session, sources: Sequence[Source], page: str | None
+) -> Iterator[Callable[[Step], None]]:
     """Take the terminal for a table that is drawn again every second; it is given back at the end."""
     begun, cpu = time.monotonic(), time.process_time()
     drawn = 0.0
@@ -289,7 +289,9 @@ def _screen(teller: Teller, session: Session, page: str | None) -> Iterator[Call
             return
         drawn = passed
         share = 100 * (time.process_time() - cpu) / max(passed, 0.001)
-        title = f"roslens watch  {passed:.0f} s, costs {share:.1f} % of a core{f'  {page}' if page else ''}"
+        if waited := "" if session.begun else ", ".join(blind(sources)):
+            waited = f", waiting for the observer of {waited}"
+        title = f"roslens watch  {passed:.0f} s, costs {share:.1f} % of a core{waited}{f'  {page}' if page else ''}"
         height = shutil.get_terminal_size((100, 24)).lines
         lines = screen(
             teller.terminal,

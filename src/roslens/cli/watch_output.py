@@ -127,7 +127,8 @@ class Teller:
 
     def _sum(self, session: Session) -> str:
         if not session.monitor.standing():
-            return "Nothing was judged. `roslens reference draft --bag FILE` drafts what to hold it against."
+            source = "--bag FILE" if self._options.bag else "--live 60s"
+            return f"Nothing was judged. `roslens reference draft {source}` drafts what to hold it against."
         if not self._alarms:
             return "Nothing was wrong."
         times = "once" if self._alarms == 1 else f"{self._alarms} times"

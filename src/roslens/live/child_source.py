@@ -30,12 +30,16 @@ class ChildSource:
     """A process that observes, asked for its frames.
 
     Attributes:
+        tool: which one it is, for messages.
         seeing: whether it has told who is there, or that it cannot.
     """
 
-    def __init__(self, child: Child, *, steady: Callable[[], float], downlink: Downlink | None = None) -> None:
+    def __init__(
+        self, tool: str, child: Child, *, steady: Callable[[], float], downlink: Downlink | None = None
+    ) -> None:
         """Read ``child``; ``steady`` is a clock that never jumps, ``downlink`` leads to the child."""
         self.downlink = downlink
+        self.tool = tool
         self.seeing = False
         self._child = child
         self._steady = steady
@@ -93,7 +97,7 @@ def _source(
     publishes: Publishes | None,
 ) -> ChildSource:  # fmt: skip
     downlink = Downlink() if publishes is not None else None
-    return ChildSource(Child(name, command, environment, downlink), steady=steady, downlink=downlink)
+    return ChildSource(name, Child(name, command, environment, downlink), steady=steady, downlink=downlink)
 
 
 def _published(publishes: Publishes | None) -> list[str]:

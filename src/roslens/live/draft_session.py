@@ -43,7 +43,7 @@ class DraftSession(Session):
     def look(self, now: float) -> Step:
         """Note what is there, and return what is new."""
         step = super().look(now)
-        if now >= self._next and self.monitor.world.graph is not None:
+        if self.begun and now >= self._next and self.monitor.world.graph is not None:
             self._next = now + LOOK_S
             self._first = now if self._first is None else self._first
             self.looked = now - self._first

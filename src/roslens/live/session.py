@@ -85,7 +85,11 @@ class Step(msgspec.Struct, frozen=True):
 
 
 class Session:
-    """Joins what observers tell, and rates it."""
+    """Joins what observers tell, and rates it.
+
+    Attributes:
+        begun: whether all observers see, so that who is not there is absent; :func:`run` finds out.
+    """
 
     def __init__(self, reference: Reference, *, start: float) -> None:
         """Watch from ``start`` on.
@@ -95,6 +99,7 @@ class Session:
         """
         self.monitor = Monitor(reference, start=start)
         self.records = 0
+        self.begun = True
         self._processes = NodeProcesses()
         self._graphs = GraphUnion()
         self._seen = Seen()
@@ -131,16 +136,14 @@ class Session:
         """Take which host has which address."""
         self._graph_changed |= self._graphs.places.know(hosts)
 
-    def wait_for(self, beginners: Sequence[Beginner], now: float) -> bool:
-        """Let grace of what nobody saw yet count from when all of these see; return whether they do.
+    def wait_for(self, beginners: Sequence[Beginner], now: float) -> None:
+        """Let grace of what nobody saw yet count from when all of these see.
 
         A process that observes takes a second to start, and five on a busy machine: what it has not told by then was
         not looked for.
         """
-        if not beginners:
-            return True
         self.monitor.begin(now)
-        return now - self._start > BEGIN_S or all(one.seeing for one in beginners)
+        self.begun = now - self._start > BEGIN_S or all(one.seeing for one in beginners)
 
     def take(self, came: Iterable[Frame | Failure]) -> None:
         """Take what observers tell."""
@@ -277,7 +280,8 @@ def run(
     watchers = [cast("ProcessWatcher", source) for source in sources if hasattr(source, "name")]
     finders = [cast("HostFinder", source) for source in sources if hasattr(source, "hosts")]
     beginners = [cast("Beginner", source) for source in sources if hasattr(source, "seeing")]
-    waiting, begun = Waiting(sources, longest_wait_s), False
+    waiting = Waiting(sources, longest_wait_s)
+    session.begun = not beginners
     try:
         while not stopped(wall()):
             share = waiting.wait()
@@ -286,7 +290,8 @@ def run(
             for finder in finders:
                 session.know_hosts(finder.hosts())
             session.name_processes(watchers)
-            begun = begun or session.wait_for(beginners, wall())
+            if not session.begun:
+                session.wait_for(beginners, wall())
             told(session.look(wall()))
     finally:
         for source in sources:

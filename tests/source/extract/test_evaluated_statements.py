@@ -127,7 +127,7 @@ def test_a_base_is_meant_by_its_name_whatever_else_is_named_like_it(units):
     tree = "namespace tree { struct Node { Node(const char * key); }; }\n"
     text = (
         "#include <rclcpp/rclcpp.hpp>\n"
-        'class A : public rclcpp::Node { public: A() : Node("named") { create_publisher<std_msgs::msg::String>("a", 1); }'
-        " };"
+        'class A : public rclcpp::Node { public: A() : Node("named") {'
+        ' create_publisher<std_msgs::msg::String>("a", 1); } };'
     )
     assert [one.name.known for one in units(a_cpp=text, tree_hpp=tree)] == ["named"]

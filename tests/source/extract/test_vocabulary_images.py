@@ -75,3 +75,13 @@ def test_a_relative_name_that_a_parameter_decides_is_below_the_namespace(node_of
     )
     ((hole,),) = (one.name.parts for one in node_of(body).endpoints)
     assert (hole.parameter, hole.below) == ("of", "namespace of the node")
+
+
+def test_what_is_known_of_a_camera_is_set_by_a_service(node_of, main_of):
+    kind = "camera_info_manager::CameraInfoManager"
+    (one,) = node_of(f'info_ = std::make_shared<{kind}>(this, "camera", "");').endpoints
+    assert (one.name.usual, one.name.known, one.evidence.sure.value) == ("~/set_camera_info", None, "likely")
+    (one,) = node_of(f'info_ = std::make_shared<{kind}>(this, "camera", "", "left");').endpoints
+    assert (one.name.known, one.type.known) == ("left/set_camera_info", "sensor_msgs/srv/SetCameraInfo")
+    (one,) = main_of(f'ros::NodeHandle camera("left"); {kind} info(camera, "name", "");').endpoints
+    assert (one.name.known, one.type.known) == ("left/set_camera_info", "sensor_msgs/SetCameraInfo")

@@ -141,3 +141,27 @@ def test_callbacks_of_a_publisher_tell_no_type(main_of):
     before = "void joined(const ros::SingleSubscriberPublisher & p) {}\n"
     body = 'ros::AdvertiseOptions o("a", 1, sum, type, text, joined); auto p = nh.advertise(o);'
     assert [(str(one.name), one.type.known) for one in main_of(body, before).endpoints] == [("a", None)]
+
+
+def test_what_is_subscribed_to_only_while_somebody_listens(main_of):
+    lazy = """
+class Lazy {
+  ros::NodeHandle nh_; ros::Publisher pub_; ros::Subscriber sub_;
+public:
+  Lazy() {
+    ros::SubscriberStatusCallback visit = boost::bind(&Lazy::visited, this);
+    pub_ = nh_.advertise<std_msgs::String>("out", 1, visit, visit);
+  }
+  void visited() {
+    if (pub_.getNumSubscribers() == 0) { sub_.shutdown(); }
+    else if (!sub_) { sub_ = nh_.subscribe("in", 1, &Lazy::heard, this); }
+  }
+  void heard(const std_msgs::StringConstPtr & message) { pub_.publish(message); }
+};
+"""
+    facts = main_of("Lazy lazy;", lazy)
+    assert [(one.name.known, one.type.known) for one in facts.endpoints] == [
+        ("out", "std_msgs/String"),
+        ("in", "std_msgs/String"),
+    ]
+    assert facts.endpoints[1].conditions[0] == "somebody subscribes"

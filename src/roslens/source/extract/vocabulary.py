@@ -67,6 +67,7 @@ _MODULES = (
     "vocabulary_shared",
     "vocabulary_transforms",
     "vocabulary_images",
+    "vocabulary_markers",
     "vocabulary_trees",
     "command_words",
 )

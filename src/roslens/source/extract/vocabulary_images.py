@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Callable, Handle, Obj, Unknown
 from roslens.source.extract.record import endpoint
-from roslens.source.extract.text import Text
-from roslens.source.extract.vocabulary import Called, method, outer
-from roslens.source.extract.vocabulary_shared import handle_of
+from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.vocabulary_shared import follow_visitors, handle_of
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -33,6 +33,7 @@ def image_publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A publisher of images, and with a camera of what is known of it."""
     handle, queue = _handle(thing, engine), called.argument(1)
     size = queue if isinstance(queue, int) else -1
+    follow_visitors(engine, called, 2)
     made = endpoint(engine, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
     if called.name.endswith("Camera"):
         endpoint(engine, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
@@ -61,6 +62,23 @@ def camera(engine: Evaluation, _thing: Any, called: Called) -> Any:
     made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
     endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
     return made
+
+
+@outer("camera_info_manager.CameraInfoManager")
+def camera_manager(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """What keeps what is known of a camera: it is set by a service.
+
+    Where that is follows the handle in ROS 1. In ROS 2 it is below a namespace, which is that of the node in releases
+    before there was an argument for it (camera_info_manager.cpp of the package ``camera_info_manager``).
+    """
+    handle = handle_of(engine, called)
+    name = Text.of("set_camera_info")
+    if node_of(engine, handle).generation == "ros2":
+        texts = [one for one in called.arguments if isinstance(one, Text)]
+        release = Hole("release of camera_info_manager", default="~")
+        name = Text.of(texts[2] if len(texts) > 2 else release, "/", name)
+    endpoint(engine, handle, called, Role.SERVICE_SERVER, name, "sensor_msgs::srv::SetCameraInfo")
+    return Obj("camera_info_manager.CameraInfoManager")
 
 
 @outer("image_transport.getCameraInfoTopic")

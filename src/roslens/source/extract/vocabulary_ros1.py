@@ -12,6 +12,7 @@ from roslens.source.extract.command_words import given_to_ros
 from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, method, node_of, outer
+from roslens.source.extract.vocabulary_shared import follow_visitors
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -111,6 +112,7 @@ def advertise(engine: Evaluation, thing: Any, called: Called) -> Any:
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(engine, thing, called, Role.PUBLISHER, options)
     latched = called.argument(2) is True or called.argument(4) is True
+    follow_visitors(engine, called, 2)
     return endpoint(
         engine, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=_queue(called.argument(1)),
         latched=latched,

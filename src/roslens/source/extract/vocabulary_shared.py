@@ -29,6 +29,12 @@ def handle_of(engine: Evaluation, called: Called) -> Any:
     return Handle(engine.node)
 
 
+def follow_visitors(engine: Evaluation, called: Called, first: int) -> None:
+    """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
+    for one in called.arguments[first:]:
+        engine.called_outer(one, "somebody subscribes" if isinstance(one, Callable) else "")
+
+
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
 def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A listener to transforms."""

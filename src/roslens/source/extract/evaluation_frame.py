@@ -138,23 +138,6 @@ class Frame:
             join(self.self.fields, other[1], condition, test)
 
 
-def join(self, other: Held, condition: str) -> None:
-        """Let hold what either way of a condition came to, ``other`` being that where it is true."""
-        test = self.tests.get(condition)
-        join(self.names, other[0], condition, test)
-        if isinstance(self.self, Obj):
-            join(self.self.fields, other[1], condition, test)
-
-
-def _less(one: Any, other: Any) -> bool:
-    """Whether a value says less than another one."""
-    if one is None or isinstance(one, Unknown):
-        return True
-    if not isinstance(one, Text) or not isinstance(other, Text) or any(hole.choice for hole in one.holes):
-        return False
-    return one.usual is None and other.usual is not None
-
-
 def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Asked | None = None) -> None:
     """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
     for name, value in other.items():

@@ -20,6 +20,7 @@ from roslens.source.extract.parameter_file import ros1_parameters, type_of_text
 from roslens.source.extract.resolve_name import absolute
 from roslens.source.extract.ros1_nodelet import as_nodelet
 from roslens.source.extract.ros1_substitution import Scope, SubstitutionError, UnknownInsideError, substitute, truth
+from roslens.source.extract.ros_controllers import with_controllers
 from roslens.source.extract.text import Text, unknown
 from roslens.source.workspace.elements import Document, Element, read_elements
 
@@ -58,7 +59,7 @@ def evaluate_ros1(
         "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
         tuple(whole.unresolved),
     )  # fmt: skip
-    return with_plugins(launch, files, environment or {})
+    return with_controllers(with_plugins(launch, files, environment or {}), files)
 
 
 class _Whole:

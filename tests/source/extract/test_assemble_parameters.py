@@ -156,3 +156,21 @@ def test_parameters_that_a_list_names():
     facts = (ParameterFact(Text.of(Hole("each of parameter names", "names", "[a, b]"), ".rate"), CODE, "declared"),)
     assert [one.name for one in parameters_of(facts, Values(ROS2, ()))] == ["a.rate", "b.rate"]
     assert [one.name for one in parameters_of(facts, Values(ROS2, (setting("names", "[c]"),)))] == ["c.rate", "names"]
+
+
+def test_topics_that_parameters_tell_which_a_list_names():
+    name = Text.of(Hole("each of parameter names", "names", among="[a, b]"), ".topic")
+    topic = Text.of(Hole(f"parameter {name}", "*.topic", named=(name,)))
+    values = Values(ROS2, (setting("a.topic", "/scan"), setting("names", "[a]")))
+    assert names_of(values, topic) == [("/scan", Sure.CERTAIN)]
+    assert names_of(Values(ROS2, (setting("b.topic", "/odom"),)), topic) == [
+        ("*", Sure.POSSIBLE),
+        ("/odom", Sure.CERTAIN),
+    ]
+
+
+def test_defaults_of_parameters_that_a_list_names():
+    item = Hole("each of parameter names", "names", among="[a, b]")
+    fact = ParameterFact(Text.of(item, ".topic"), CODE, "declared", "string", Text.of(item, "/scan"))
+    found = parameters_of((fact,), Values(ROS2, ()))
+    assert [(one.name, one.default) for one in found] == [("a.topic", "a/scan"), ("b.topic", "b/scan")]

@@ -8,14 +8,14 @@ def listed(default=None):
 
 
 def test_what_decides_a_list_decides_each_item():
-    assert each_of(listed("[a, b]")) == Text((Hole("each of parameter names", "names", "[a, b]"),))
-    assert each_of(listed("a")).holes[0].default is None
+    assert each_of(listed("[a, b]")) == Text((Hole("each of parameter names", "names", among="[a, b]"),))
+    assert each_of(listed("a")).holes[0].among == ""
     assert each_of(Each(3)) == 3
     assert each_of(Unknown("what is read")) == Unknown("each of what is read")
 
 
 def test_an_item_at_a_place():
-    assert item_of(listed("[a, b]"), 1) == Text((Hole("item 1 of parameter names", "names", "[a, b]"),))
+    assert item_of(listed("[a, b]"), 1) == Text((Hole("item 1 of parameter names", "names", "b"),))
     assert item_of(listed("[a, b]"), Unknown("i")) == each_of(listed("[a, b]"))
     assert item_of(Each(Text.of("x")), 4) == Text.of("x")
 

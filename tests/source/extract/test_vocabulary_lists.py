@@ -66,3 +66,55 @@ def test_an_item_of_a_list_that_is_a_parameter(units):
 def test_a_list_that_is_filled(units):
     lines = ("names = list()", "names.append('x')", "for n in names:", "    self.create_publisher(String, n, 1)")
     assert names_of(units, *lines) == ["x"]
+
+
+def test_parameters_that_a_list_names(units):
+    text = """
+from rclpy.node import Node
+from std_msgs.msg import String
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+        for name in self.declare_parameter('p', ['x', 'y']).value:
+            self.declare_parameter(name + '.topic', f'/{name}/scan')
+            self.create_publisher(String, self.get_parameter(name + '.topic').value, 1)
+"""
+    (facts,) = units(a_py=text)
+    (hole,) = facts.endpoints[0].name.holes
+    assert (hole.reason, hole.parameter, hole.default) == ("parameter {each of parameter p}.topic", "*.topic", None)
+    assert [str(one) for one in hole.named] == ["{each of parameter p}.topic", "/{each of parameter p}/scan"]
+
+
+def test_parameters_that_a_list_names_in_cpp(node_of):
+    body = """auto names = declare_parameter("p", std::vector<std::string>{"x", "y"});
+    for (const auto & name : names) {
+      declare_parameter(name + ".topic", "/scan");
+      pub_ = create_publisher<std_msgs::msg::String>(get_parameter(name + ".topic").as_string(), 1);
+    }"""
+    (hole,) = node_of(body).endpoints[0].name.holes
+    assert (hole.parameter, hole.default, [str(one) for one in hole.named][:1]) == (
+        "*.topic", "/scan", ["{each of parameter p}.topic"],
+    )  # fmt: skip
+    assert hole.named[0].holes[0].among == "[x, y]"
+
+
+def test_a_list_of_another_node_is_none_of_this_one(units):
+    text = """
+import rclpy
+from std_msgs.msg import String
+def main():
+    one = rclpy.create_node('one')
+    two = rclpy.create_node('two')
+    for name in one.declare_parameter('p', ['x']).value:
+        two.create_publisher(String, name, 1)
+    for name in two.declare_parameter('q', ['y']).value:
+        two.create_publisher(String, name, 1)
+        one.create_publisher(String, name, 1)
+if __name__ == '__main__':
+    main()
+"""
+    one, two = (facts for facts in units(a_py=text) if facts.unit == "<module>")
+    assert [(hole.reason, hole.parameter) for end in two.endpoints for hole in end.name.holes] == [
+        ("each of parameter p", ""), ("each of parameter q", "q"),
+    ]  # fmt: skip
+    assert [str(end.name) for end in one.endpoints] == ["{each of parameter q of node no. 1}"]

@@ -26,6 +26,7 @@ from roslens.source.extract.text import Asked, Hole, Text
 from roslens.source.extract.workspace_index import Defined
 
 MAKER = " that makes it"
+_OF_LIST = ("each of ", "item ")
 
 
 class Unknown(msgspec.Struct, frozen=True):
@@ -89,6 +90,11 @@ class Building(msgspec.Struct, eq=False):
         return text.mapped(self._hole)
 
     def _hole(self, hole: Hole) -> Hole:
+        if hole.reason.startswith(_OF_LIST):
+            own = f" of node no. {self.number}"
+            return msgspec.structs.replace(
+                hole, reason=hole.reason.removesuffix(own), parameter=hole.parameter * hole.reason.endswith(own)
+            )
         found = _OF_NODE.fullmatch(hole.reason)
         if found is None or hole.reason.endswith(MAKER):
             return hole

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 import msgspec
@@ -10,6 +9,7 @@ import msgspec
 from roslens.model.configuration import ConfiguredParameter, Proof
 from roslens.source.extract.abstract_value import MAKER
 from roslens.source.extract.assemble_choices import decided_by, doubt
+from roslens.source.extract.assemble_lists import each_of, items_among
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
@@ -21,9 +21,6 @@ _FULL_NAME_OF_NODE = "full name of the node"
 _NAMESPACE_OF_NODE = "namespace of the node"
 _NAMESPACE_ABOVE = "namespace above the node"
 _MOST_ITEMS = 100
-_WHOLE = re.compile(r"(?:each of |item -?\d+ of )?(?!each of |item -?\d|.*\{)")
-"""A list, each of its items or one of them; of anything else that is made of a list nobody knows what it is."""
-_ITEM = re.compile(r"item (-?\d+) of ")
 _ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
 
 
@@ -77,28 +74,19 @@ class Values:
 
     def each(self, text: Text) -> tuple[Text, ...]:
         """Return a text for each element where a parameter in it is a list, with the element in its place."""
-        for place, part in enumerate(text.parts):
-            asked = isinstance(part, Hole) and part.parameter and not part.choice
-            items = self._items(part) if asked and isinstance(part, Hole) else None
-            if items is not None and isinstance(part, Hole):
-                none = Hole(f"{part.reason}, which is empty")
-                return tuple(Text.of(*text.parts[:place], one, *text.parts[place + 1 :]) for one in items or [none])
-        return (text,)
+        return tuple(one for (one,) in each_of((text,), self.items_of))
 
-    def _items(self, hole: Hole) -> list[str | Hole] | None:
+    def items_of(self, hole: Hole) -> list[str | Hole] | None:
         """Return the elements of a list that a parameter is; None where it is none."""
-        found = self.value(Text.of(hole.parameter))
-        value = hole.default if found is None else found.value.known
-        if value is None or not (value.startswith("[") and value.endswith("]")) or not _WHOLE.match(hole.reason):
+        if not hole.parameter or hole.choice:
             return None
-        names = _listed(value)[:_MOST_ITEMS]
-        one_of_them = _ITEM.match(hole.reason)
-        if one_of_them is not None:
-            place = int(one_of_them[1])
-            names = names[place : place + 1 or None] if -len(names) <= place < len(names) else []
+        found = self.value(Text.of(hole.parameter))
+        names = items_among(hole, None if found is None else found.value)
+        if names is None:
+            return None
         where = f"default of {hole.reason}" if found is None else f"{hole.reason}, set in {_place_of(found)}"
         # A hole that its value fills keeps the doubt of a default.
-        return [Hole(where, default=one) if found is None else one for one in names if one]
+        return [Hole(where, default=one) if found is None else one for one in names[:_MOST_ITEMS]]
 
     def fill(self, text: Text) -> Filled:
         """Return a text with the values of parameters, else their defaults, in place of holes."""
@@ -190,10 +178,6 @@ class Values:
         return (value or "").lower() in ("true", "1", "yes", "on")
 
 
-def _listed(value: str) -> list[str]:
-    return [one.strip().strip("\"'") for one in value[1:-1].split(",")]
-
-
 def _is_global(text: Text) -> bool:
     first = text.parts[0] if text.parts else ""
     return isinstance(first, str) and first.startswith("/")
@@ -207,8 +191,8 @@ def _is_private_space(text: Text) -> bool:
 def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[ConfiguredParameter, ...]:
     """Return the parameters that code knows with what sets them, then those that are set although no code is known."""
     found: dict[str, ConfiguredParameter] = {}
-    each = [msgspec.structs.replace(one, name=name) for one in facts for name in values.each(one.name)]
-    for fact in sorted(each, key=lambda one: (_ACCESS.get(one.access, 3), one.evidence)):
+    every = [one for fact in facts for one in _each(fact, values)]
+    for fact in sorted(every, key=lambda one: (_ACCESS.get(one.access, 3), one.evidence)):
         filled = values.fill(fact.name)
         name = values.key(filled.text)
         known = found.get(name)
@@ -228,6 +212,13 @@ def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[Confi
         if name not in found:
             found[name] = _with(ConfiguredParameter(name, None, setting.type), setting)
     return tuple(found[name] for name in sorted(found))
+
+
+def _each(fact: ParameterFact, values: Values) -> Iterator[ParameterFact]:
+    """Yield a parameter for each element of a list that its name has a part of."""
+    texts = (fact.name,) if fact.default is None else (fact.name, fact.default)
+    for name, *default in each_of(texts, values.items_of) if fact.name.holes else (texts,):
+        yield msgspec.structs.replace(fact, name=name, default=default[0] if default else None)
 
 
 def declared_as_set(parameters: Iterable[ConfiguredParameter], proof: Proof) -> tuple[ConfiguredParameter, ...]:

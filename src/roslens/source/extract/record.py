@@ -232,8 +232,10 @@ def parameter(
     if fact not in node.parameters:
         node.parameters.append(fact)
     known = written.known or written.pattern
-    usual = text.usual if text is not None else declared_default(node, written)
-    return Text((Hole(node.said(f"parameter {written}"), known, usual),))
+    stated = text if text is not None else declared_default(node, written)
+    usual = None if stated is None else stated.usual
+    named = (written, *(() if stated is None else (stated,))) if written.holes else ()
+    return Text((Hole(node.said(f"parameter {written}"), known, usual, named=named),))
 
 
 def is_set(value: Text) -> Asked | None:
@@ -252,11 +254,11 @@ def value_text(value: Any) -> Text:
     return Text.of("[", ", ".join(one.known or "''" for one in items), "]")
 
 
-def declared_default(node: Building, name: Text) -> str | None:
+def declared_default(node: Building, name: Text) -> Text | None:
     """Return the default that a node declared for a parameter before."""
     for one in node.parameters:
         if one.name == name and one.default is not None:
-            return one.default.usual
+            return one.default
     return None
 
 

@@ -16,6 +16,8 @@ class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole",
         default: what stands there where nothing is set; None where that is unknown too.
         below: the namespace that a relative name is below, where it is another one than the node's own.
         choice: the texts of which one stands there; none or one.
+        among: the items of which it is one where nothing is set, as a list of YAML in one line; empty where unknown.
+        named: the name of the parameter where a part of that is unknown too, and its default where it has one.
     """
 
     reason: str
@@ -23,6 +25,8 @@ class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole",
     default: str | None = None
     below: str = ""
     choice: tuple[Choice, ...] = ()
+    among: str = ""
+    named: tuple[Text, ...] = ()
 
 
 class Text(msgspec.Struct, frozen=True, array_like=True, order=True):

@@ -22,7 +22,8 @@ def each_of(value: Any) -> Any:
         return value.item
     if isinstance(value, Text) and value.holes:
         hole = value.holes[0]
-        return Text((Hole(f"each of {hole.reason}", hole.parameter, hole.default if is_list(hole) else None),))
+        among = hole.default if is_list(hole) and hole.default else ""
+        return Text((Hole(f"each of {hole.reason}", hole.parameter, among=among, named=hole.named),))
     return Unknown(f"each of {value.reason}" if isinstance(value, Unknown) else "an item")
 
 
@@ -37,7 +38,14 @@ def item_of(value: Any, key: Any) -> Any:
         return each_of(value)
     if not is_list(hole) or isinstance(key, bool) or not isinstance(key, int):
         return None
-    return Text((Hole(f"item {key} of {hole.reason}", hole.parameter, hole.default),))
+    items = listed(hole.default or "")
+    usual = items[key] if -len(items) <= key < len(items) else None
+    return Text((Hole(f"item {key} of {hole.reason}", hole.parameter, usual, named=hole.named),))
+
+
+def listed(value: str) -> list[str]:
+    """Return the items of a list of texts as YAML in one line."""
+    return [one for part in value[1:-1].split(",") if (one := part.strip().strip("\"'"))]
 
 
 def is_list(hole: Hole) -> bool:

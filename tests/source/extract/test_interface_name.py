@@ -1,7 +1,13 @@
 import pytest
 
 from roslens.source.extract.cpp_program import program_of_cpp
-from roslens.source.extract.interface_name import included_interface, interface_name, lower_interface, of_generation
+from roslens.source.extract.interface_name import (
+    included_interface,
+    interface_name,
+    lower_interface,
+    of_generation,
+    used_interface,
+)
 from roslens.source.syntax.macros import load_macros
 
 
@@ -52,3 +58,12 @@ def test_a_type_with_a_small_letter_is_one_where_its_header_is_included():
     assert lower_interface("const car_msgs::runstop::ConstPtr&", {"car_msgs/runstop.h"}) == "car_msgs/runstop"
     assert lower_interface("std::string", {"car_msgs/runstop.h"}) == ""
     assert lower_interface("runstop", {"runstop.h"}) == ""
+
+
+def test_a_type_of_a_namespace_that_is_used_whole():
+    headers = {"one_msgs/msg/the_type.hpp", "two_msgs/msg/other2.hpp", "two_msgs/srv/the_type.hpp"}
+    using = ("std.chrono", "one_msgs.msg", "two_msgs.msg")
+    assert used_interface("TheType", "msg", using, headers) == "one_msgs/msg/TheType"
+    assert used_interface("Other2", "msg", using, headers) == "two_msgs/msg/Other2"
+    assert used_interface("TheType", "srv", using, headers) == ""
+    assert used_interface("TheType", "msg", using, {*headers, "two_msgs/msg/the_type.hpp"}) == ""

@@ -128,3 +128,36 @@ def test_the_type_of_a_subscription_by_what_its_callback_takes(units, argument, 
     )
     found = next(one for one in units(a_cpp=text) if one.unit == "main")
     assert [one.type.known for one in found.endpoints] == [kind]
+
+
+def test_types_by_a_namespace_and_by_names_of_a_base(units):
+    base = """
+namespace base {
+template<typename T> class Base : public rclcpp::Node {
+public:
+  typedef sensor_msgs::msg::PointCloud2 Cloud;
+  using Image = sensor_msgs::msg::Image;
+  Base() : Node("base") {}
+};
+class Middle : public Base<int> {};
+}
+"""
+    text = """
+#include <rclcpp/rclcpp.hpp>
+#include <demo_msgs/msg/the_command.hpp>
+using namespace demo_msgs::msg;
+class Derived : public base::Middle {
+public:
+  Derived() {
+    a_ = create_publisher<Cloud>("a", 1); b_ = create_publisher<Image>("b", 1);
+    c_ = create_publisher<TheCommand>("c", 1); d_ = create_publisher<Missing>("d", 1);
+  }
+};
+"""
+    facts = next(one for one in units(base_hpp=base, a_cpp=text) if one.unit == "Derived")
+    assert [(str(one.name), one.type.known) for one in facts.endpoints] == [
+        ("a", "sensor_msgs/msg/PointCloud2"),
+        ("b", "sensor_msgs/msg/Image"),
+        ("c", "demo_msgs/msg/TheCommand"),
+        ("d", None),
+    ]

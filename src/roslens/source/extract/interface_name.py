@@ -54,6 +54,26 @@ def included_interface(written: str, program: Program) -> str:
     return ""
 
 
+def used_interface(written: str, kind: str, using: Collection[str], headers: Collection[str]) -> str:
+    """Return the type that a name means by a namespace that is used whole, as ``using namespace package::msg``.
+
+    Args:
+        written: the name, without a namespace.
+        kind: ``msg``, ``srv`` or ``action``.
+        using: namespaces, joined by ``.``.
+        headers: that are included: ``package/msg/the_name.hpp`` tells that the package has it.
+    """
+    spaces = [one.replace(".", "/") for one in using if one.endswith(f".{kind}")]
+    header = f"{written.lower()}.hpp"
+    known = {
+        space
+        for space in spaces
+        for one in headers
+        if one.startswith(f"{space}/") and one.rpartition("/")[2].replace("_", "").lower() == header.replace("_", "")
+    }
+    return f"{known.pop()}/{written}" if len(known) == 1 else ""
+
+
 def lower_interface(written: str, headers: Collection[str]) -> str:
     """Return a type of ROS 1 whose name begins with a small letter, where a header of that name is included.
 

@@ -25,6 +25,7 @@ from roslens.source.extract.interface_name import (
     lower_interface,
     message_of,
     of_generation,
+    used_interface,
 )
 from roslens.source.extract.node_facts import EndpointFact, Evidence, Overrides, ParameterFact, Sure, TimerFact
 from roslens.source.extract.program import Call, Name
@@ -200,6 +201,9 @@ def _in_scope(engine: Evaluation, written: str, kind: str) -> str:
     if program.language == "python":
         known = {f"{one.replace('.', '/')}/{written}" for one in program.using if one.endswith(f".{kind}")}
         return next(iter(known)) if len(known) == 1 else ""
+    found = used_interface(written, kind, program.using, engine.index.headers)
+    if found:
+        return found
     scope = engine.frame.scope
     while scope := scope.rpartition(".")[0]:
         last = scope.rpartition(".")[2]

@@ -260,9 +260,24 @@ class Index:
             found = (program.imports.get(full) if program else None) or self._aliases.get(full)
             if found is not None and dotted(found) != name:
                 return found
+        inherited = self._inherited_alias(name, path, scope) if program else ""
+        if inherited:
+            return inherited
         # Headers of a package are included by its files, as a rule.
         meanings = self._header_aliases.get((self.package(path), name), set())
         return next(iter(meanings)) if len(meanings) == 1 else ""
+
+    def _inherited_alias(self, name: str, path: str, scope: str) -> str:
+        """Return what a base of the classes around calls by a name."""
+        if "." in name or self._is_python(path):
+            return ""
+        for prefix in _prefixes(scope):
+            around = self.class_of(prefix, path, "") if prefix else None
+            for one in self.chain(around)[1:] if around is not None else ():
+                found = self._aliases.get(f"{one.what.qualified_name}.{name}")
+                if found is not None:
+                    return found
+        return ""
 
     def class_of(self, name: str, path: str, scope: str) -> Defined | None:
         """Return the class that a name means; by its last part alone where that is the only one of its kind."""

@@ -1,47 +1,34 @@
-"""Servers of interactive markers, of both generations."""
+import pytest
+
+BEFORE = "#include <interactive_markers/interactive_marker_server.h>"
+TOLD = [
+    ("publisher", "m/update_full", "visualization_msgs/InteractiveMarkerInit", True),
+    ("publisher", "m/update", "visualization_msgs/InteractiveMarkerUpdate", False),
+    ("subscription", "m/feedback", "visualization_msgs/InteractiveMarkerFeedback", False),
+]
 
 
-def told(facts):
-    return [(one.role.value, str(one.name), one.type.known) for one in facts.endpoints]
+def ends(facts):
+    return [(one.role.value, str(one.name), one.type.known, one.latched) for one in facts.endpoints]
 
 
-def test_markers_of_ros_2(node_of):
-    facts = node_of('server_ = std::make_unique<interactive_markers::InteractiveMarkerServer>("tool", this);')
-    assert told(facts) == [
-        ("publisher", "tool/update", "visualization_msgs/msg/InteractiveMarkerUpdate"),
-        ("subscription", "tool/feedback", "visualization_msgs/msg/InteractiveMarkerFeedback"),
-        ("service_server", "tool/get_interactive_markers", "visualization_msgs/srv/GetInteractiveMarkers"),
-    ]
-    assert [one.qos.depth for one in facts.endpoints if one.qos] == [100, 1]
+@pytest.mark.parametrize("given", ['server("m")', 'server("m", "", false)'])
+def test_a_server_of_markers(main_of, given):
+    assert ends(main_of(f"interactive_markers::InteractiveMarkerServer {given};", BEFORE)) == TOLD
 
 
-def test_markers_of_ros_1(main_of):
-    facts = main_of('interactive_markers::InteractiveMarkerServer server("tool");')
-    assert told(facts) == [
-        ("publisher", "tool/update", "visualization_msgs/InteractiveMarkerUpdate"),
-        ("publisher", "tool/update_full", "visualization_msgs/InteractiveMarkerInit"),
-        ("subscription", "tool/feedback", "visualization_msgs/InteractiveMarkerFeedback"),
-    ]
-    assert [(one.queue, one.latched) for one in facts.endpoints] == [(100, False), (100, True), (100, False)]
-
-
-def test_markers_of_rclpy(units):
+def test_a_server_of_markers_in_python(units):
     text = """
-from interactive_markers import InteractiveMarkerServer
-from rclpy.node import Node
-class A(Node):
-    def __init__(self):
-        super().__init__('a')
-        self.server = InteractiveMarkerServer(self, 'tool')
+import rospy
+from interactive_markers.interactive_marker_server import InteractiveMarkerServer
+rospy.init_node("a")
+server = InteractiveMarkerServer("m")
+rospy.spin()
 """
     (facts,) = units(a_py=text)
-    assert [(str(one.name), one.qos.depth if one.qos else None) for one in facts.endpoints] == [
-        ("tool/update", 100),
-        ("tool/feedback", 100),
-        ("tool/get_interactive_markers", None),
-    ]
+    assert ends(facts) == TOLD
 
 
-def test_a_name_that_is_not_known(main_of):
-    facts = main_of("interactive_markers::InteractiveMarkerServer server(name_of());")
-    assert [one.name.holes != () for one in facts.endpoints] == [True, True, True]
+def test_that_of_ros2_is_another_one(node_of):
+    facts = node_of('server_ = std::make_unique<interactive_markers::InteractiveMarkerServer>("m", this);')
+    assert ends(facts) == []

@@ -22,6 +22,7 @@ from roslens.source.extract.assemble_overrides import overridden
 from roslens.source.extract.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
+from roslens.source.extract.catalogue_items import each_item
 from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
@@ -201,7 +202,10 @@ class _Node:
     def _there(self, facts: Iterable[EndpointFact]) -> Iterator[EndpointFact]:
         """Yield what is there as far as parameters of a node without source say so: ``imu0 is set``."""
         private = "~" if self.given.generation == "ros1" else ""
-        for fact in facts:
+        known = (
+            facts if self.origin is not Origin.CATALOGUE else (one for f in facts for one in each_item(f, self.values))
+        )
+        for fact in known:
             if self.origin is Origin.CATALOGUE and any(one.endswith(_IS_SET) for one in fact.conditions):
                 names = [one.removesuffix(_IS_SET) for one in fact.conditions if one.endswith(_IS_SET)]
                 if any(self.values.value(Text.of(private + name)) is None for name in names):

@@ -61,6 +61,7 @@ _MODULES = (
     "vocabulary_ros2",
     "vocabulary_ros1",
     "vocabulary_nodelets",
+    "vocabulary_markers",
     "vocabulary_durations",
     "vocabulary_lists",
     "vocabulary_argparse",

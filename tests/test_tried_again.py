@@ -1,5 +1,6 @@
 """Tests that are tried again where the machine gave them no time; each run is a pytest of its own."""
 
+import os
 import re
 import subprocess
 import sys
@@ -32,7 +33,8 @@ def note(what):
 
 def tries():
     note("try")
-    return open(os.environ["NOTES"]).read().split().count("try")
+    with open(os.environ["NOTES"]) as file:
+        return file.read().split().count("try")
 
 def shared(name, scope):
     def make(request):
@@ -55,10 +57,21 @@ def run(tmp_path):
     def run(text, *words, seen="it stood still"):
         (tmp_path / "conftest.py").write_text(HEAD)
         (tmp_path / "test_it.py").write_text(f"import time\nimport pytest\nfrom conftest import note, tries\n{text}")
-        (tmp_path / "pytest.ini").write_text("[pytest]\ntimeout = 60\n")
+        (tmp_path / "pytest.ini").write_text("[pytest]\ntimeout = 60\nfilterwarnings = error\n")
         notes = tmp_path / "notes"
         notes.write_text("")
-        command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-p", "no:hypothesispytest", *words]
+        command = [
+            sys.executable,
+            "-m",
+            "pytest",
+            "-p",
+            "no:cacheprovider",
+            "-p",
+            "no:hypothesispytest",
+            "-p",
+            "no:rerunfailures",
+            *words,
+        ]
         environment = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(Path(__file__).parent), "SEEN": seen}
         done = subprocess.run(
             command, cwd=tmp_path, env={**environment, "NOTES": str(notes)}, capture_output=True, text=True,
@@ -199,3 +212,29 @@ class TestIt:
     code, said, _ = run(text)
     assert code == 0, said
     assert "1 passed, 1 rerun" in said
+
+
+def test_what_it_forgot_troubles_nobody(run):
+    text = """
+import os, socket, subprocess
+
+@pytest.mark.real
+def test_a():
+    forgotten, line = subprocess.Popen(["sleep", "1000"]), socket.socket()
+    if tries() == 1:
+        note(str(forgotten.pid))
+        assert False
+    forgotten.kill()
+    forgotten.wait()
+    line.close()
+
+def test_b():
+    import gc
+    gc.collect()
+"""
+    code, said, notes = run(text)
+    assert code == 0, said
+    assert "2 passed, 1 rerun" in said
+    assert "it stood still; 1 processes that it left were killed" in said
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(notes[1]), 0)

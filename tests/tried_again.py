@@ -3,13 +3,20 @@
 Twice at most, and what was seen is said with each. On a machine that gives a test its time its first failure counts.
 
 A try begins where the session began: whatever the one before left open is ended first, whatever its scope, so that a
-robot that was late is not asked again, and nothing recorded while the machine stood still is judged anew. Each try has
-a clock of its own.
+robot that was late is not asked again, and nothing recorded while the machine stood still is judged anew. Processes
+that it forgot are killed, and what it did not close is no warning in a test that comes later. Each try has its clock.
 """
 
 from __future__ import annotations
 
+import gc
+import os
+import signal
+import sys
 import time
+import warnings
+from contextlib import suppress
+from pathlib import Path
 
 import pytest
 from _pytest.runner import runtestprotocol
@@ -48,11 +55,12 @@ class TriedAgain:
         for left in reversed(range(TRIES)):
             self._watched.begin(self._module_begun if _shares(item) else time.monotonic())
             hook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
+            before = _children()
             reports = runtestprotocol(item, log=False, nextitem=nextitem)
             failed = [report for report in reports if report.failed]
             why = self._watched.starved() if failed and left else ""
             if why:
-                why += self._ended(item)
+                why += self._ended(item) + _killed(_children() - before)
             for report in failed if why else reports:
                 if why:
                     report.outcome = "rerun"
@@ -72,6 +80,11 @@ class TriedAgain:
         except (Exception, pytest.fail.Exception) as error:  # noqa: BLE001 - what a try left is no reason against another
             wrong = f"; what it left did not end well: {error!r}"
         item._report_sections.clear()
+        for name in ("last_exc", "last_type", "last_value", "last_traceback"):
+            vars(sys).pop(name, None)  # which hold the frames of the test, and all that it held
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            gc.collect()
         if getattr(item, "_instance", None) is not None:
             del item._instance
             item._obj = None
@@ -107,3 +120,26 @@ def _shares(item) -> bool:
     """Whether a test uses what was made for others too."""
     defined = item._fixtureinfo.name2fixturedefs.values()
     return any(fixture.scope in SHARED for fixtures in defined for fixture in fixtures)
+
+
+def _children() -> set[int]:
+    """Return the processes that this one started and that live, but for those that serve Python itself."""
+    found = set()
+    for place in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            state, parent = (place / "stat").read_text().rpartition(")")[2].split()[:2]
+            if (
+                int(parent) == os.getpid()
+                and state != "Z"
+                and b"multiprocessing" not in (place / "cmdline").read_bytes()
+            ):
+                found.add(int(place.name))
+    return found
+
+
+def _killed(left: set[int]) -> str:
+    for pid in left:
+        with suppress(OSError):
+            os.kill(pid, signal.SIGKILL)
+            os.kill(pid, signal.SIGCONT)
+    return f"; {len(left)} processes that it left were killed" if left else ""

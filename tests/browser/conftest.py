@@ -39,7 +39,8 @@ addEventListener("securitypolicyviolation", (event) =>
   console.error(`policy: ${event.violatedDirective} ${event.blockedURI}`));
 """
 
-expect.set_options(timeout=20_000)  # how long pages take is measured elsewhere, by what they take of a processor
+WAIT_MS = 60_000
+expect.set_options(timeout=WAIT_MS)  # how long pages take is measured elsewhere, by what they take of a processor
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -133,6 +134,7 @@ class Visitor:
         options.setdefault("viewport", {"width": 1280, "height": 800})
         context = self._browser.new_context(**options)
         self._contexts.append(context)
+        context.set_default_timeout(WAIT_MS)
         context.add_init_script(REPORT_VIOLATIONS)
         page = context.new_page()
         page.on("request", self._requested)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
+from pace import slowness
 from playwright.sync_api import Browser, Locator, Page, expect
 
 from roslens.dashboard.live.serving import LivePage
@@ -243,13 +245,16 @@ def test_a_lost_monitor_is_shown_at_once_and_its_return_too(
     page = visitor.open()
     expect(page.locator("#pulse")).to_contain_text("live")
     port = int(live.url.rstrip("/").rpartition(":")[2])
+    heard = time.monotonic()
     live.close()
     expect(page.locator("#pulse")).to_contain_text("connecting")
     lost = page.locator("#lost")
     expect(lost).to_be_visible()
-    expect(lost).to_have_text(
-        re.compile(r"^Nothing heard from the monitor for [34] s\. Below is how it was at 12:00:06\.0\.$")
-    )
+    told = re.compile(r"^Nothing heard from the monitor for (\d+) s\. Below is how it was at 12:00:06\.0\.$")
+    expect(lost).to_have_text(told)
+    said = told.match(lost.text_content() or "")
+    assert said
+    assert 3 <= int(said[1]) <= time.monotonic() - heard + 1
     expect(page.locator("#pulse")).to_contain_text("lost")
     with LivePage(robot.page.newest, port=port):
         robot.run()
@@ -264,7 +269,7 @@ def test_a_lost_monitor_is_shown_at_once_and_its_return_too(
 def test_a_monitor_that_stands_still_is_shown(follow: Open) -> None:
     page = follow()
     told = re.compile("has told nothing new for ([6-9]|[1-9][0-9]) s")
-    expect(page.locator("#lost")).to_have_text(told, timeout=12_000)
+    expect(page.locator("#lost")).to_have_text(told, timeout=60_000)
 
 
 def test_without_scripts_the_table_is_there(robot: ScriptedRobot, follow: Open) -> None:
@@ -314,7 +319,7 @@ def test_a_thousand_topics_cost_few_milliseconds_of_a_processor(visitor_of: Call
         page = visitor.open()
         expect(page.locator("#tree-count")).to_have_text(re.compile(r"^3,1\d\d rows$"))
         page.locator("#q").fill("topic")
-        expect(page.locator("#rows tr").nth(3000)).to_be_attached(timeout=30_000)
+        expect(page.locator("#rows tr").nth(3000)).to_be_attached(timeout=90_000)
         # What the main thread used of a processor, whatever else runs on the machine.
         session = page.context.new_cdp_session(page)
         session.send("Performance.enable", {"timeDomain": "threadTicks"})
@@ -335,7 +340,7 @@ def test_a_thousand_topics_cost_few_milliseconds_of_a_processor(visitor_of: Call
             layout.append(1000 * (after["LayoutDuration"] - before["LayoutDuration"]))
         assert page.locator("#rows tr").count() > 2000
         # Usually 17 and 48 ms.
-        assert min(script) < 60
-        assert min(layout) < 200
+        assert min(script) < 60 * slowness()
+        assert min(layout) < 200 * slowness()
         visitor.close()
         assert not visitor.problems

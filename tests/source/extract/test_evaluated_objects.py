@@ -22,3 +22,32 @@ def test_a_member_that_no_constructor_sets_is_not_known(node_of):
 def test_the_constructor_that_takes_so_many_arguments_is_meant(node_of):
     facts = node_of(PUB.format("held_.out"), members='Names held_ = Names("of a member");', before=HELPER)
     assert [one.name.known for one in facts.endpoints] == ["of a member"]
+
+
+def test_a_list_in_braces_is_no_text_whose_signs_are_items(node_of):
+    members = 'std::vector<std::string> ids_{"Grid"}, copies_;'
+    body = 'declare_parameter("ids", ids_); for (size_t i = 0; i != ids_.size(); i++) {' + PUB.format("ids_[i]") + "}"
+    facts = node_of(body, members)
+    assert [one.name.known for one in facts.endpoints] == ["Grid"]
+    assert str(facts.parameters[0].default) == "[Grid]"
+    text = (
+        'get_parameter("ids", copies_); for (size_t i = 0; i != copies_.size(); i++) {' + PUB.format("copies_[i]") + "}"
+    )
+    (one,) = node_of(text, members).endpoints
+    assert str(one.name) == "{each of parameter ids}"
+
+
+def test_lists_that_a_constructor_initialises(units):
+    text = """
+#include <rclcpp/rclcpp.hpp>
+class A : public rclcpp::Node { public:
+  A() : Node("a"), one_{"x"}, two_{"y", "z"}, copy_(one_) {
+    for (auto & name : one_) { pub_ = create_publisher<std_msgs::msg::String>(name, 1); }
+    for (auto & name : two_) { pub_ = create_publisher<std_msgs::msg::String>(name, 1); }
+    for (auto & name : copy_) { pub_ = create_publisher<std_msgs::msg::String>("copy_" + name, 1); }
+  }
+  std::vector<std::string> one_, two_, copy_;
+};
+"""
+    (facts,) = units(a_cpp=text)
+    assert [one.name.known for one in facts.endpoints] == ["x", "y", "z", "copy_x"]

@@ -28,6 +28,9 @@ class Objects(Calls):
         name, inside = type_name(declared)
         if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
             return engine.converted(declared, value)
+        if is_list(declared) and isinstance(value, Text):
+            # ``names_{"a"}`` is a list of one; what is not known may be a list itself.
+            return [value] if value.known is not None else value
         defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
         same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
         outer = find_outer(engine, engine.index.meaning(name, engine.frame.path, engine.frame.scope))
@@ -123,7 +126,7 @@ class Objects(Calls):
         engine: Evaluation = self  # type: ignore[assignment]
         name, inside = type_name(declared)
         braced = isinstance(value, list) and not isinstance(value, Words)
-        if braced and not declared.startswith(("std::vector", "std::array", "std::map", "std::set")):
+        if braced and not is_list(declared) and not declared.startswith("std::map"):
             return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
         if name in ("rclcpp.QoS", "rmw_qos_profile_t") and isinstance(value, int):
             return engine.of_type(name, [value], {})
@@ -163,6 +166,14 @@ class Objects(Calls):
         if not arguments:
             return Unknown("a value that is not set")
         return arguments[0]
+
+
+_LISTS = ("std::vector", "std::array", "std::set", "std::list", "std::deque", "std::unordered_set")
+
+
+def is_list(declared: str) -> bool:
+    """Whether a type as written is a list of items."""
+    return declared.removeprefix("const ").startswith(_LISTS)
 
 
 _PLAIN = frozenset(

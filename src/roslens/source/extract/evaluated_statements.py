@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.abstract_value import Callable, Obj, Remappings, Unknown, as_text, test_of
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
+from roslens.source.extract.evaluated_objects import is_list
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import (
@@ -49,7 +50,10 @@ def initialise(engine: Evaluation, statement: Statement) -> None:
         engine.written_at(statement.line)
         if isinstance(statement.value, Sequence):
             kind, inside = type_name(declared)
-            value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
+            if not is_list(declared):
+                value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
+            elif value and isinstance(value[0], int | float) and inside.endswith("string"):
+                value = Unknown(f"{name}, which is so many texts")
         elif declared:
             value = engine.constructed(declared, value)
         if isinstance(thing, Obj):

@@ -46,6 +46,18 @@ def test_files_that_changed_since_are_another_run(checked, capsys):
     assert "talk/talk/nodes.py changed since run 1" in capsys.readouterr().err
 
 
+def test_a_run_that_keeps_its_graphs_needs_no_files(talking, monkeypatch, capsys):
+    (talking / "talk/test/test.launch.xml").unlink()
+    monkeypatch.chdir(talking)
+    assert main(["check", "-q", "--jobs", "1", "--graph", "--fail-on", "never"]) == 0
+    (talking / "talk/talk/nodes.py").write_text("")
+    found = graph_of_run("1")
+    assert {node.name for node in found.graph.nodes} >= {"/talker"}
+    assert found.source.startswith("run 1, fleet.launch.xml")
+    with pytest.raises(UsageError, match="no configuration 'robot'"):
+        graph_of_run("1:robot")
+
+
 def test_a_run_that_is_not_there_is_told(checked, capsys):
     assert main(["reference", "draft", "--graph", "7"]) != 0
     assert "there is no run 7" in capsys.readouterr().err

@@ -53,3 +53,42 @@ def test_they_can_be_left_out_and_a_workspace_that_is_gone_loses_only_them(talki
     shutil.move(talking, moved)
     assert main(["report", str(moved), "-o", str(tmp_path / "other"), "-q"]) == 0
     assert not (tmp_path / "other/computation").exists()
+
+
+def test_a_run_shows_the_graphs_that_it_kept_whatever_became_of_its_files(talking, tmp_path, capsys):
+    assert main(["check", str(talking), "-q", "--jobs", "1", "--graph", "--fail-on", "never"]) == 0
+    nodes = talking / "talk/talk/nodes.py"
+    nodes.write_text(nodes.read_text().replace('"chatter"', '"gossip"'))
+    assert main(["check", str(talking), "-q", "--jobs", "1", "--graph", "--fail-on", "never"]) == 0
+    for run, topic in (("1", "/chatter"), ("2", "/gossip")):
+        assert main(["report", str(talking), "-o", str(tmp_path / run), "--run", run]) == 0
+        page = json.loads((tmp_path / run / "computation/fleet.launch.xml.json").read_text())
+        assert topic in [one["name"] for one in page["elements"]]
+        assert page["note"] == ""
+    assert [one["rule"] for one in page["findings"]] == ["graph.qos"]
+    shutil.rmtree(talking / "talk")
+    assert main(["report", str(talking), "-o", str(tmp_path / "gone"), "--run", "1"]) == 0
+    assert (tmp_path / "gone/computation/fleet.launch.xml.html").exists()
+
+
+def test_graphs_of_files_that_changed_since_the_run_say_so(talking, tmp_path, capsys):
+    assert pages(talking, tmp_path / "a", capsys)[0]["fleet.launch.xml.json"]["note"] == ""
+    (talking / "talk/launch/robot.launch.xml").write_text('<launch><node pkg="talk" exec="talker"/></launch>')
+    (talking / "talk/launch/new.launch.xml").write_text("<launch/>")
+    assert main(["report", str(talking), "-o", str(tmp_path / "b")]) == 0
+    note = json.loads((tmp_path / "b/computation/fleet.launch.xml.json").read_text())["note"]
+    assert "the files as they are now" in note
+    assert "talk/launch/new.launch.xml and 1 more changed since" in note
+    for page in ("computation/fleet.launch.xml", "nodes/fleet.launch.xml/talker"):
+        assert "the files as they are now" in (tmp_path / f"b/{page}.html").read_text()
+
+
+def test_of_many_that_were_kept_the_largest_are_shown(talking, tmp_path, capsys):
+    for number in range(9):
+        nodes = "".join(f'<node pkg="a{place}" exec="b"/>' for place in range(number + 1))
+        (talking / f"talk/launch/more{number}.launch.xml").write_text(f"<launch>{nodes}</launch>")
+    main(["check", str(talking), "-q", "--jobs", "1", "--graph", "--fail-on", "never"])
+    assert main(["report", str(talking), "-o", str(tmp_path / "out")]) == 0
+    assert "8 of 10 launch files" in capsys.readouterr().err
+    assert not (tmp_path / "out/computation/more0.launch.xml.json").exists()
+    assert (tmp_path / "out/computation/more8.launch.xml.json").exists()

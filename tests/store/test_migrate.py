@@ -97,4 +97,6 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         assert [finding.severity for finding in view.findings()] == [Severity.WARNING, Severity.NOTE, Severity.ERROR]
         assert view.package("drive").entities[1:] == sample.drive().entities[1:]
         assert view.workspace.package_values == sample.workspace().package_values
+        kept = [(one.name, one.configuration.nodes[0].name) for one in view.configurations()]
+        assert kept == ([("robot", "/drive")] if dump.stem >= "schema_0002" else [])
         assert store.view(write_small(store, "key-2")).packages() == view.packages()

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
-    from roslens.plugins.outcome import Outcome
-    from roslens.source.pipeline import Beyond
+    from roslens.source.pipeline import Beyond, Sight
     from roslens.source.progress import Progress
     from roslens.source.settings import SourceSettings
 
@@ -52,14 +51,15 @@ def graph_look(
     jobs = configuration.jobs if options.jobs is None else options.jobs
     hinted_in = Path(configuration.path).name
 
-    def look() -> Outcome:
+    def look() -> Sight:
         from roslens.cli.graph_configurations import assembled, named_configurations
         from roslens.cli.graph_source import GraphSource
         from roslens.plugins.outcome import Outcome
+        from roslens.source.pipeline import Sight
 
         # Conditions of manifests see what the settings of the run hold of the environment.
         with GraphSource(str(root), settings, hinted_in, {}, cache=cache, jobs=jobs, progress=progress) as source:
             found = assembled(source, named_configurations(source), progress)
-        return Outcome(findings=found.all_findings(), failures=found.failures)
+        return Sight(Outcome(findings=found.all_findings(), failures=found.failures), found.judged())
 
     return Beyond("graph", tuple(rule for rule, _ in RULES), look)

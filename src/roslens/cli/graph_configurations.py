@@ -13,6 +13,7 @@ from roslens.model.configuration import Configuration
 from roslens.model.errors import RoslensError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
+from roslens.model.judged_configuration import JudgedConfiguration
 
 if TYPE_CHECKING:
     from roslens.cli.graph_source import GraphSource
@@ -36,6 +37,10 @@ class Assembled(msgspec.Struct, frozen=True):
     configurations: dict[str, Configuration]
     findings: dict[str, tuple[Finding, ...]]
     failures: tuple[Failure, ...] = ()
+
+    def judged(self) -> tuple[JudgedConfiguration, ...]:
+        """Return each with what is wrong with it, as a run keeps it."""
+        return tuple(JudgedConfiguration(name, one, self.findings[name]) for name, one in self.configurations.items())
 
     def all_findings(self) -> tuple[Finding, ...]:
         """Return the findings of all configurations, sorted by place; what several have in common once.

@@ -66,6 +66,7 @@ class GraphSource:
         manifests.keep()
         self.root = Path(workspace.root)
         self.failures = workspace.failures
+        self.paths = frozenset(file.path for found in workspace.packages for file in found.files)
         self.facts: WorkspaceFacts = WorkspaceFacts(
             workspace, settings, cache=self._cache, now_s=now_s, jobs=jobs, progress=progress
         )

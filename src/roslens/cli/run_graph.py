@@ -1,7 +1,8 @@
-"""The computation graph of a stored run: what a configuration of its workspace starts, its files being as they were."""
+"""The computation graph of a stored run: one that it keeps, or read from its files while they are as they were."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,6 @@ from roslens.model.errors import UsageError
 from roslens.model.graph import Graph
 
 if TYPE_CHECKING:
-    from roslens.cli.graph_configurations import Named
     from roslens.model.configuration import Configuration, ConfiguredNode
     from roslens.store.read import RunView
 
@@ -51,8 +51,13 @@ def graph_of_run(text: str, path: str = ".") -> RunGraph:
     number, _, wanted = text.partition(":")
     with open_store(path) as store:
         view = store.view(int(number))
-        _require_files(view)
+        kept = {one.name: one.configuration for one in view.configurations()}
+        if not kept:
+            _require_files(view)
         header = view.header
+    if kept:
+        name = _only(tuple(kept), wanted, number)
+        return _run_graph(number, name, kept[name])
     try:
         settings = msgspec.convert(header.configuration, SourceSettings)
     except msgspec.ValidationError:
@@ -61,10 +66,15 @@ def graph_of_run(text: str, path: str = ".") -> RunGraph:
     with GraphSource(header.root, settings, "roslens.toml", {}, cache=find_folder(path) / CACHE) as source:
         from roslens.cli.graph_configurations import named_configurations
 
-        one = _only(named_configurations(source), wanted, number)
-        graph, unsure = sure_graph(source.launched(one.launch, one.arguments))
+        named = {one.name: one for one in named_configurations(source)}
+        one = named[_only(tuple(named), wanted, number)]
+        return _run_graph(number, one.name, source.launched(one.launch, one.arguments))
+
+
+def _run_graph(number: str, name: str, configuration: Configuration) -> RunGraph:
+    graph, unsure = sure_graph(configuration)
     topics = len({end.name for end in graph.endpoints})
-    said = f"run {number}, {one.name} ({len(graph.nodes)} nodes, {topics} topics, services and actions)"
+    said = f"run {number}, {name} ({len(graph.nodes)} nodes, {topics} topics, services and actions)"
     return RunGraph(graph, said, unsure)
 
 
@@ -88,39 +98,30 @@ def _is_sure(node: ConfiguredNode) -> bool:
     return not (node.kind == "process" or made_anew or node.conditions or node.proof.sure == "possible")
 
 
-def _only(named: tuple[Named, ...], wanted: str, number: str) -> Named:
-    found = [one for one in named if one.name == wanted or not wanted]
+def _only(names: Sequence[str], wanted: str, number: str) -> str:
+    found = [name for name in names if name == wanted or not wanted]
     if len(found) == 1:
         return found[0]
-    names = ", ".join(one.name for one in named[:_MOST_NAMED]) + (", …" if len(named) > _MOST_NAMED else "")
-    if not named:
+    told = ", ".join(names[:_MOST_NAMED]) + (", …" if len(names) > _MOST_NAMED else "")
+    if not names:
         raise UsageError(f"run {number} has no launch file", expected="a workspace with one")
     if not found:
-        raise UsageError(f"run {number} has no configuration {wanted!r}", expected=f"one of {names}")
+        raise UsageError(f"run {number} has no configuration {wanted!r}", expected=f"one of {told}")
     raise UsageError(
-        f"run {number} has {len(named)} configurations: {names}",
+        f"run {number} has {len(names)} configurations: {told}",
         expected="one of them",
-        advice=f"Choose it: --graph '{number}:{named[0].name}'",
+        advice=f"Choose it: --graph '{number}:{names[0]}'",
     )
 
 
 def _require_files(view: RunView) -> None:
-    """Make sure that files are as they were: graphs are read from files, not kept with runs."""
-    from roslens.source.keys import content_hash
+    """Make sure that files are as they were: the run keeps no graph, so it is read from them."""
+    from roslens.cli.changed_files import and_more, changed_files
 
-    root = Path(view.header.root)
-    changed = []
-    for _, file in view.files():
-        try:
-            same = not file.content_hash or content_hash((root / file.path).read_bytes()) == file.content_hash
-        except OSError:
-            same = False
-        if not same:
-            changed.append(file.path)
+    changed = changed_files(view)
     if changed:
-        more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
         raise UsageError(
-            f"{changed[0]}{more} changed since run {view.id}",
-            expected="files as they were",
-            advice="Run `roslens check` and name the new run, or check out what the run was about",
+            f"{and_more(changed)} changed since run {view.id}",
+            expected="files as they were, or a run that keeps its graphs",
+            advice="Run `roslens check --graph` and name the new run, or check out what the run was about",
         )

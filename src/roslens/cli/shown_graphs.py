@@ -1,4 +1,4 @@
-"""The computation graphs that the pages of a run show: assembled from its workspace as it is now."""
+"""The computation graphs that the pages of a run show: those that it keeps, or assembled from its files."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from roslens.dashboard.site import Site
     from roslens.model.result import RunHeader
     from roslens.source.progress import Progress
+    from roslens.source.settings import SourceSettings
     from roslens.store.read import RunView
 
     FinishedProgress = TerminalProgress | LineProgress | NoProgress
@@ -31,43 +32,84 @@ def site_with_graphs(view: RunView, options: argparse.Namespace, progress: Finis
 
     if options.no_graph:
         return site_of(view)
+    if (kept := kept_graphs(view, quiet=options.quiet)) is not None:
+        return site_of(view, kept)
     try:
-        shown = shown_graphs(view.header, find_folder(options.path) / CACHE, progress, quiet=options.quiet)
+        shown, note = shown_graphs(view, find_folder(options.path) / CACHE, progress, quiet=options.quiet)
     finally:
         progress.finish()
-    return site_of(view, shown)
+    return site_of(view, shown, note)
 
 
-def shown_graphs(header: RunHeader, cache: Path, progress: Progress, *, quiet: bool = False) -> Assembled | None:
+def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
+    """Return the configurations that a run keeps, whatever became of its files; None where it keeps none."""
+    from roslens.cli.graph_configurations import MOST, Assembled
+
+    found = view.configurations()
+    if not found:
+        return None
+    if not _settings_of(view.header).graph.configurations and len(found) > MOST:
+        sizes = {one.name: -len(one.configuration.nodes) for one in found}
+        largest = set(sorted(sizes, key=lambda name: (sizes[name], name))[:MOST])
+        if not quiet:
+            _tell_left_out(len(largest), len(found))
+        found = tuple(one for one in found if one.name in largest)
+    return Assembled({one.name: one.configuration for one in found}, {one.name: one.findings for one in found})
+
+
+def shown_graphs(
+    view: RunView, cache: Path, progress: Progress, *, quiet: bool = False
+) -> tuple[Assembled | None, str]:
     """Return the configurations that a run declares, or of its largest launch files that no other includes.
 
-    None where the workspace is not there any more. What could not be assembled is told on standard error.
+    They are read from the files as they are now. Besides them stands what readers have to know of that: nothing where
+    files are as the run saw them. None where the workspace is not there any more. What could not be assembled is told
+    on standard error.
 
     Args:
-        header: of the run: it knows where its workspace is and what the user chose.
+        view: the run: it knows where its workspace is and what the user chose.
         cache: the file in which is kept what was learned of files.
         progress: who watches.
         quiet: no hints.
     """
-    import msgspec
-
+    from roslens.cli.changed_files import changed_files
     from roslens.cli.graph_configurations import assembled
     from roslens.cli.graph_source import GraphSource
-    from roslens.source.settings import SourceSettings
 
+    header = view.header
     if not Path(header.root).is_dir():
-        return None
-    try:
-        settings = msgspec.convert(header.configuration, SourceSettings)
-    except msgspec.ValidationError:
-        # A run of another version of roslens may have been asked for something else.
-        settings = SourceSettings()
+        return None, ""
+    settings = _settings_of(header)
     progress.step("Reading launch files and code", 0)
     with GraphSource(header.root, settings, "roslens.toml", {}, cache=cache, jobs=0, progress=progress) as source:
         found = assembled(source, _chosen(source, quiet=quiet), progress)
+        changed = changed_files(view, source.paths)
     for failure in found.failures:
         print(f"roslens: {failure}", file=sys.stderr)
-    return found
+    return found, _note(changed)
+
+
+def _note(changed: tuple[str, ...]) -> str:
+    from roslens.cli.changed_files import and_more
+
+    if not changed:
+        return ""
+    return (
+        "This is the graph of the files as they are now, not of those that the run saw: it keeps none, and "
+        f"{and_more(changed)} changed since. `roslens check --graph` keeps graphs with a run."
+    )
+
+
+def _settings_of(header: RunHeader) -> SourceSettings:
+    import msgspec
+
+    from roslens.source.settings import SourceSettings
+
+    try:
+        return msgspec.convert(header.configuration, SourceSettings)
+    except msgspec.ValidationError:
+        # A run of another version of roslens may have been asked for something else.
+        return SourceSettings()
 
 
 def _chosen(source: GraphSource, *, quiet: bool) -> tuple[Named, ...]:
@@ -78,9 +120,13 @@ def _chosen(source: GraphSource, *, quiet: bool) -> tuple[Named, ...]:
         return named
     chosen = largest(source, named)
     if len(chosen) < len(named) and not quiet:
-        print(
-            f"roslens: the computation graphs of {len(chosen)} of {len(named)} launch files are shown, those that start"
-            " most nodes; [graph.configurations] in roslens.toml chooses others",
-            file=sys.stderr,
-        )
+        _tell_left_out(len(chosen), len(named))
     return chosen
+
+
+def _tell_left_out(shown: int, all_: int) -> None:
+    print(
+        f"roslens: the computation graphs of {shown} of {all_} launch files are shown, those that start most nodes; "
+        "[graph.configurations] in roslens.toml chooses others",
+        file=sys.stderr,
+    )

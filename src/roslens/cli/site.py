@@ -12,12 +12,13 @@ if TYPE_CHECKING:
     from roslens.store.read import RunView
 
 
-def site_of(view: RunView, shown: Assembled | None = None) -> Site:
+def site_of(view: RunView, shown: Assembled | None = None, note: str = "") -> Site:
     """Return the site that shows ``view``: its quantities, the thresholds of every model, its sources.
 
     Args:
         view: the run.
         shown: configurations whose computation graphs are shown.
+        note: what readers of them have to know.
     """
     from roslens.dashboard.site import Site
     from roslens.judge.quality_model import builtin_models, load_model
@@ -38,6 +39,7 @@ def site_of(view: RunView, shown: Assembled | None = None) -> Site:
         read_source=source_reader(Path(view.header.root)),
         configurations=shown.configurations if shown else None,
         about=shown.findings if shown else None,
+        graph_note=note,
     )
 
 

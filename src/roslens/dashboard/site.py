@@ -65,6 +65,7 @@ class Site:
         read_source: ReadSource = _no_source,
         configurations: Mapping[str, Configuration] | None = None,
         about: Mapping[str, Sequence[Finding]] | None = None,
+        graph_note: str = "",
     ) -> None:
         """Bring a run and its explanations together.
 
@@ -75,6 +76,7 @@ class Site:
             read_source: gives the content of a file by its path below the workspace root, None where it cannot.
             configurations: whose computation graphs are shown, by name.
             about: findings about each of them, by the same names.
+            graph_note: what readers of these graphs have to know, as that they are not those of the run.
         """
         self.view = view
         self.quantities = dict(quantities)
@@ -82,6 +84,7 @@ class Site:
         self.sources = Sources(read_source, self._file_of)
         self._configurations = dict(configurations or {})
         self._about = dict(about or {})
+        self._graph_note = graph_note
 
     def _file_of(self, path: str) -> SourceFile | None:
         place = self.places.get(path)
@@ -248,7 +251,7 @@ class Site:
         from roslens.dashboard.computation.book import Book
         from roslens.dashboard.computation.system import systems_of
 
-        return Book(systems_of(self._configurations, self._about), lambda path: path in self.places)
+        return Book(systems_of(self._configurations, self._about), lambda path: path in self.places, self._graph_note)
 
     @cached_property
     def graph(self) -> tuple[PackageGraph, Layout]:

@@ -29,6 +29,7 @@ from roslens.source.workspace.find import FoundPackage, Workspace, find_workspac
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
     from roslens.model.finding import RuleInfo
+    from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.model.quantity import Quantity
     from roslens.model.source import SourceFile
     from roslens.plugins.discovery import Discovered
@@ -54,6 +55,13 @@ class Clock(msgspec.Struct, frozen=True):
     elapsed_s: Callable[[], float] = lambda: 0.0
 
 
+class Sight(msgspec.Struct, frozen=True):
+    """What a further look found, and the computation graphs that it looked at; the run keeps both."""
+
+    outcome: Outcome
+    configurations: tuple[JudgedConfiguration, ...] = ()
+
+
 class Beyond(msgspec.Struct, frozen=True):
     """A further look at the workspace as a whole, taken when a run is made, after its packages were measured.
 
@@ -65,7 +73,7 @@ class Beyond(msgspec.Struct, frozen=True):
 
     key: str
     rules: tuple[RuleInfo, ...]
-    look: Callable[[], Outcome]
+    look: Callable[[], Sight]
 
 
 class Answer(msgspec.Struct, frozen=True):
@@ -211,10 +219,14 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         for found in run.workspace.packages:
             if found.package.id not in fresh:
                 writer.reuse(run.units[found.package.id])
+        configurations: tuple[JudgedConfiguration, ...] = ()
         if run.beyond is not None:
-            rest.append(run.beyond.look())
+            sight = run.beyond.look()
+            rest.append(sight.outcome)
+            configurations = sight.configurations
         whole = _workspace_result(run, stage, models, rest)
-        number = writer.complete(whole, msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3)))
+        header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
+        number = writer.complete(whole, header, configurations)
     store.prune(KEPT_RUNS)
     return Answer(number, fresh=True, measured=len(changed), packages=len(run.units))
 

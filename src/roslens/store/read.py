@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 from functools import cached_property
 from itertools import groupby
 from operator import itemgetter
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -27,6 +28,9 @@ from roslens.store.values import (
     named_numbers,
     with_package_values,
 )
+
+if TYPE_CHECKING:
+    from roslens.model.judged_configuration import JudgedConfiguration
 
 _decode_rules = msgspec.json.Decoder(tuple[RuleInfo, ...]).decode
 _decode_quantities = msgspec.json.Decoder(tuple[Quantity, ...]).decode
@@ -202,6 +206,13 @@ class RunView:
         where = Conditions()
         where.package(package)
         return tuple(rows.to_failure(row) for row in self._run.rows(rows.FAILURE, "failure", where))
+
+    def configurations(self) -> tuple[JudgedConfiguration, ...]:
+        """Return the computation graphs that the run looked at, in their order; none where it looked at none."""
+        from roslens.store.configurations import read_configurations
+
+        with self._run.reading() as connection:
+            return read_configurations(connection, self.id)
 
     def measured(self, kind: EntityKind | None = None) -> tuple[str, ...]:
         """Return the keys of the quantities that entities (of one kind) have, folds included, sorted."""

@@ -193,6 +193,7 @@ class Store:
                     "DELETE FROM unit WHERE id NOT IN (SELECT unit FROM run_unit UNION SELECT workspace FROM run)"
                 )
                 self._connection.execute("DELETE FROM vocabulary WHERE id NOT IN (SELECT vocabulary FROM run)")
+                self._connection.execute("DELETE FROM graph WHERE id NOT IN (SELECT graph FROM configuration)")
                 self._connection.execute("COMMIT")
                 shrink(self._connection)
         finally:

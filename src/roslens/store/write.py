@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from hashlib import blake2b
 from pathlib import Path
 from types import TracebackType
+from typing import TYPE_CHECKING
 
 from roslens.model.errors import StoreError
 from roslens.model.failure import Failure
@@ -20,6 +21,9 @@ from roslens.store.encodable import encodable, storable_values
 from roslens.store.lock import claim, release
 from roslens.store.sqlite_errors import as_store_errors
 from roslens.store.summary import summarise
+
+if TYPE_CHECKING:
+    from roslens.model.judged_configuration import JudgedConfiguration
 
 
 class RunWriter:
@@ -87,8 +91,15 @@ class RunWriter:
             )
         self._units[found[0]] = found[1]
 
-    def complete(self, workspace: WorkspaceResult, header: RunHeader) -> int:
+    def complete(
+        self, workspace: WorkspaceResult, header: RunHeader, configurations: Sequence[JudgedConfiguration] = ()
+    ) -> int:
         """Make the run visible and return its number.
+
+        Args:
+            workspace: what only the packages together show.
+            header: what was analysed, when, with what.
+            configurations: computation graphs that were looked at.
 
         Raises:
             StoreError: the store cannot be written; the run is discarded.
@@ -98,6 +109,10 @@ class RunWriter:
                 run = self._insert_run(workspace, header)
             except UnicodeEncodeError:
                 run = self._insert_run(encodable(workspace), encodable(header))
+            if configurations:
+                from roslens.store.configurations import write_configurations
+
+                write_configurations(self._connection, run, configurations)
             self._connection.execute("COMMIT")
         return run
 

@@ -19,13 +19,17 @@ def _no_page(path: str) -> bool:  # noqa: ARG001 - the shape of every lookup
 class Book:
     """Systems by slug, in the order in which they are shown."""
 
-    def __init__(self, systems: Mapping[str, System], has_page: Callable[[str], bool] = _no_page) -> None:
+    def __init__(
+        self, systems: Mapping[str, System], has_page: Callable[[str], bool] = _no_page, note: str = ""
+    ) -> None:
         """Take the systems.
 
         Args:
             systems: by slug.
             has_page: whether the report has a page for a file, by its path below the workspace root.
+            note: what readers of every page have to know.
         """
+        self.note = note
         self.systems = dict(systems)
         self.has_page = has_page
         self._graphs: dict[tuple[str, Left], ComputationGraph] = {}

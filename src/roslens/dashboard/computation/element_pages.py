@@ -136,6 +136,7 @@ def _view(
         facts={"configuration": system.slug, **facts, "findings": msgspec.to_builtins(findings)},
         tables=tuple(ordered),
         shown={
+            "note": book.note,
             "element": element,
             "system": system,
             "findings": [(one, book.place(Proof(one.path, one.line))) for one in findings],

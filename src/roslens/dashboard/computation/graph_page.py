@@ -44,9 +44,11 @@ def build(book: Book, request: Request) -> View | None:
             "wires": msgspec.to_builtins(system.wires),
             "findings": msgspec.to_builtins(system.findings),
             "unresolved": msgspec.to_builtins(system.configuration.unresolved),
+            "note": book.note,
         },
         tables=(nodes, endpoints),
         shown={
+            "note": book.note,
             "system": system,
             "systems": tuple(book.systems.values()),
             "graph": graph,

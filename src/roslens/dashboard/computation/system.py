@@ -105,7 +105,7 @@ class System:
         self.findings = tuple(findings)
         self._about: dict[str, list[Finding]] = {}
         for finding in findings:
-            self._about.setdefault(finding.entity, []).append(finding)
+            self._about.setdefault(_owner(finding.entity), []).append(finding)
         self.nodes = configuration.nodes
         self._lanes = {namespace_of(node.name) for node in self.nodes}
         self.elements: list[Element] = []
@@ -198,6 +198,12 @@ class System:
             )
             for (source, target), ends in sorted(found.items())
         )
+
+
+def _owner(entity: str) -> str:
+    """Return the element on which something about an entity is shown: of a parameter its node."""
+    kind, _, rest = entity.partition(":")
+    return f"node:{rest.partition(':')[0]}" if kind == "parameter" else entity
 
 
 def _least_sure(endpoints: Sequence[ConfiguredEndpoint]) -> str:

@@ -169,6 +169,17 @@ def test_a_damaged_database_gives_what_stands_before(tmp_path, recording, conten
     assert "messages that cannot be read" in " ".join(failure.what for failure in bag.failures)
 
 
+@pytest.mark.parametrize("part", [0.3, 0.5, 0.9])
+def test_a_database_that_was_cut_off_gives_what_stands_before(part, tmp_path, recording, content_of):
+    path = recording(tmp_path, "sqlite", rows_of("sqlite", content_of, 3000))
+    with path.open("r+b") as file:
+        file.truncate(int(path.stat().st_size * part))
+    bag = open_bag(path)
+    assert 3000 * part / 3 < counted(bag) < 3000
+    assert [topic.name for topic in bag.topics] == ["/a", "/b", "/c"]
+    assert "a file that was cut off" in " ".join(failure.what for failure in bag.failures)
+
+
 def test_rows_that_are_no_messages_are_left_out(tmp_path, recording, content_of):
     path = recording(tmp_path, "sqlite", rows_of("sqlite", content_of, 30))
     with sqlite3.connect(path) as database:

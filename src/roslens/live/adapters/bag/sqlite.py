@@ -62,6 +62,8 @@ class SqlitePart:
                     self._count(database)
                 else:
                     self.counts, self.start, self.end = self._survey[2:]
+                    if missing := self._survey.pages.missing:
+                        self._tell(f"a file that was cut off: {missing:,} pages of messages are missing")
         except _WRONG as error:
             self._tell(f"messages that cannot be counted: {error}")
 
@@ -194,7 +196,7 @@ def _surveyed(path: Path, database: sqlite3.Connection) -> _Survey:
         counts.update(dict(zip(channels.tolist(), counted.tolist(), strict=True)))
     # What comes in a later window may be earlier.
     since = list(accumulate(reversed(since), min))[::-1]
-    return _Survey(pages, since, dict(counts), since[0], last)
+    return _Survey(pages, since, dict(counts), since[0] if since else FOREVER, last)
 
 
 def _by_channel(rows: Rows) -> Iterator[tuple[int, Ints]]:
@@ -227,6 +229,8 @@ def _connected(path: Path) -> sqlite3.Connection:
     try:
         # What a database defines itself, such as views or functions in them, is not run.
         database.execute("PRAGMA trusted_schema = OFF")
+        # Nothing is written; without this a file that was cut off is refused as a whole.
+        database.execute("PRAGMA writable_schema = ON")
         tables = database.execute("SELECT name FROM sqlite_master WHERE type = 'table'").fetchall()
     except BaseException:
         database.close()

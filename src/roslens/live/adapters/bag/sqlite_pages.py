@@ -8,6 +8,7 @@ SQLite itself.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import NamedTuple
 
 import numpy as np
@@ -51,9 +52,14 @@ class Rows(NamedTuple):
 class TablePages:
     """The leaves of a table with the columns id, topic, time and content.
 
+    Of a file that was cut off, those that are there.
+
     Args:
         source: the file.
         root: number of the page at the root of the table's tree.
+
+    Attributes:
+        missing: how many pages of the tree the file ends before, those below missing ones not counted.
 
     Raises:
         DamageError: the tree is not as expected.
@@ -61,6 +67,7 @@ class TablePages:
 
     def __init__(self, source: Source, root: int) -> None:
         self._source = source
+        self.missing = 0
         head = source.read(0, 100)
         page = int.from_bytes(head[16:18], "big")
         self._page = 1 << 16 if page == 1 else page
@@ -107,14 +114,32 @@ class TablePages:
     def _leaves_below(self, root: int) -> Ints:
         level = np.array([root], np.int64)
         for _ in range(_DEEPEST):
-            kind = self._source.read(self._place(int(level[0])), 1)[0]
-            if kind == _LEAF:
+            if self._kind(int(level[0])) == _LEAF:
                 return level
             children = self._children(*self._read(level))
-            if len(children) * self._page > self._source.size:
+            level = children[children * self._page <= self._source.size]
+            if len(level) * self._page > self._source.size:
                 break
-            level = children
+            if len(level) < len(children):
+                self.missing += len(children) - len(level)
+                if not len(level) or self._kind(int(level[0])) != _LEAF:
+                    # Pages between root and leaves are written late: those below the missing ones are looked for.
+                    return self._leaves_anywhere()
         raise DamageError("a tree that does not end")
+
+    def _kind(self, page: int) -> int:
+        return self._source.read(self._place(page), 1)[0]
+
+    def _leaves_anywhere(self) -> Ints:
+        """Return the pages that hold rows of messages and nothing else, wherever they belong."""
+        found = []
+        for page in range(2, self._source.size // self._page + 1):
+            if self._kind(page) != _LEAF:
+                continue
+            with suppress(DamageError):
+                self.rows(np.array([page], np.int64))
+                found.append(page)
+        return np.array(found, np.int64)
 
     def _children(self, content: Bytes, starts: Ints) -> Ints:
         """Return the pages below interior pages, in order: those of the cells, and at the end of each the last."""

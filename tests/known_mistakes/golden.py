@@ -82,15 +82,24 @@ def read(system: System, clones: Path, folder: Path) -> tuple[set[Fact], set[Fac
         name = inside.get(node["name"]) or node["name"]
         # A nodelet is part of its manager, and what loads it is a node of its own.
         facts = [(("node", one, "", ""), not node.get("conditions")) for one in (node["name"], name)]
-        facts += [(_fact(name, one), not one.get("conditions")) for one in node.get("endpoints", ())]
+        for one in node.get("endpoints", ()):
+            facts += [(fact, not one.get("conditions")) for fact in _facts(name, one)]
         every |= {fact for fact, _plain in facts}
         sure |= {fact for fact, plain in facts if plain and not node.get("conditions")}
     return _meant(system, every), _meant(system, sure)
 
 
-def _fact(node: str, one: dict[str, Any]) -> Fact:
+def _facts(node: str, one: dict[str, Any]) -> list[Fact]:
+    """Return an endpoint; a server of an action is its five topics too, as it was observed (wiki.ros.org/actionlib)."""
     end = one["endpoint"]
-    return end["role"], node, end["name"], end.get("type", "")
+    role, name, type_ = end["role"], end["name"], end.get("type", "")
+    found = [(role, node, name, type_)]
+    if role == "action_server":
+        found += [("publisher", node, f"{name}/{part.lower()}", f"{type_}{part}") for part in ("Feedback", "Result")]
+        found.append(("publisher", node, f"{name}/status", "actionlib_msgs/GoalStatusArray"))
+        found.append(("subscription", node, f"{name}/goal", f"{type_}Goal"))
+        found.append(("subscription", node, f"{name}/cancel", "actionlib_msgs/GoalID"))
+    return found
 
 
 def _meant(system: System, facts: set[Fact]) -> set[Fact]:

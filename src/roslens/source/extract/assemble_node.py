@@ -23,6 +23,7 @@ from roslens.source.extract.assemble_parameters import Values, declared_as_set, 
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.catalogue_items import each_item
+from roslens.source.extract.catalogue_plugins import plugged_by_parameters
 from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
@@ -163,7 +164,7 @@ class _Node:
         named = self.hint.names if self.hint else {}
         endpoints = [
             self._endpoint(chosen_of(one, chosen, name), told=chosen)
-            for one in (_renamed(fact, named) for fact in self._there(facts.endpoints))
+            for one in (_renamed(fact, named) for fact in self._there((*facts.endpoints, *self._plugged())))
             for chosen in alternatives(one.name, self.values)
             for name in self.values.each(chosen.text)
         ]
@@ -198,6 +199,11 @@ class _Node:
                 for one in facts.timers
             ),
         )
+
+    def _plugged(self) -> Iterator[EndpointFact]:
+        launched = self.given.launched
+        if self.origin is Origin.CATALOGUE:
+            yield from plugged_by_parameters(launched.package.pattern, launched.executable.pattern, self.values)
 
     def _there(self, facts: Iterable[EndpointFact]) -> Iterator[EndpointFact]:
         """Yield what is there as far as parameters of a node without source say so: ``imu0 is set``."""

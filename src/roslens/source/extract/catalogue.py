@@ -23,6 +23,12 @@ from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts,
 from roslens.source.extract.text import Text
 
 _FOLDER = "catalogue"
+RECONFIGURES = (
+    ("publishes", "parameter_descriptions dynamic_reconfigure/ConfigDescription latched"),
+    ("publishes", "parameter_updates dynamic_reconfigure/Config latched"),
+    ("serves", "set_parameters dynamic_reconfigure/Reconfigure"),
+)
+"""What a server of dynamic_reconfigure makes in its namespace, by key and line."""
 _HOW = "known of this node; releases differ"
 
 
@@ -39,6 +45,7 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         kind: ``node``, ``lifecycle`` or ``container``.
         bridge: whether the words of its command line name what it publishes and subscribes (``parameter_bridge``).
         parameters: with default: ``name: value``.
+        reconfigures: what stands before the names of servers of dynamic_reconfigure, ``~`` or ``~namespace/``.
     """
 
     package: str
@@ -56,6 +63,7 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     serves_actions: tuple[str, ...] = ()
     calls_actions: tuple[str, ...] = ()
     parameters: dict[str, str] = {}
+    reconfigures: tuple[str, ...] = ()
 
 
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -86,6 +94,9 @@ def facts_of(entry: Entry, words: Sequence[Text] = ()) -> NodeFacts:
     endpoints: list[EndpointFact] = []
     for key, role in ROLES.items():
         endpoints += [endpoint_of(line, role, entry.generation, evidence, words) for line in getattr(entry, key)]
+    for before in entry.reconfigures:
+        for key, line in RECONFIGURES:
+            endpoints.append(endpoint_of(before + line, ROLES[key], entry.generation, evidence, words))
     if entry.bridge:
         endpoints += bridged(words, evidence)
     parameters = [

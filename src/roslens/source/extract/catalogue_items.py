@@ -40,17 +40,30 @@ def _of_list(parameter: str, values: Values) -> Iterator[Text]:
     if setting.value.known is None:
         yield unknown(f"{key} of each item of {name}")
         return
+    items = items_of(name, values)
+    if items is None:
+        yield unknown(f"{key} of each item of {name}, which is no list")
+    for item in items or ():
+        if key in item:
+            yield Text.of(item[key])
+
+
+def items_of(name: str, values: Values) -> list[dict[str, str]] | None:
+    """Return the maps of a list that a parameter is, with their plain values; None where it is no known list."""
+    setting = values.value(Text.of(name))
+    if setting is None or setting.value.known is None:
+        return None
     try:
         root = read_tree(setting.value.known.encode(), setting.evidence.path).root
     except DocumentError:
-        root = None
+        return None
     if not isinstance(root, Items):
-        yield unknown(f"{key} of each item of {name}, which is no list")
-        return
-    for item in root.nodes:
-        found = item.nodes.get(key) if isinstance(item, Table) else None
-        if isinstance(found, Scalar):
-            yield Text.of(found.text)
+        return None
+    return [
+        {key: one.text for key, one in item.nodes.items() if isinstance(one, Scalar)}
+        for item in root.nodes
+        if isinstance(item, Table)
+    ]
 
 
 def _side_by_side(hole: Hole, values: Values) -> Iterator[Text]:

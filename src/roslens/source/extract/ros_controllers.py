@@ -16,6 +16,7 @@ import msgspec
 from roslens.judge.yaml_tree import read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.catalogue import plain_value
+from roslens.source.extract.catalogue_plugins import Class
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.hints import ROLES, endpoint_of
 from roslens.source.extract.launched import Launch, Launched, Setting, Unresolved
@@ -29,29 +30,6 @@ _LOADS = "controller_manager/load_controller"
 _WITH_VALUE = frozenset({"--wait-for", "--namespace", "--timeout", "--shutdown-timeout"})
 _FILES = re.compile(r"\.ya?ml\Z")
 _DEFAULT = re.compile(r"(\w+) \((true|false)\)")
-_RECONFIGURES = (
-    ("publishes", "parameter_descriptions dynamic_reconfigure/ConfigDescription latched"),
-    ("publishes", "parameter_updates dynamic_reconfigure/Config latched"),
-    ("serves", "set_parameters dynamic_reconfigure/Reconfigure"),
-)
-
-
-class Controller(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Controllers of the catalogue that make the same.
-
-    Attributes:
-        types: as files of parameters name them.
-        source: where their facts can be read.
-        reconfigures: namespaces below the controller that have a server of dynamic_reconfigure.
-    """
-
-    types: tuple[str, ...]
-    source: str
-    publishes: tuple[str, ...] = ()
-    subscribes: tuple[str, ...] = ()
-    serves: tuple[str, ...] = ()
-    serves_actions: tuple[str, ...] = ()
-    reconfigures: tuple[str, ...] = ()
 
 
 class _Spawned(msgspec.Struct, frozen=True):
@@ -150,7 +128,7 @@ def _made(spawned: _Spawned, spawner: Launched, settings: Mapping[str, Setting])
     how = f"controller {kind.value.known} makes it; releases differ"
     evidence = Evidence(kind.evidence.path, kind.evidence.line, kind.evidence.column, how, Sure.LIKELY)
     found = []
-    for key, line in _lines(controller):
+    for key, line in controller.lines():
         name, _, rest = line.partition(" ")
         fact = endpoint_of(f"x {rest}", ROLES[key], "ros1", evidence)
         if (conditions := _open(fact.conditions, own.pattern, settings)) is None:
@@ -159,13 +137,6 @@ def _made(spawned: _Spawned, spawner: Launched, settings: Mapping[str, Setting])
         whole = absolute(above, Text.of(own_name))
         found.append(msgspec.structs.replace(fact, name=whole, conditions=(*spawner.conditions, *conditions)))
     return found, ""
-
-
-def _lines(controller: Controller) -> Iterator[tuple[str, str]]:
-    for key in ROLES:
-        yield from ((key, line) for line in getattr(controller, key, ()))
-    for space in controller.reconfigures:
-        yield from ((key, line if space == "." else f"{space}/{line}") for key, line in _RECONFIGURES)
 
 
 def _open(conditions: Iterable[str], own: str, settings: Mapping[str, Setting]) -> tuple[str, ...] | None:
@@ -193,11 +164,11 @@ def _manager(nodes: Iterable[Launched], space: Text) -> int | None:
 
 
 @cache
-def controllers() -> Mapping[str, Controller]:
+def controllers() -> Mapping[str, Class]:
     """Return the controllers of the catalogue by type."""
 
     class File(msgspec.Struct, forbid_unknown_fields=True):
-        controllers: tuple[Controller, ...]
+        controllers: tuple[Class, ...]
 
     folder = resources.files("roslens.source.extract").joinpath("catalogue").joinpath("ros_control")
     tree = read_tree(folder.joinpath("controllers.yaml").read_bytes(), "controllers.yaml")

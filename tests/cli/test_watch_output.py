@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
+import msgspec
 import pytest
 
 from roslens.cli.watch_output import Teller
@@ -40,6 +41,12 @@ def test_a_cause_that_changes_alone_is_a_line(tell):
     out, _, _ = tell(Step(9.0, causes=(EXPLAINED,)), Step(10.0, causes=(MAP,)))
     assert out[0].split("  ", 1)[1].strip() == "topic:/map  rate is still low, now because of node:/slam"
     assert out[1].endswith("rate is still low, now by itself, because of nothing else")
+
+
+def test_lines_that_no_terminal_shows_are_whole(tell):
+    long = msgspec.structs.replace(MAP, text="Look at the cable, then at the plug, then at the power. " * 5 + "Call.")
+    out, _, _ = tell(Step(9.0, changes=(long,)))
+    assert out[0].endswith("Call.")
 
 
 def test_a_cause_that_changes_alone_is_a_line_of_json_of_its_own(tell):

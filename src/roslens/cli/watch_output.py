@@ -78,10 +78,11 @@ class Teller:
             lines += [note_line(one) for one in step.notes]
         else:
             shown = [one for one in step.changes if one.state.bad or self._options.verbose]
-            lines = [alert_line(self.terminal, one, self._clock(one.since)) for one in shown]
+            terminal = self._uncut
+            lines = [alert_line(terminal, one, self._clock(one.since)) for one in shown]
             events = [one for one in step.events if self._options.verbose or is_reported(one)]
-            lines += [event_text(self.terminal, one, self._clock(one.time)) for one in events]
-            lines += [cause_text(self.terminal, one, self._clock(one.time)) for one in step.causes]
+            lines += [event_text(terminal, one, self._clock(one.time)) for one in events]
+            lines += [cause_text(terminal, one, self._clock(one.time)) for one in step.causes]
             for note in step.notes:
                 print(f"roslens: {note.text}", file=sys.stderr)
             for failure in step.failures:
@@ -124,6 +125,12 @@ class Teller:
         encoding = (getattr(self._stream, "encoding", None) or "").lower()
         color = wants_color(self._options, self._stream)
         return Terminal(max(width_of(self._stream), 60), color, encoding.startswith("utf"))
+
+    @property
+    def _uncut(self) -> Terminal:
+        """For lines: who reads them in a file or a log wants all of each."""
+        found = self.terminal
+        return found if self._stream.isatty() else Terminal(_ENDLESS, found.color, found.unicode)
 
     def _sum(self, session: Session) -> str:
         if not session.monitor.standing():

@@ -18,7 +18,7 @@ PROBE = [sys.executable, "-I", "-S", str(HERE / "probe.py")]
 def answering(host: Host) -> None:
     """Starts the other end of the probes in `host`."""
     echo = host.start([*PROBE, "echo"], name="echo")
-    wait_until("the probe answers", lambda: "ready" in echo.output(), 10)
+    wait_until("the probe answers", lambda: "ready" in echo.output(), 60)
 
 
 def round_trips(source: Host, goal: Host, count: int = 200, interval: float = 0.01) -> dict[str, Any]:

@@ -57,7 +57,7 @@ def ask(address: str, count: int, interval: float) -> dict[str, object]:
         talk.connect((address, PORT))
         began = time.monotonic()
         sent, heard = 0, began
-        while sent < count or time.monotonic() - heard < SETTLING:
+        while len(trips) < count:
             now = time.monotonic()
             if sent < count and now >= began + sent * interval:
                 talk.send(struct.pack("!Id", sent, now))
@@ -67,7 +67,7 @@ def ask(address: str, count: int, interval: float) -> dict[str, object]:
                 number, then = struct.unpack("!Id", talk.recv(64))
                 heard = time.monotonic()
                 trips[number] = (heard - then) * 1000
-            if len(trips) == count:
+            elif sent == count and time.monotonic() - heard >= SETTLING:
                 break
     return {"sent": sent, "answered": len(trips), "rtt_ms": [round(trips[n], 3) for n in sorted(trips)]}
 

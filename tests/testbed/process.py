@@ -8,7 +8,7 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-START_LIMIT = 10.0
+START_LIMIT = 60.0
 BURIAL_LIMIT = 2.0
 STEP = 0.005
 

@@ -19,7 +19,7 @@ from testbed.process import Process
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "robot"
 HOSTS = ("base", "sensor", "brain")
-START_LIMIT = 15.0
+START_LIMIT = 60.0
 
 
 @dataclass(frozen=True)

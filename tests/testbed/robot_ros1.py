@@ -14,7 +14,7 @@ from testbed.robot import Robot
 
 PYTHON = "/usr/bin/python3"
 PORT = 11311
-START_LIMIT = 20.0
+START_LIMIT = 60.0
 
 _CALL = """
 import json, sys, xmlrpc.client

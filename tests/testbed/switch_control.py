@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 ANSWER_SIZE = 65536
-LIMIT = 5.0
+LIMIT = 30.0
 
 
 class SwitchControl:

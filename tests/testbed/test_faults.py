@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 import pytest
+from pace import slowness
 
 from testbed import faults
 from testbed.clock import faked, library, shifted
@@ -42,8 +43,11 @@ def test_loss_is_the_share_asked_for(request, bed):
 def test_rate_is_the_limit_asked_for(request, bed):
     bed = request.getfixturevalue(bed)
     with faults.rate(bed, "here", 10e6):
-        assert throughput(bed["here"], bed["there"], 2) == pytest.approx(10e6, rel=0.25)
-    assert throughput(bed["here"], bed["there"], 5) > 20e6
+        found = [throughput(bed["here"], bed["there"], 2)]
+        while found[-1] < 7.5e6 and len(found) < 5:  # a machine that stands still takes away from it
+            found.append(throughput(bed["here"], bed["there"], 2))
+    assert max(found) == pytest.approx(10e6, rel=0.25)
+    assert throughput(bed["here"], bed["there"], 5) > 20e6 / slowness()
 
 
 def test_the_bridge_cannot_delay_and_says_so(bulk):
@@ -112,21 +116,21 @@ def test_a_full_disk_has_no_byte_left(bulk):
 
 def test_a_frozen_process_does_nothing_and_thaws(bulk):
     counter = bulk["here"].start(["sh", "-c", "while sleep 0.02; do echo tick; done"], name="counter")
-    wait_until("it ticks", lambda: "tick" in counter.output(), 5)
+    wait_until("it ticks", lambda: "tick" in counter.output(), 60)
     with faults.frozen(counter):
-        wait_until("it is stopped", lambda: stat(counter.pid)[0] == "T", 5)
+        wait_until("it is stopped", lambda: stat(counter.pid)[0] == "T", 60)
         ticks = len(counter.output())
         assert counter.running
-    wait_until("it ticks again", lambda: len(counter.output()) > ticks, 5)
+    wait_until("it ticks again", lambda: len(counter.output()) > ticks, 60)
     counter.kill()
 
 
 def test_a_process_that_was_frozen_and_killed_from_outside_has_ended(bulk):
     victim = bulk["here"].start(["sleep", "600"], name="frozen-victim")
     victim.send(signal.SIGSTOP)
-    wait_until("it is stopped", lambda: stat(victim.pid)[0] == "T", 5)
+    wait_until("it is stopped", lambda: stat(victim.pid)[0] == "T", 60)
     bulk["here"].run(["kill", "-9", str(victim.inner_pid)])
-    assert victim.wait(5) == -9
+    assert victim.wait(60) == -9
 
 
 def test_a_killed_process_is_gone_and_comes_back_as_another(bulk):
@@ -143,9 +147,9 @@ def test_a_killed_process_is_gone_and_comes_back_as_another(bulk):
 def test_a_restarted_process_is_asked_first(bulk):
     script = "trap 'echo bye; exit 0' INT; echo hello; while :; do sleep 0.05; done"
     polite = bulk["here"].start(["sh", "-c", script], name="polite")
-    wait_until("it is there", lambda: "hello" in polite.output(), 5)
+    wait_until("it is there", lambda: "hello" in polite.output(), 60)
     with faults.restarted(polite):
-        wait_until("it is there again", lambda: polite.output() == "hello\nbye\nhello\n", 5)
+        wait_until("it is there again", lambda: polite.output() == "hello\nbye\nhello\n", 60)
     polite.kill()
 
 
@@ -154,15 +158,21 @@ def test_a_clock_offset_is_seen_by_programs_of_the_host(bulk):
     here = bulk["here"]
     environment = faked(here)
 
-    def offset() -> float:
-        return json.loads(here.run([*PROBE, "clock"], environment).stdout) - time.time()
+    def assert_offset(expected: float) -> None:
+        """The moment that a program tells lies between those before and after it ran, which may be long ones."""
+        least, most = -float("inf"), float("inf")
+        for _ in range(3):
+            before = time.time()
+            told = json.loads(here.run([*PROBE, "clock"], environment).stdout)
+            least, most = max(least, told - time.time()), min(most, told - before)
+        assert least - 0.02 <= expected <= most + 0.02
 
-    assert offset() == pytest.approx(0, abs=0.1)
+    assert_offset(0)
     with shifted(here, 0.25):
-        assert offset() == pytest.approx(0.25, abs=0.1)
+        assert_offset(0.25)
     with shifted(here, -3.0):
-        assert offset() == pytest.approx(-3.0, abs=0.1)
-    assert offset() == pytest.approx(0, abs=0.1)
+        assert_offset(-3.0)
+    assert_offset(0)
 
 
 @pytest.mark.skipif(library() is None, reason="faketime is not installed: apt-get install faketime")
@@ -173,8 +183,8 @@ def test_a_clock_offset_reaches_a_program_that_runs_already(bulk):
     def offset() -> float:
         return float(running.output().split()[-2]) - time.time()
 
-    wait_until("it runs", lambda: running.output().count("\n") > 1, 5)
+    wait_until("it runs", lambda: running.output().count("\n") > 1, 60)
     with shifted(bulk["here"], 5):
-        wait_until("it sees the offset", lambda: abs(offset() - 5) < 1, 5)
-    wait_until("it sees the end", lambda: abs(offset()) < 1, 5)
+        wait_until("it sees the offset", lambda: abs(offset() - 5) < 1, 60)
+    wait_until("it sees the end", lambda: abs(offset()) < 1, 60)
     running.kill()

@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 import pytest
+from pace import slowness
 
 from testbed import leftovers
 from testbed.hosts import Bed
@@ -81,7 +82,7 @@ def test_a_failure_on_the_way_up_leaves_nothing(allowed):
 def test_a_terminated_bed_cleans_up(holder):
     process, stem, pid = holder
     process.terminate()
-    assert process.wait(10) == 128 + signal.SIGTERM
+    assert process.wait(60) == 128 + signal.SIGTERM
     assert leftovers.namespaces(stem) == []
     assert not is_alive(pid)
 
@@ -90,7 +91,7 @@ def test_a_killed_bed_takes_its_processes_along_and_the_next_one_sweeps(holder):
     process, stem, pid = holder
     process.kill()
     process.wait()
-    wait_until("the programs of the killed bed are gone", lambda: not is_alive(pid), 5)
+    wait_until("the programs of the killed bed are gone", lambda: not is_alive(pid), 60)
     assert leftovers.namespaces(stem) != []
     with Bed(["one"]):
         assert leftovers.namespaces(stem) == []
@@ -127,9 +128,9 @@ def test_a_frozen_program_does_not_hold_up_the_end(allowed):
     with Bed(["one"]) as bed:
         frozen = bed["one"].start(["sleep", "600"])
         frozen.send(signal.SIGSTOP)
-        wait_until("nsenter has stopped too", lambda: " T " in state_of_parent(frozen.pid), 5)
+        wait_until("nsenter has stopped too", lambda: " T " in state_of_parent(frozen.pid), 60)
         began = time.monotonic()
-    assert time.monotonic() - began < 5
+    assert time.monotonic() - began < 60, "it sleeps for ten minutes"
     assert not is_alive(frozen.pid)
 
 
@@ -151,14 +152,14 @@ def test_two_beds_do_not_meet(bulk):
 @pytest.mark.parametrize(("bed", "megabytes"), [("bulk", 200), ("shaped", 20)])
 def test_a_stream_arrives_whole(request, bed, megabytes):
     bed = request.getfixturevalue(bed)
-    assert throughput(bed["here"], bed["there"], megabytes) > 20e6
+    assert throughput(bed["here"], bed["there"], megabytes) > 20e6 / slowness()
 
 
 def test_a_process_ends_with_its_code_and_starts_again(bulk):
     process = bulk["here"].start(["sh", "-c", "echo life; exit 4"], name="lives")
-    assert process.wait(5) == 4
+    assert process.wait(60) == 4
     process.start_again()
-    assert process.wait(5) == 4
+    assert process.wait(60) == 4
     assert process.output() == "life\nlife\n"
 
 
@@ -179,6 +180,6 @@ def test_multicast_reaches_the_other_host(bulk, shaped):
     tell = "import socket;socket.socket(socket.AF_INET,socket.SOCK_DGRAM).sendto(b'robot',('239.255.0.1',7400))"
     for bed in (bulk, shaped):
         listener = bed["there"].start([sys.executable, "-c", listen], name="listener")
-        wait_until("the listener is ready", lambda of=listener: "ready" in of.output(), 10)
+        wait_until("the listener is ready", lambda of=listener: "ready" in of.output(), 60)
         bed["here"].run([sys.executable, "-c", tell])
-        wait_until("multicast arrives", lambda of=listener: "robot" in of.output(), 5)
+        wait_until("multicast arrives", lambda of=listener: "robot" in of.output(), 60)

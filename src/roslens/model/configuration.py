@@ -140,12 +140,21 @@ class ConfiguredTimer(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
-    """What could not be evaluated: as written, where, the reason; ``node`` is empty where no node is meant."""
+    """What could not be evaluated.
+
+    Attributes:
+        text: as written.
+        proof: where.
+        reason: in words.
+        node: of which it is a part; empty where no node is meant.
+        opens: whether it may start further nodes, so that the configuration is not whole.
+    """
 
     text: str
     proof: Proof
     reason: str
     node: str = ""
+    opens: bool = False
 
 
 class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):

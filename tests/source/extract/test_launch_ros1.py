@@ -136,6 +136,21 @@ def test_what_roslaunch_refuses_is_unresolved_with_its_place(content, reason):
         assert str(whole.nodes[-1].name) == "last"
 
 
+@pytest.mark.parametrize(
+    ("content", "opens"),
+    [
+        ("<launch><include file='gone.launch'/></launch>", True),
+        ("<launch><include file='$(find gone)/x.launch'/></launch>", True),
+        ("<launch><include file='$(arg gone)'/></launch>", True),
+        ("<launch><group ns='$(arg gone)'><node pkg='a' type='b' name='n'/></group></launch>", True),
+        ("<launch><param name='x'/></launch>", False),
+        ("<launch><rosparam file='gone.yaml'/></launch>", False),
+    ],
+)
+def test_what_may_start_further_nodes_is_told_apart(content, opens):
+    assert [one.opens for one in evaluate_ros1("a.launch", Written.of(content)).unresolved] == [opens]
+
+
 def test_includes_without_end_stop():
     files = Written.of("<launch>" + "<include file='b.launch'/>" * 20 + "</launch>")
     files.files["b.launch"] = b"<launch>" + b"<include file='c.launch'/>" * 20 + b"</launch>"

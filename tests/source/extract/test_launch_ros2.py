@@ -169,6 +169,22 @@ def test_what_cannot_be_evaluated_says_why(files, reason):
     assert all(one.evidence.path == path for one in whole.unresolved)
 
 
+@pytest.mark.parametrize(
+    ("files", "opens"),
+    [
+        ({"a_py": python("return LaunchDescription([IncludeLaunchDescription('gone.py')])")}, True),
+        ({"a_py": python("return LaunchDescription(read_config())")}, True),
+        ({"a_xml": "<launch><include file='$(find-pkg-share gone)/x.py'/></launch>"}, True),
+        ({"a_yaml": "launch: 5"}, True),
+        ({"a_py": python("return LaunchDescription([DeclareLaunchArgument('x')])")}, False),
+        ({"a_xml": "<launch><node pkg='a' exec='b'><param from='p.yaml'/></node></launch>"}, False),
+    ],
+)
+def test_what_may_start_further_nodes_is_told_apart(files, opens):
+    (path,) = [name.replace("_", ".") for name in files]
+    assert {one.opens for one in evaluate_ros2(path, Written(**files)).unresolved} == {opens}
+
+
 def test_a_namespace_below_another():
     assert str(within(Text.of("/"), Text.of("a/"))) == "/a"
     assert str(within(Text.of("/a"), Text.of("b"))) == "/a/b"

@@ -65,7 +65,9 @@ def assemble(
     whole = _Whole(launch, units, known, files, by_launch=by_launch, hints=hints or {}, hinted_in=hinted_in)
     for launched in launch.nodes:
         whole.start(launched)
-    unresolved = [Unresolved(one.text, launch_proof(one.evidence), one.reason) for one in launch.unresolved]
+    unresolved = [
+        Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens) for one in launch.unresolved
+    ]
     unresolved += whole.unresolved
     return Configuration(
         title,
@@ -130,7 +132,12 @@ class _Whole:
         line = command_line(launched.arguments, generation, launched.evidence)
         if launched.kind == "process":
             words = " ".join(str(word) for word in (launched.executable, *launched.arguments) if word.parts)
-            self._miss(words or "a process", launched, "a program is started that is no node: what it makes is unknown")
+            self._miss(
+                words or "a process",
+                launched,
+                "a program is started that is no node: what it makes is unknown",
+                opens=True,
+            )
             return
         meant = self._meant(launched, line)
         given = Given(
@@ -221,8 +228,8 @@ class _Whole:
                 self._miss(error.what, launched, f"{error.where}: expected {error.expected}")
         return msgspec.structs.replace(line, settings=(*settings, *line.settings))
 
-    def _miss(self, text: str, launched: Launched, reason: str) -> None:
-        self.unresolved.append(Unresolved(text, launch_proof(launched.evidence), reason))
+    def _miss(self, text: str, launched: Launched, reason: str, *, opens: bool = False) -> None:
+        self.unresolved.append(Unresolved(text, launch_proof(launched.evidence), reason, opens=opens))
 
 
 def _nothing(launched: Launched, generation: str) -> NodeFacts:

@@ -30,6 +30,7 @@ MOST_DEPTH = 30
 _TYPES = {"int": "int", "double": "double", "str": "string", "string": "string", "bool": "bool", "boolean": "bool",
           "yaml": "map"}  # fmt: skip
 _IGNORED = frozenset({"env", "machine", "master"})
+_STARTING = frozenset({"include", "group", "node"})
 
 
 class _Space(msgspec.Struct, frozen=True):
@@ -80,26 +81,31 @@ class _Whole:
     def file(self, path: str, given: dict[str, Text], space: _Space, evidence: Evidence, *, outer: bool) -> None:
         """Evaluate a file with the arguments that it is given."""
         if path in self._open:
-            self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}")
+            self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}", opens=True)
             return
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
-            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} inside each other")
+            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} inside each other", opens=True)
             return
         content = self.files.content(path)
         if content is None:
-            self.miss(path, evidence, "there is no such file in the workspace")
+            self.miss(path, evidence, "there is no such file in the workspace", opens=True)
             return
         self._read += 1
         document = read_elements(content)
         for fault in document.faults:
             line, column = document.place(fault.offset)
-            self.miss(fault.what, Evidence(path, line, column), f"expected {fault.expected or 'readable XML'}")
+            self.miss(
+                fault.what, Evidence(path, line, column), f"expected {fault.expected or 'readable XML'}", opens=True
+            )
         if document.root is None:
             return
         if document.root.tag != "launch":
             line, column = document.place(document.root.start)
             self.miss(
-                f"<{document.root.tag}>", Evidence(path, line, column), "expected <launch> as the outermost element"
+                f"<{document.root.tag}>",
+                Evidence(path, line, column),
+                "expected <launch> as the outermost element",
+                opens=True,
             )
             return
         self._open.append(path)
@@ -113,9 +119,9 @@ class _Whole:
             later = [one for one in self.settings[before:] if one.name.pattern.startswith(own)]
             yield msgspec.structs.replace(node, settings=(*node.settings, *later)) if later else node
 
-    def miss(self, text: str, evidence: Evidence, reason: str) -> None:
-        """Note what could not be evaluated."""
-        self.unresolved.append(Unresolved(text, evidence, reason))
+    def miss(self, text: str, evidence: Evidence, reason: str, *, opens: bool = False) -> None:
+        """Note what could not be evaluated, and whether it may start further nodes."""
+        self.unresolved.append(Unresolved(text, evidence, reason, opens))
 
 
 class _File:
@@ -146,9 +152,9 @@ class _File:
             try:
                 space = msgspec.structs.replace(space, private=method(self, child, inner, remaps))
             except UnknownInsideError as error:
-                self._miss(child, child.written()[:80], str(error))
+                self._miss(child, child.written()[:80], str(error), opens=child.tag in _STARTING)
             except SubstitutionError as error:
-                self._miss(child, child.written()[:80], str(error))
+                self._miss(child, child.written()[:80], str(error), opens=child.tag in _STARTING)
 
     def arg(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
         """Declare an argument."""
@@ -187,7 +193,7 @@ class _File:
                 given[self._needed(child, "name")] = substitute(value, self._scope)
         file = substitute(self._needed(element, "file"), self._scope)
         if file.known is None:
-            self._miss(element, str(file), file.holes[0].reason)
+            self._miss(element, str(file), file.holes[0].reason, opens=True)
             return space.private
         path = joined("", file.known)
         self._whole.included += [path] if path not in self._whole.included else []
@@ -368,8 +374,8 @@ class _File:
     def _place(self, element: Element) -> Evidence:
         return Evidence(self._path, *self._document.place(element.start))
 
-    def _miss(self, element: Element, text: str, reason: str) -> None:
-        self._whole.miss(text, self._place(element), reason)
+    def _miss(self, element: Element, text: str, reason: str, *, opens: bool = False) -> None:
+        self._whole.miss(text, self._place(element), reason, opens=opens)
 
 
 _WORDS = frozenset({"yes", "no", "on", "off"})

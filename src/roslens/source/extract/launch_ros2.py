@@ -88,20 +88,20 @@ class _Whole:
     ) -> None:
         """Visit the actions of a file."""
         if path in self._open:
-            self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}")
+            self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}", opens=True)
             return
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
-            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} inside each other")
+            self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} inside each other", opens=True)
             return
         content = self.files.content(path)
         if content is None:
-            self.miss(path, evidence, "there is no such file in the workspace")
+            self.miss(path, evidence, "there is no such file in the workspace", opens=True)
             return
         self._read += 1
         try:
             actions = actions_of(path, content)
         except DocumentError as error:
-            self.miss(error.what, evidence, f"{error.where}: expected {error.expected}")
+            self.miss(error.what, evidence, f"{error.where}: expected {error.expected}", opens=True)
             return
         self._open.append(path)
         scope = Scope(self.files, configurations, self._environment, path)
@@ -110,9 +110,9 @@ class _Whole:
         self._all(actions, scope, space)
         self._open.pop()
 
-    def miss(self, text: str, evidence: Evidence, reason: str) -> None:
-        """Note what could not be evaluated, once for each place."""
-        found = Unresolved(text, evidence, reason)
+    def miss(self, text: str, evidence: Evidence, reason: str, *, opens: bool = False) -> None:
+        """Note what could not be evaluated, once for each place, and whether it may start further nodes."""
+        found = Unresolved(text, evidence, reason, opens)
         if found not in self.unresolved[-50:]:
             self.unresolved.append(found)
 
@@ -138,7 +138,7 @@ class _Whole:
         for action in actions:
             self._visited += 1
             if self._visited > MOST_ACTIONS:
-                self.miss(action.kind, action.evidence, f"more than {MOST_ACTIONS:,} actions")
+                self.miss(action.kind, action.evidence, f"more than {MOST_ACTIONS:,} actions", opens=True)
                 return
             condition = self._condition(action, scope)
             if condition is not None:
@@ -178,7 +178,7 @@ class _Whole:
             self._sequence(action.make(scope), action.note, scope, inner)
             _keep(inner, space)
         elif action.kind == "unknown":
-            self.miss(str(resolve(action.values.get("text", ""), scope)), action.evidence, action.note)
+            self.miss(str(resolve(action.values.get("text", ""), scope)), action.evidence, action.note, opens=True)
         else:
             self._change(action, scope, space)
 
@@ -225,7 +225,7 @@ class _Whole:
     def _include(self, action: Action, scope: Scope, inner: _Space) -> None:
         file = resolve(action.values["file"], scope)
         if file.known is None:
-            self.miss(str(file), action.evidence, file.holes[0].reason)
+            self.miss(str(file), action.evidence, file.holes[0].reason, opens=True)
             return
         path = joined("", file.known)
         # An included file sees what is set around it, and what it sets stays set after it.
@@ -259,7 +259,7 @@ class _Whole:
             if conditions is None:
                 continue
             if one.kind == "unknown":
-                self.miss(str(resolve(one.values.get("text", ""), scope)), one.evidence, one.note)
+                self.miss(str(resolve(one.values.get("text", ""), scope)), one.evidence, one.note, opens=True)
                 continue
             values = one.values
             self.nodes.append(

@@ -92,11 +92,12 @@ class Argument(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Unresolved(msgspec.Struct, frozen=True, array_like=True):
-    """What could not be evaluated: as written, where, and the reason."""
+    """What could not be evaluated: as written, where, the reason, and whether it may start further nodes."""
 
     text: str
     evidence: Evidence
     reason: str
+    opens: bool = False
 
 
 class Launch(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -1,4 +1,6 @@
-from roslens.model.configuration import Origin, Proof
+import msgspec
+
+from roslens.model.configuration import Origin, Proof, Unresolved
 from roslens.model.finding import Severity
 from roslens.source.rules.graph.one_end import found
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -109,3 +111,14 @@ def test_a_name_that_a_launch_file_gives_a_node_of_the_catalogue_is_meant():
     assert "Candidate: /imu/data of /gazebo" in one.message
     remapped = end("sub", "/narrow_scan", remapped=Proof("a.launch", 3), origin=Origin.CATALOGUE)
     assert [one.entity for one in findings(node("/amcl", remapped))] == ["topic:/narrow_scan"]
+
+
+def test_a_configuration_that_is_not_whole_is_in_doubt():
+    whole = configuration(node("/a", end("sub", "/scan")))
+    missing = Unresolved("other/b.launch", PROOF, "there is no such file in the workspace", opens=True)
+    (one,) = found(msgspec.structs.replace(whole, unresolved=(missing,)), Surroundings())
+    assert one.severity is Severity.NOTE
+    assert "the configuration is not whole: what `other/b.launch` (src/x.cpp:1) starts is unknown" in one.message
+    other = msgspec.structs.replace(missing, opens=False)
+    (one,) = found(msgspec.structs.replace(whole, unresolved=(other,)), Surroundings())
+    assert one.severity is Severity.WARNING

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Origin
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Origin, Unresolved
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import doubt_of
 
@@ -119,6 +119,11 @@ def by_name(all_ends: Sequence[End]) -> dict[tuple[str, str], list[End]]:
 def unknown_nodes(configuration: Configuration) -> list[ConfiguredNode]:
     """Return the nodes of which nobody knows what they make."""
     return sorted((node for node in configuration.nodes if is_unknown(node)), key=lambda node: (node.name, node.proof))
+
+
+def missing_parts(configuration: Configuration) -> list[Unresolved]:
+    """Return what may start further nodes and could not be followed: the configuration is not whole."""
+    return [one for one in configuration.unresolved if one.opens]
 
 
 def is_unknown(node: ConfiguredNode) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.model.configuration import Configuration, ConfiguredNode, Origin
+from roslens.model.configuration import Configuration, ConfiguredNode, Origin, Unresolved
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import weighed
@@ -19,6 +19,7 @@ from roslens.source.rules.graph.ends import (
     ends,
     is_launched,
     listed,
+    missing_parts,
     unknown_nodes,
     unresolved_ends,
 )
@@ -60,6 +61,7 @@ class _View(msgspec.Struct, frozen=True):
     unknown: list[ConfiguredNode]
     unresolved: list[End]
     launched: bool
+    missing: list[Unresolved]
 
 
 def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
@@ -71,7 +73,10 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
         if len({end.role for end in of_name}) == 1 and not surroundings.is_external(key[1])
     }
     launched = is_launched(configuration)
-    view = _View(surroundings, named, lonely, unknown_nodes(configuration), unresolved_ends(configuration), launched)
+    view = _View(
+        surroundings, named, lonely, unknown_nodes(configuration), unresolved_ends(configuration), launched,
+        missing_parts(configuration),
+    )  # fmt: skip
     paired: set[tuple[str, str]] = set()
     # Those that wait come first: what nobody hears is seldom what is wrong.
     for key, of_name in sorted(lonely.items(), key=lambda item: item[1][0].role not in _WAITING):
@@ -145,7 +150,7 @@ def _told(key: tuple[str, str], of_name: list[End], candidate: _Candidate | None
         (end.one.proof,),
         end.conditions,
         # A name that is nearly the same says more than that somebody unknown might be there.
-        more=_more_doubt(end, view) if candidate is None else "",
+        more=_missing(view) or (_more_doubt(end, view) if candidate is None else ""),
     )
     said = listed([f"{one.told} {WORDS[one.role]}" for one in of_name])
     missing = {"topic": ("publishes", "subscribes to"), "service": ("serves", "calls"), "action": ("serves", "calls")}
@@ -159,6 +164,14 @@ def _told(key: tuple[str, str], of_name: list[End], candidate: _Candidate | None
     if not doubt and end.one.given and end.one.given != name:
         message += f" It is given as `{end.one.given}`."
     return told(RULE, message + doubt, end.one.proof, entity=end.entity, severity=severity, context=end.role.value)
+
+
+def _missing(view: _View) -> str:
+    """Return in words what of the configuration could not be followed; the other end may be there."""
+    if not view.missing:
+        return ""
+    places = listed([f"`{one.text[:60]}` ({one.proof.place})" for one in view.missing])
+    return f"the configuration is not whole: what {places} starts is unknown"
 
 
 def _more_doubt(end: End, view: _View) -> str:

@@ -1,7 +1,6 @@
 import json
 import os
 import signal
-import statistics
 import time
 from pathlib import Path
 
@@ -24,9 +23,9 @@ def stat(pid: int) -> list[str]:
 def test_a_delay_both_ways_doubles(shaped):
     with faults.delay(shaped, "here", 20), faults.delay(shaped, "there", 20):
         found = round_trips(shaped["here"], shaped["there"], 100, 0.01)
-    assert statistics.median(found["rtt_ms"]) == pytest.approx(40, abs=5)
+    assert min(found["rtt_ms"]) == pytest.approx(40, abs=5)
     assert found["answered"] == 100
-    assert statistics.median(round_trips(shaped["here"], shaped["there"], 50)["rtt_ms"]) < 5
+    assert min(round_trips(shaped["here"], shaped["there"], 50)["rtt_ms"]) < 5
 
 
 @pytest.mark.parametrize("bed", ["bulk", "shaped"])

@@ -41,6 +41,19 @@ def test_layers_are_items_of_a_list():
     assert found == [layer + "clearing_endpoints", *(layer + one for one in RECONFIGURED)]
 
 
+def test_a_layer_listens_to_its_sources():
+    found = made(
+        base_local_planner="own/Planner",
+        base_global_planner="own/Planner",
+        local_costmap__plugins='[{name: seen, type: "costmap_2d::ObstacleLayer"}]',
+        local_costmap__seen__observation_sources="laser bump  odd",
+        local_costmap__seen__laser__topic="/front/scan",
+        local_costmap__seen__laser__data_type="LaserScan",
+        local_costmap__seen__odd__data_type="Odd",
+    )
+    assert found[3:] == ["/front/scan", "bump"]
+
+
 @pytest.mark.parametrize("value", [unknown("argument planner"), "own/Planner"])
 def test_of_types_that_are_unknown_nothing_is_said(value):
     assert made(base_local_planner=value, base_global_planner=value) == []

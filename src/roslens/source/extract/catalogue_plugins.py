@@ -19,6 +19,8 @@ from roslens.source.extract.hints import ROLES, endpoint_of
 from roslens.source.extract.node_facts import EndpointFact, Evidence, Sure
 from roslens.source.extract.text import Text
 
+_OBSERVED = frozenset({"LaserScan", "PointCloud", "PointCloud2"})
+
 
 class Class(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Types of plug-ins that make the same.
@@ -27,6 +29,7 @@ class Class(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         types: as parameters name them.
         source: where their facts can be read.
         reconfigures: namespaces below the plug-in that have a server of dynamic_reconfigure; ``.`` is its own.
+        observes: its parameter with the names of sources, each a namespace with ``topic`` and ``data_type``.
     """
 
     types: tuple[str, ...]
@@ -36,6 +39,7 @@ class Class(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     serves: tuple[str, ...] = ()
     serves_actions: tuple[str, ...] = ()
     reconfigures: tuple[str, ...] = ()
+    observes: str = ""
 
     def lines(self) -> Iterator[tuple[str, str]]:
         """Yield key and line of each endpoint."""
@@ -79,6 +83,23 @@ def plugged_by_parameters(package: str, node: str, values: Values) -> Iterator[E
             below = space.replace("{last}", kind.replace("::", "/").rpartition("/")[2]).replace("{name}", name)
             for key, end in found.lines():
                 yield endpoint_of(f"{below}/{end}", ROLES[key], "ros1", evidence)
+            if found.observes:
+                yield from _observed(below, found.observes, values, evidence)
+
+
+def _observed(below: str, parameter: str, values: Values, evidence: Evidence) -> Iterator[EndpointFact]:
+    """Yield a subscription for each source that a parameter names: words in one text (obstacle_layer.cpp)."""
+    for source in (_known(f"{below}/{parameter}", values) or "").split():
+        topic = values.value(Text.of(f"{below}/{source}/topic"))
+        kind = _known(f"{below}/{source}/data_type", values) or "PointCloud"
+        if kind in _OBSERVED:
+            fact = endpoint_of(f"x sensor_msgs/{kind} 50", ROLES["subscribes"], "ros1", evidence)
+            yield msgspec.structs.replace(fact, name=Text.of(source) if topic is None else topic.value)
+
+
+def _known(name: str, values: Values) -> str | None:
+    setting = values.value(Text.of(name))
+    return None if setting is None else setting.value.known
 
 
 def _loaded(loaded: str, values: Values) -> Iterator[tuple[str, str]]:

@@ -97,3 +97,10 @@ def read_or_refuse(data: bytes) -> Tree | DocumentError:
         return read_tree(data, "m.yaml")
     except DocumentError as error:
         return error
+
+
+def test_the_last_of_two_keys_may_count():
+    tree = read_tree(b"a: 1\nb: 2\na: 3\n", "m.yaml", last_counts=True)
+    assert isinstance(tree.root, Table)
+    assert {key: one.text for key, one in tree.root.nodes.items() if isinstance(one, Scalar)} == {"a": "3", "b": "2"}
+    assert tree.root.keys["a"].line == 3

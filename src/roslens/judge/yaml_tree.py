@@ -75,19 +75,20 @@ class Tree(msgspec.Struct, frozen=True):
         return _location(self.shown, self.text, place)
 
 
-def read_tree(content: bytes, shown: str) -> Tree:
+def read_tree(content: bytes, shown: str, *, last_counts: bool = False) -> Tree:
     """Read a YAML document.
 
     Args:
         content: the bytes of the file.
         shown: the name of the file in messages.
+        last_counts: whether a key may be named twice, and the last one counts, as PyYAML takes it.
 
     Raises:
         DocumentError: the bytes are not UTF-8, the text is no YAML, holds several documents, nests too deeply or
             names a key twice.
     """
     text = _decode(content, shown)
-    return Tree(shown, text, _Builder(shown, text).build())
+    return Tree(shown, text, _Builder(shown, text, last_counts).build())
 
 
 def _decode(content: bytes, shown: str) -> str:
@@ -121,9 +122,10 @@ def _location(shown: str, text: str, place: Place) -> Location:
 class _Builder:
     """Builds nodes from the events of one text."""
 
-    def __init__(self, shown: str, text: str) -> None:
+    def __init__(self, shown: str, text: str, last_counts: bool) -> None:
         self._shown = shown
         self._text = text
+        self._last_counts = last_counts
         self._anchors: dict[str, Node] = {}
         self._events: Iterator[Any] = iter(())
 
@@ -183,7 +185,7 @@ class _Builder:
             key = self._node(event, depth + 1)
             if not isinstance(key, Scalar):
                 self._fail(key.place, "a list or table as a key", "a word before the colon")
-            if key.text in keys:
+            if key.text in keys and not self._last_counts:
                 first = keys[key.text].line
                 self._fail(key.place, f"key {key.text!r} a second time", f"it once (first in line {first})")
             keys[key.text] = key.place

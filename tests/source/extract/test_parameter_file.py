@@ -47,3 +47,11 @@ def test_files_of_ros1_are_flattened():
         ("", "angles", "[1, 2]", "int_array", 15),
     ]
     assert ros1_parameters(b"", "g.yaml") == ros2_parameters(b"", "g.yaml") == []
+
+
+def test_of_two_keys_of_one_name_rosparam_takes_the_last():
+    settings = ros1_parameters(b"layer:\n  z: 1\n  a: x\n  z: 2\n", "a.yaml")
+    assert {str(one.name): (str(one.value), one.evidence.line) for one in settings} == {
+        "layer/z": ("2", 4),
+        "layer/a": ("x", 3),
+    }

@@ -24,7 +24,8 @@ def ros1_parameters(content: bytes, path: str, line: int = 0) -> list[Setting]:
     Raises:
         DocumentError: it is no YAML that can be read.
     """
-    tree = read_tree(content, path)
+    # rosparam reads with PyYAML, which takes the last of two keys of one name.
+    tree = read_tree(content, path, last_counts=True)
     if tree.root is None:
         return []
     return [_setting(names, "/", node, tree, line) for names, node in _leaves(tree.root, ())]

@@ -4,8 +4,14 @@ from pathlib import Path
 
 import pytest
 
-from roslens.source.extract.node_facts import Inherits
+from roslens.source.extract.assemble_arguments import CommandLine
+from roslens.source.extract.assemble_node import Given, assembled
+from roslens.source.extract.assemble_units import Meant
+from roslens.source.extract.launched import Launched
+from roslens.source.extract.node_facts import Evidence, Inherits
+from roslens.source.extract.text import Text
 
+OUT = 'node->create_publisher<std_msgs::msg::String>("out", 1);'
 COSTMAP = Path(__file__).parents[2] / "fixtures" / "extract" / "options" / "costmap.cpp"
 
 
@@ -195,3 +201,27 @@ class A(Node):
 """
     (node,) = units(a_py=text)
     assert (node.declares_set, node.arguments, len(node.parameters)) == (True, (), 1)
+
+
+@pytest.mark.parametrize(
+    ("made_by", "reason"),
+    [
+        ('std::make_shared<rclcpp::Node>("a", read_options())', "its options are {result of read_options()}"),
+        ('std::make_shared<rclcpp::Node>("a", "ns", read_options())', "its options are {result of read_options()}"),
+        (
+            'std::make_shared<rclcpp::Node>("a", rclcpp::NodeOptions().arguments(read_words()))',
+            "its arguments are {result of read_words()}",
+        ),
+        ('std::make_shared<rclcpp::Node>("a", rclcpp::NodeOptions())', ""),
+        ('std::make_shared<rclcpp::Node>("a", "ns")', ""),
+    ],
+)
+def test_options_that_nobody_knows_put_names_in_doubt(units, made_by, reason):
+    (node,) = made(units, f"auto node = {made_by}; {OUT}")
+    assert node.doubt == reason
+    assert bool(node.unresolved) is bool(reason)
+    launched = Launched(Text.of("p"), Text.of("e"), Evidence("a.launch.xml", 3))
+    given = Given(launched, CommandLine(), "ros2")
+    configured, _ = assembled(given, node, Meant((node,)))
+    (endpoint,) = [one for one in configured.endpoints if not one.implicit]
+    assert (endpoint.proof.sure, configured.proof.sure) == (("likely",) * 2 if reason else ("certain",) * 2)

@@ -67,6 +67,7 @@ class Building(msgspec.Struct, eq=False):
     loads: list[LoadFact] = []
     named: bool = False
     declares_set: bool = False
+    doubt: str = ""
 
     def facts(self) -> NodeFacts:
         """Return what was collected."""
@@ -75,7 +76,7 @@ class Building(msgspec.Struct, eq=False):
             tuple(self.endpoints), tuple(self.parameters), tuple(self.timers), tuple(self.arguments),
             tuple(self.settings), self.global_arguments, self.inherits, self.conditions, self.number,
             tuple(dict.fromkeys(self.uses)), tuple(dict.fromkeys(self.unresolved)), tuple(self.loads),
-            self.declares_set,
+            self.declares_set, self.doubt,
         )  # fmt: skip
         return with_texts(facts, self._seen_from_here) if self.number else facts
 

@@ -12,6 +12,7 @@ from roslens.model.configuration import (
     ConfiguredRemap,
     ConfiguredTimer,
     Origin,
+    Proof,
     Unresolved,
 )
 from roslens.model.graph import Endpoint
@@ -180,7 +181,7 @@ class _Node:
         self._unresolved_of_code()
         return ConfiguredNode(
             self.name,
-            launch_proof(launched.evidence) if self.given.by_launch else proof_of(launched.evidence),
+            self._started(),
             not self.place.node.holes,
             launched.package.pattern,
             (launched.plugin if launched.plugin.parts else launched.executable).pattern,
@@ -204,6 +205,12 @@ class _Node:
         launched = self.given.launched
         if self.origin is Origin.CATALOGUE:
             yield from plugged_by_parameters(launched.package.pattern, launched.executable.pattern, self.values)
+
+    def _started(self) -> Proof:
+        """Return what starts the node; its name is not certain where its options are unknown."""
+        evidence, reason = self.given.launched.evidence, self.facts.doubt
+        proof = launch_proof(evidence) if self.given.by_launch else proof_of(evidence)
+        return msgspec.structs.replace(proof, sure=Sure.LIKELY.value, how=reason) if reason else proof
 
     def _there(self, facts: Iterable[EndpointFact]) -> Iterator[EndpointFact]:
         """Yield what is there as far as parameters of a node without source say so: ``imu0 is set``."""
@@ -240,7 +247,9 @@ class _Node:
         if resolved.holes or (by is None and any(may_match(one, filled.text, self.place) for one in self.rules)):
             sure = Sure.POSSIBLE
         proof = proof_of(fact.evidence, origin or self.origin)
-        how = "; ".join(dict.fromkeys((*told.how, *filled.how))) or ("" if fact.name.holes else proof.how)
+        doubted = (self.facts.doubt,) if self.facts.doubt else ()
+        sure = doubt(sure, Sure.LIKELY) if doubted else sure
+        how = "; ".join(dict.fromkeys((*told.how, *filled.how, *doubted))) or ("" if fact.name.holes else proof.how)
         proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
         given = str(fact.name)
         if resolved.holes:

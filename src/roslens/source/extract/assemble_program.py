@@ -72,6 +72,7 @@ def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
         global_arguments=main.global_arguments and of_class.global_arguments,
         unresolved=tuple(dict.fromkeys((*main.unresolved, *of_class.unresolved))),
         declares_set=main.declares_set or of_class.declares_set,
+        doubt=main.doubt or of_class.doubt,
         loads=tuple(dict.fromkeys((*main.loads, *of_class.loads))),
     )
 

@@ -170,6 +170,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
         conditions: under which code makes it, as written, outermost first.
         number: counts the nodes that one evaluation makes; 0 is the first one.
         declares_set: whether it declares each parameter that is set for it.
+        doubt: why its name and those of its endpoints may be others; empty where nothing is unknown of its options.
         uses: units whose facts are part of it (base classes, owned objects), for people.
         unresolved: what could not be evaluated, with the reason.
         loads: nodelets that it loads into its own process, in source order.
@@ -195,6 +196,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     unresolved: tuple[tuple[Evidence, str], ...] = ()
     loads: tuple[LoadFact, ...] = ()
     declares_set: bool = False
+    doubt: str = ""
 
 
 def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:

@@ -147,7 +147,15 @@ def take_options(engine: Evaluation, building: Building, given: Obj, called: Cal
     del engine
 
 
+def doubt_options(building: Building, called: Called) -> None:
+    """Note where one of the arguments may be options, or a namespace, that nobody knows."""
+    unknown_ones = [one for one in called.arguments[1:3] if isinstance(one, Unknown)]
+    if unknown_ones:
+        _doubt(building, called, f"its options are {as_text(unknown_ones[-1])}")
+
+
 def _doubt(building: Building, called: Called, reason: str) -> None:
+    building.doubt = building.doubt or reason
     building.unresolved.append((called.evidence, f"{reason}: its name and those of its topics may be others"))
 
 

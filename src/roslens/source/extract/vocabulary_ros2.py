@@ -20,7 +20,7 @@ from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
-from roslens.source.extract.vocabulary_options import given_options, take_options
+from roslens.source.extract.vocabulary_options import doubt_options, given_options, take_options
 from roslens.source.extract.vocabulary_overrides import overrides_of
 from roslens.source.extract.vocabulary_qos import quality_of
 
@@ -62,6 +62,8 @@ def _node(engine: Evaluation, thing: Any, called: Called, kind: str) -> Any:
     given = given_options(called)
     if given is not None:
         take_options(engine, building, given, called)
+    else:
+        doubt_options(building, called)
     if isinstance(thing, Obj):
         thing.node = building
         return thing

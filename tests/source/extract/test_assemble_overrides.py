@@ -4,10 +4,10 @@ import pytest
 
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
-from roslens.source.extract.assemble_overrides import overridden
+from roslens.source.extract.assemble_overrides import Overriding
 from roslens.source.extract.assemble_parameters import Values
 from roslens.source.extract.launched import Setting
-from roslens.source.extract.node_facts import EndpointFact, Evidence, Overrides
+from roslens.source.extract.node_facts import EndpointFact, Evidence, Overrides, Sure
 from roslens.source.extract.resolve_name import Place
 from roslens.source.extract.text import Text, unknown
 
@@ -15,6 +15,11 @@ CODE, YAML = Evidence("a.py", 3), Evidence("a.yaml", 5)
 PLACE = Place(Text.of("/ns"), Text.of("/ns/node"), "ros2")
 USUAL = Overrides(("history", "depth", "reliability"))
 TOPIC = Text.of("/ns/scan")
+
+
+def overridden(fact, topic, given, sure=Sure.CERTAIN):
+    overriding = Overriding(given, shared=False)
+    return overriding.take(fact, topic, sure), overriding.declared
 
 
 def end(overrides, role=Role.PUBLISHER, qos=None, **others):
@@ -114,6 +119,44 @@ def test_what_the_code_gives_may_be_unknown():
     assert set(told(declared).values()) == {None}
 
 
+def test_a_name_that_is_likely_makes_likely_parameters():
+    _, declared = overridden(end(USUAL), TOPIC, values(), Sure.LIKELY)
+    assert {one.evidence.sure for one in declared} == {Sure.LIKELY}
+
+
 def test_services_and_other_endpoints_are_as_they_are():
     for fact in (end(USUAL, Role.SERVICE_SERVER), end(None)):
         assert overridden(fact, TOPIC, values()) == (fact, [])
+
+
+OTHER = Text.of("/ns/other")
+SET = "qos_overrides./ns/scan.publisher.reliability"
+
+
+@pytest.mark.parametrize(("shared", "then"), [(True, ""), (False, "reliable")])
+def test_rclpy_changes_a_profile_for_all_that_are_made_of_it_later(shared, then):
+    overriding = Overriding(setting(SET, "best_effort"), shared=shared)
+    before = overriding.take(end(None), OTHER)
+    changed = overriding.take(end(USUAL), TOPIC)
+    after = overriding.take(end(None, Role.SUBSCRIPTION), OTHER)
+    different = overriding.take(end(None, qos=Qos("reliable", "volatile", "keep_last", 3)), OTHER)
+    assert [one.qos.reliability for one in (before, changed, after, different)] == [
+        "reliable", "best_effort", then, "reliable",
+    ]  # fmt: skip
+    assert bool(after.qos_unknown) is shared
+    assert (after.qos.depth, after.qos.durability) == (10, "volatile")
+
+
+def test_what_is_set_for_it_holds_again():
+    overriding = Overriding(values(**{SET: Text.of("best_effort"), SET.replace("scan", "other"): Text.of("reliable")}),
+                            shared=True)  # fmt: skip
+    overriding.take(end(USUAL), TOPIC)
+    assert overriding.take(end(USUAL), OTHER).qos.reliability == "reliable"
+
+
+def test_of_several_made_at_one_place_nobody_knows_which_is_the_first():
+    overriding = Overriding(setting(SET, "best_effort"), shared=True)
+    first = overriding.take(end(USUAL), OTHER, looped=True)
+    second = overriding.take(end(USUAL), TOPIC, looped=True)
+    assert (first.qos.reliability, first.qos.history, second.qos.reliability) == ("", "keep_last", "best_effort")
+    assert told(overriding.declared)["qos_overrides./ns/other.publisher.reliability"] is None

@@ -3,7 +3,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roslens.source.extract.deferred import Scope, resolve
-from roslens.source.extract.substitution_text import parse
+from roslens.source.extract.substitution_text import parse, words
 from roslens.source.extract.text import Text
 
 
@@ -66,3 +66,32 @@ def test_what_is_unknown_says_why():
 @given(st.text(st.sampled_from("$()'\" varenvgotpkh-\\"), max_size=60))
 def test_nothing_breaks_it(written):
     resolve(parse(written), SCOPE)
+
+
+def words_of(written, **configurations):
+    scope = Scope(Files(), {name: Text.of(value) for name, value in configurations.items()}, {}, "pkg/launch/a.xml")
+    return [str(resolve(one, scope)) for one in words(written)]
+
+
+@pytest.mark.parametrize(
+    ("written", "found"),
+    [
+        ("", []),
+        ("  ", []),
+        ("a b", ["a", "b"]),
+        ("/$(var topic) /said --depth 2", ["/a b", "/said", "--depth", "2"]),
+        ("$(var topic)$(var topic)", ["a ba b"]),
+        ("$(var topic) $(var topic)", ["a b", "a b"]),
+        ("x $(var topic)y z", ["x", "a by", "z"]),
+        ("x$(var topic) y", ["xa b", "y"]),
+        ("--text 'a word' b", ["--text", "a word", "b"]),
+        ("--ros-args -r a:=$(var topic)", ["--ros-args", "-r", "a:=a b"]),
+    ],
+)
+def test_words_of_a_command_line(written, found):
+    assert words_of(written, topic="a b") == found
+
+
+def test_words_with_a_quote_that_is_never_closed():
+    (one,) = words("a 'b")
+    assert "quotation" in str(resolve(one, Scope(Files(), {}, {}, "")))

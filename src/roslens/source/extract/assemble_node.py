@@ -19,7 +19,7 @@ from roslens.model.graph import Endpoint
 from roslens.source.extract.assemble_actions import folded
 from roslens.source.extract.assemble_arguments import CommandLine, command_line, kind_of_value
 from roslens.source.extract.assemble_choices import Alternative, alternatives, chosen_of, doubt
-from roslens.source.extract.assemble_overrides import overridden
+from roslens.source.extract.assemble_overrides import Overriding
 from roslens.source.extract.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
@@ -28,7 +28,7 @@ from roslens.source.extract.catalogue_plugins import plugged_by_parameters
 from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
-from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, ParameterFact, Sure
+from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, Sure
 from roslens.source.extract.resolve_name import (
     TOP,
     Place,
@@ -152,7 +152,7 @@ class _Node:
         self.used = {number for number, one in enumerate(given.launched.remaps) if one in given.launched.taken}
         self.uncertain: set[int] = set()
         self.unresolved: list[Unresolved] = []
-        self.declared: list[ParameterFact] = []
+        self.overriding = Overriding(self.values, shared=facts.path.endswith(".py"))
         self.origin = meant.origin
         launched = given.launched
         what = (launched.plugin if launched.plugin.parts else launched.executable).pattern
@@ -164,17 +164,18 @@ class _Node:
         facts, launched = self.facts, self.given.launched
         named = self.hint.names if self.hint else {}
         endpoints = [
-            self._endpoint(chosen_of(one, chosen, name), told=chosen)
+            self._endpoint(chosen_of(one, chosen, name), told=chosen, looped=len(names) > 1)
             for one in (_renamed(fact, named) for fact in self._there((*facts.endpoints, *self._plugged())))
             for chosen in alternatives(one.name, self.values)
-            for name in self.values.each(chosen.text)
+            for names in (self.values.each(chosen.text),)
+            for name in names
         ]
         if self.hint:
             told = hinted(self.hint, self.given.generation, self.given.hinted_in, self.hint_key)
             endpoints += [self._endpoint(one, Origin.HINT) for one in told]
         if self.given.generation == "ros1":
             endpoints = folded(endpoints)
-        parameters = parameters_of((*facts.parameters, *self.declared), self.values)
+        parameters = parameters_of((*facts.parameters, *self.overriding.declared), self.values)
         if facts.declares_set:
             parameters = declared_as_set(parameters, proof_of(Evidence(facts.path, facts.line), self.origin))
         endpoints += self._implicit()
@@ -235,7 +236,12 @@ class _Node:
         return self.meant.kind or kind
 
     def _endpoint(
-        self, fact: EndpointFact, origin: Origin | None = None, told: Alternative = _ITSELF
+        self,
+        fact: EndpointFact,
+        origin: Origin | None = None,
+        told: Alternative = _ITSELF,
+        *,
+        looped: bool = False,
     ) -> ConfiguredEndpoint:
         filled = self.values.fill(fact.name)
         resolved, by = resolve(filled.text, self.place, self.rules)
@@ -258,8 +264,7 @@ class _Node:
             )
         if kind.text.known is None:
             self._miss(str(fact.type), fact, f"the type of {resolved.pattern} is unknown")
-        fact, declared = overridden(fact, resolved, self.values)
-        self.declared += declared
+        fact = self.overriding.take(fact, resolved, sure, looped=looped)
         return ConfiguredEndpoint(
             Endpoint(self.name, fact.role, resolved.pattern, kind.text.known or "", qos=fact.qos),
             proof, given, not resolved.holes, fact.conditions, None if by is None else launch_proof(by.evidence),

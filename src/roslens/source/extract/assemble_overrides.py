@@ -14,7 +14,7 @@ from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.assemble_parameters import Values
 from roslens.source.extract.launched import Setting
-from roslens.source.extract.node_facts import EndpointFact, Overrides, ParameterFact
+from roslens.source.extract.node_facts import EndpointFact, Overrides, ParameterFact, Sure
 from roslens.source.extract.text import Text, unknown
 
 _SPACE = "qos_overrides."
@@ -33,27 +33,65 @@ _PUBLISHERS_ONLY = frozenset({"lifespan"})
 _ROLES = frozenset({Role.PUBLISHER, Role.SUBSCRIPTION})
 
 
-def overridden(fact: EndpointFact, topic: Text, values: Values) -> tuple[EndpointFact, list[ParameterFact]]:
-    """Return an endpoint with the quality of service that parameters give it, and the parameters declared for it.
+class Overriding:
+    """What parameters set of the endpoints of one node, taken in the order in which code makes them.
 
-    Args:
-        fact: the endpoint.
-        topic: its resolved name.
-        values: the parameters that are set for its node.
+    Attributes:
+        declared: the parameters that are declared for that.
     """
-    may = fact.overrides
-    if may is None or fact.role not in _ROLES:
-        return fact, []
-    suffix = f"_{may.id}" if may.id else ""
-    prefix = Text.of(_SPACE, topic, f".{fact.role.value}{suffix}.")
-    policies = [one for one in may.policies if fact.role is Role.PUBLISHER or one not in _PUBLISHERS_ONLY]
-    conditions = (*fact.conditions, *may.conditions)
-    declared = [
-        ParameterFact(Text.of(prefix, one), fact.evidence, "declared", _KINDS.get(one, "string"),
-                      _default(fact, one), conditions=conditions)
-        for one in policies
-    ]  # fmt: skip
-    return _changed(fact, may, prefix, policies, values), declared
+
+    def __init__(self, values: Values, *, shared: bool) -> None:
+        """Begin with the parameters that are set for the node.
+
+        Args:
+            values: they.
+            shared: whether endpoints may have one profile as an object: rclpy changes it for all that are made of it
+                later. rclcpp takes a copy.
+        """
+        self.declared: list[ParameterFact] = []
+        self._values, self._shared = values, shared
+        self._changed: list[tuple[Qos, str]] = []
+
+    def take(self, fact: EndpointFact, topic: Text, sure: Sure = Sure.CERTAIN, *, looped: bool = False) -> EndpointFact:
+        """Return an endpoint with the quality of service that parameters give it.
+
+        Args:
+            fact: the endpoint.
+            topic: its resolved name.
+            sure: how sure that name is.
+            looped: whether it is one of several that are made at one place, nobody knows in which order.
+        """
+        if fact.role not in _ROLES or fact.qos is None:
+            return fact
+        may = fact.overrides or Overrides(())
+        suffix = f"_{may.id}" if may.id else ""
+        ending = f".{fact.role.value}{suffix}."
+        prefix = Text.of(_SPACE, topic, ending)
+        policies = [one for one in may.policies if fact.role is Role.PUBLISHER or one not in _PUBLISHERS_ONLY]
+        own = [] if prefix.holes else [one for one in policies if self._values.value(Text.of(prefix, one)) is not None]
+        doubtful = self._doubtful(fact.qos, ending if looped else "", policies, own) if self._shared else []
+        base = fact if not doubtful else _unsure(fact, doubtful, "parameters change its profile for another endpoint")
+        self._declare(base, prefix, policies, may, sure)
+        open_ = prefix.holes or may.conditions or may.unknown
+        set_ = own if not open_ or not any(name.startswith(_SPACE) for name in self._values.set) else policies
+        self._changed += [(fact.qos, one) for one in set_]
+        return _changed(base, may, prefix, policies, self._values)
+
+    def _doubtful(self, qos: Qos, ending: str, policies: list[str], own: list[str]) -> list[str]:
+        """Return the policies that parameters of other endpoints may have changed."""
+        found = {policy for other, policy in self._changed if other == qos}
+        if ending:
+            found |= {one for one in policies for name in self._values.set if name.endswith(ending + one)}
+        return sorted(found.difference(own))
+
+    def _declare(self, fact: EndpointFact, prefix: Text, policies: list[str], may: Overrides, sure: Sure) -> None:
+        conditions = (*fact.conditions, *may.conditions)
+        place = msgspec.structs.replace(fact.evidence, sure=sure)
+        self.declared += [
+            ParameterFact(Text.of(prefix, one), place, "declared", _KINDS.get(one, "string"),
+                          _default(fact, one), conditions=conditions)
+            for one in policies
+        ]  # fmt: skip
 
 
 _KINDS = {"depth": "int", "avoid_ros_namespace_conventions": "bool", **dict.fromkeys(_DURATIONS, "int")}
@@ -74,6 +112,8 @@ def _default(fact: EndpointFact, policy: str) -> Text:
 
 
 def _changed(fact: EndpointFact, may: Overrides, prefix: Text, policies: list[str], values: Values) -> EndpointFact:
+    if fact.overrides is None:
+        return fact
     if prefix.holes or may.unknown or may.conditions:
         # Who sets nothing below ``qos_overrides`` changes nothing.
         if not any(name.startswith(_SPACE) for name in values.set):

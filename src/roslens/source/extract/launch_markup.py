@@ -16,7 +16,7 @@ from roslens.source.extract.deferred import Value
 from roslens.source.extract.launch_action import Action, Condition, Parameter
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.parameter_file import written as yaml_written
-from roslens.source.extract.substitution_text import parse
+from roslens.source.extract.substitution_text import parse, words
 from roslens.source.workspace.elements import Document, Element, read_elements
 
 
@@ -191,7 +191,6 @@ def _node(kind: str) -> Callable[[Entity], Action]:
             )
             if any(one in entity.attributes for one in written)
         }
-        words = [parse(word) for word in entity.attributes.get("args", "").split() if "$(" not in word]
         return Action(
             kind,
             entity.evidence,
@@ -199,7 +198,7 @@ def _node(kind: str) -> Callable[[Entity], Action]:
             tuple(_actions(entity.all("composable_node"))),
             parameters=tuple(one for param in entity.all("param") for one in _parameters(param, "")),
             remaps=tuple((one.value("from"), one.value("to")) for one in entity.all("remap")),
-            words=tuple(words),
+            words=words(entity.attributes.get("args", "")),
         )
 
     return make

@@ -6,6 +6,8 @@ may hold substitutions themselves.
 
 from __future__ import annotations
 
+import shlex
+
 from roslens.source.extract.deferred import Deferred, Value
 from roslens.source.extract.launch_action import text, unknown_value
 
@@ -34,21 +36,58 @@ _KINDS = {
 
 def parse(written: str, depth: int = 0) -> Value:
     """Return a text with its substitutions; what is no substitution is unknown with the reason."""
+    return text(*_pieces(written, depth))
+
+
+def words(written: str) -> tuple[Value, ...]:
+    """Return the words of a command line: texts are parted by white space, what a substitution comes to is not.
+
+    As ``launch.actions.ExecuteProcess`` parts them, which takes quotes in texts as a shell does.
+    """
+    found: list[list[Value]] = []
+    word: list[Value] = []
+    for piece in _pieces(written, 0) if written.strip() else ():
+        if not isinstance(piece, str):
+            word.append(piece)
+            continue
+        try:
+            first, *more = shlex.split(piece) or [""]
+        except ValueError as error:
+            return (unknown_value(f"the words of {written!r}: {error}"),)
+        if not first and not more and not piece.strip():
+            found.append(word)
+            word = []
+            continue
+        if piece[0].isspace() and word:
+            found.append(word)
+            word = []
+        word.append(first)
+        for one in more:
+            found.append(word)
+            word = [one]
+        if piece[-1].isspace():
+            found.append(word)
+            word = []
+    return tuple(text(*one) for one in (*found, *([word] if word else ())))
+
+
+def _pieces(written: str, depth: int) -> list[Value]:
+    """Return the texts and substitutions that a text is made of."""
     if depth > _MOST_DEPTH:
-        return unknown_value("substitutions that are too deep")
+        return [unknown_value("substitutions that are too deep")]
     parts: list[Value] = []
     at = 0
     while (begin := _begin(written, at)) >= 0:
         end = _closing(written, begin + 2)
         if end < 0:
-            return unknown_value(f"the bracket of {written[begin : begin + 40]!r} is never closed")
+            return [unknown_value(f"the bracket of {written[begin : begin + 40]!r} is never closed")]
         if begin > at:
             parts.append(_plain(written[at:begin]))
         parts.append(_one(written[begin + 2 : end], depth + 1))
         at = end + 1
     if at < len(written) or not parts:
         parts.append(_plain(written[at:]))
-    return text(*parts)
+    return parts
 
 
 def _begin(written: str, at: int) -> int:

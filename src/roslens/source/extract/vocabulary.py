@@ -64,6 +64,7 @@ _MODULES = (
     "vocabulary_markers",
     "vocabulary_durations",
     "vocabulary_lists",
+    "vocabulary_numbers",
     "vocabulary_argparse",
     "vocabulary_shared",
     "vocabulary_transforms",

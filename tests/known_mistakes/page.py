@@ -59,7 +59,7 @@ def _golden() -> list[str]:
         "",
         "The data set has the graphs of three robots as they ran in simulation. Of what was *observed*, source and",
         "launch files say what is *found*; *right* are those facts of all that is *said* without a condition. Names",
-        "and types have to be the same. Left out are the recorder, what every node has, `/clock`, bonds and transports",
+        "and types have to be the same; a server of an action is its topics too. Left out are the recorder, what every node has, `/clock`, bonds and transports",
         "of images. Most nodes of these robots have no source in the workspace: what is known of them is what the",
         "catalogue has.",
         "",

@@ -484,3 +484,12 @@ def test_a_program_that_nothing_installs_runs_in_ros1(generation, started_):
     target = msgspec.structs.replace(TARGET, installed=False)
     units = KnownUnits({"pkg": (target,)}, (talker(generation=generation),))
     assert [str(one.executable) for one in targets_started("pkg", units, generation).nodes] == started_
+
+
+@pytest.mark.parametrize(("generation", "count"), [("ros1", 1), ("ros2", 0)])
+def test_a_script_that_nobody_installs_runs_in_ros1_alone(generation, count):
+    facts = NodeFacts("<module>", "pkg/src/a.py", 1, generation, endpoints=(end(Role.PUBLISHER, "x"),))
+    node = only(
+        configured(facts, Launched(Text.of("pkg"), Text.of("a.py"), START, Text.of("a")), generation=generation)
+    )
+    assert len(explicit(node)) == count

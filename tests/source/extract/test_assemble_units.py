@@ -1,4 +1,4 @@
-from roslens.source.extract.assemble_units import KnownUnits, meant_by
+from roslens.source.extract.assemble_units import KnownUnits, as_script, meant_by
 from roslens.source.extract.launched import Launched
 from roslens.source.extract.node_facts import Evidence, NodeFacts, Target, TargetKind
 from roslens.source.extract.text import Text, unknown
@@ -72,3 +72,22 @@ def test_a_program_is_evaluated_with_the_words_of_its_command_line():
     units = Asked({"pkg": [target(TargetKind.EXECUTABLE, "a", ("pkg/a.cpp",))]}, [MAIN])
     assert meant_by(Launched(Text.of("pkg"), Text.of("a"), HERE), units, words).facts == (MAIN,)
     assert asked == [("pkg/a.cpp", words)]
+
+
+def script(path: str) -> NodeFacts:
+    return NodeFacts("<module>", path, 1, "ros1")
+
+
+def test_a_script_that_nobody_installs_is_found_where_it_lies():
+    one = script("pkg/src/deep/a.py")
+    units = KnownUnits({"pkg": ()}, [one, script("pkg/scripts/other.py"), script("far/a.py")])
+    found = as_script(Launched(Text.of("pkg"), Text.of("a.py"), HERE), units)
+    assert found is not None
+    assert found.facts == (one,)
+
+
+def test_of_several_scripts_of_one_name_none_is_started():
+    units = KnownUnits({"pkg": ()}, [script("pkg/b/a.py"), script("pkg/c/a.py")])
+    assert as_script(Launched(Text.of("pkg"), Text.of("a.py"), HERE), units) is None
+    assert as_script(Launched(Text.of("other"), Text.of("a.py"), HERE), units) is None
+    assert as_script(Launched(Text.of("pkg"), unknown("argument x"), HERE), units) is None

@@ -21,6 +21,9 @@ def test_packages_builds_and_launch_files_are_known():
         assert not found.has("nowhere")
         assert "range_filter" in {target.name for target in found.targets("rover_sensors")}
         assert found.targets("nowhere") == ()
+        (script,) = found.scripts("rover_sensors", "range_filter.py")
+        assert script.endswith("rover_sensors/rover_sensors/range_filter.py")
+        assert found.scripts("rover_sensors", "package.xml") == found.scripts("nowhere", "a.py") == []
         assert [path.rpartition("/")[2] for path in found.launch_files("rover_bringup")] == [
             "navigation.launch.xml",
             "rover.launch.py",

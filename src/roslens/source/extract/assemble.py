@@ -18,7 +18,7 @@ from roslens.source.extract.assemble_loads import loaded_by, with_used
 from roslens.source.extract.assemble_node import Given, assembled, container_name, place_of, values_of
 from roslens.source.extract.assemble_parameters import set_outside
 from roslens.source.extract.assemble_proof import launch_proof
-from roslens.source.extract.assemble_units import Meant, Units, meant_by
+from roslens.source.extract.assemble_units import Meant, Units, as_script, meant_by
 from roslens.source.extract.command_words import words_of
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Argument, Launch, Launched, Setting
@@ -205,6 +205,8 @@ class _Whole:
     def _meant(self, launched: Launched, line: CommandLine) -> Meant:
         words = words_of(launched, self.launch.generation) if self.by_launch else None
         meant = meant_by(launched, self.units, words)
+        if not meant.facts and self.launch.generation == "ros1":
+            meant = as_script(launched, self.units, words) or meant
         if not meant.facts and self.known is not None:
             meant = self.known(launched, self.launch.generation, line.rest) or meant
         if launched.plugged and meant.facts:

@@ -37,6 +37,9 @@ class Units(Protocol):
         ``sources`` are those of what is loaded: they tell which class is meant where several define one.
         """
 
+    def scripts(self, package: str, name: str) -> Sequence[str]:
+        """Return the scripts of a package that have a name as their file name."""
+
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return the checksum of an interface, as ``package/msg/Type``, for code in a file; empty where unknown."""
 
@@ -87,6 +90,11 @@ class KnownUnits:
         del sources
         return self._classes.get(name, ())
 
+    def scripts(self, package: str, name: str) -> Sequence[str]:
+        """Return the scripts whose facts are there, in the folder of the package's name."""
+        known = (path for path, _ in self._programs if path.startswith(f"{package}/"))
+        return sorted(path for path in set(known) if path.rpartition("/")[2] == name)
+
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return nothing: no interface is known."""
         del interface, generation, path
@@ -109,6 +117,19 @@ def meant_by(launched: Launched, units: Units, words: Sequence[Text] | None = No
     if target is None:
         return Meant(reason=f"no build of package {package} makes {name}")
     return facts_of_target(target, units, words)
+
+
+def as_script(launched: Launched, units: Units, words: Sequence[Text] | None = None) -> Meant | None:
+    """Return what a script becomes that no build installs: in ROS 1 it is found where it lies in its package.
+
+    Of several of one name roslaunch starts none (roslib, packages.py, ``find_node``).
+    """
+    package, name = launched.package.known or "", launched.executable.known or ""
+    if launched.kind not in ("node", "test") or not name or not units.has(package):
+        return None
+    found = units.scripts(package, name)
+    facts = units.program(found[0], "", words) if len(found) == 1 else ()
+    return Meant(tuple(facts)) if facts else None
 
 
 def facts_of_target(target: Target, units: Units, words: Sequence[Text] | None = None) -> Meant:

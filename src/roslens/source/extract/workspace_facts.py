@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.model.source import Package, Role
+from roslens.model.source import Language, Package, Role
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target
 from roslens.source.extract.text import Text
@@ -130,6 +130,14 @@ class WorkspaceFacts:
     def of_class(self, name: str, sources: Sequence[str] = ()) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes, of several of that name the one in these sources."""
         return self._once(("class", name, *sources), lambda: self._of_class(name, sources))
+
+    def scripts(self, package: str, name: str) -> Sequence[str]:
+        """Return the scripts in Python of a package that have a name as their file name, sorted."""
+        found = self._parts.found.get(package)
+        files = () if found is None else self._parts.files.get(found.package.id, ())
+        return sorted(
+            one.path for one in files if one.language is Language.PYTHON and one.path.rpartition("/")[2] == name
+        )
 
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return the checksum of an interface for code in a file; of two definitions of one name that of the nearer."""

@@ -12,6 +12,7 @@ from roslens.live.adapters.ros2.changes import Changes
 from roslens.live.adapters.ros2.fit import misfits
 from roslens.live.adapters.ros2.heard import Told
 from roslens.live.adapters.ros2.parameters import Parameters
+from roslens.live.adapters.ros2.same_domain import SameDomain
 from roslens.live.inside.counters import Counted, joined
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
@@ -88,6 +89,7 @@ class Observation:
         self._there: set[tuple[str, str]] = set()
         self._told: set[Failure] = set()
         self._left: dict[str, tuple[str, float]] = {}
+        self._domain = SameDomain()
 
     @property
     def unsettled(self) -> bool:
@@ -110,6 +112,7 @@ class Observation:
         if self._heard is not None:
             graph = msgspec.structs.replace(graph, parameters=self._heard.parameters.known())
         self._remember_names(graph, now)
+        self._domain.take(graph, now)
         self._graph = graph
         self._there = {(end.node, end.name) for end in graph.endpoints}
         found = set(misfits(graph.endpoints))
@@ -128,7 +131,7 @@ class Observation:
 
     def period(self, now: float, seconds: float) -> tuple[Frame, bool]:
         """Return what was counted since the last period, and whether the graph had changed unnoticed."""
-        heard = [one for one in self._counters.read(now) if not self._graphs.own(one.gid)]
+        heard = [one for one in self._counters.read(now) if not self._graphs.own(one.gid) and self._here(one)]
         counted = joined(heard, self._name_of, self._host)
         tallies = [tally for tally in counted if tally.count or self._stands(tally)]
         failures = self._counters.failures()
@@ -171,6 +174,9 @@ class Observation:
     def _stands(self, tally: Tally) -> bool:
         """Tell whether a connection is still there: what was taken apart is silent, and that is no news."""
         return all((name, tally.topic) in self._there for name in (tally.publisher, tally.subscriber) if name)
+
+    def _here(self, one: Counted) -> bool:
+        return self._domain.has(one.tally.subscriber or one.tally.publisher, one.pid)
 
     def _name_of(self, gid: str) -> str | None:
         name = self._graphs.node_of(gid)

@@ -84,3 +84,20 @@ def test_what_other_monitors_report_is_a_line_and_other_events_are_where_more_is
     assert out[1].endswith("parameter:/n/rate  appeared is 10")
     out, _, _ = tell(step, form="json")
     assert [json.loads(line)["entity"] for line in out] == ["node:/m", "parameter:/n/rate"]
+
+
+def test_a_watch_that_could_judge_nothing_is_not_clean(capsys):
+    options = argparse.Namespace(output=None, format="text", verbose=False, quiet=False, no_color=True, color=False)
+    unknown = msgspec.structs.replace(MAP, state=State.UNKNOWN, evidence="it is published, but nobody observes it")
+    ok = msgspec.structs.replace(MAP, state=State.OK)
+    found = []
+    for changes in ((unknown,), (ok, unknown)):
+        with Teller(options, str) as teller:
+            teller.tell(Step(1.0, changes=changes))
+            teller.tell_unjudged([unknown, unknown], 2.0)
+            found.append(teller.code(frozenset(), nothing_seen=False))
+    assert found == [3, 0]
+    said = capsys.readouterr().err
+    assert "nothing could be judged: all of 2 verdicts are unknown" in said
+    assert "topic:/map rate since it is published, but nobody observes it" in said
+    assert "--tap" in said

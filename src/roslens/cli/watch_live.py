@@ -88,7 +88,10 @@ def _watched(
                 sink(step)
 
         run(session, sources, wall=time.time, stopped=stretch.over, told=told)
-        teller.tell(Step(last, failures=never_saw(sources, stretch.passed)))
+        if failures := never_saw(sources, stretch.passed):
+            teller.tell(Step(last, failures=failures))
+        else:
+            teller.tell_unjudged(session.monitor.standing(), last)
     for text in teller.said if on_screen else ():
         # The screen that showed it is gone.
         print(f"roslens: {text}", file=sys.stderr)

@@ -16,13 +16,18 @@ from roslens.cli.watch_screen import alert_line, cause_text, event_text, screen
 from roslens.live.note import Note, NoteKind
 from roslens.live.publish.json_lines import cause_line, event_line, failure_line, note_line, verdict_line
 from roslens.live.reported_levels import is_reported
+from roslens.live.session import Step
+from roslens.model.failure import Failure
+from roslens.model.verdict import State, Verdict
 from roslens.report.terminal import Terminal
 
 if TYPE_CHECKING:
-    from roslens.live.session import Session, Step
+    from roslens.live.session import Session
 
 _ENDLESS = 10_000
 _KEPT = 20
+_UNJUDGED = (State.UNKNOWN, State.SUSPENDED)
+_HOW_TO_OBSERVE = "Start nodes through `roslens run`, or give --tap '**'; watch for longer than grace (5 s by default)"
 
 
 class Teller:
@@ -44,6 +49,7 @@ class Teller:
         self._states: set[str] = set()
         self._failed = 0
         self._old_reference = False
+        self._judged = False
         self.said: deque[str] = deque(maxlen=_KEPT)
         self._stream: TextIO = options.output.open("w", encoding="utf-8") if options.output else sys.stdout
 
@@ -61,6 +67,7 @@ class Teller:
     def count(self, step: Step) -> None:
         """Remember how a step went, without writing it."""
         self._states.update(one.state.value for one in step.changes)
+        self._judged = self._judged or any(one.state not in _UNJUDGED for one in step.changes)
         self._alarms += sum(one.state.bad for one in step.changes)
         self._failed += len(step.failures)
         self.said.extend(str(failure) for failure in step.failures)
@@ -113,6 +120,16 @@ class Teller:
             flush=True,
         )
 
+    def tell_unjudged(self, verdicts: Sequence[Verdict], time: float) -> None:
+        """Say so as a failure where there are verdicts and none of them was ever more than unknown."""
+        if self._judged or not verdicts:
+            return
+        one = verdicts[0]
+        said = f"nothing could be judged: all of {len(verdicts)} verdicts are unknown, {one.entity} {one.quantity}"
+        why = f" since {one.evidence}" if one.evidence else ""
+        failure = Failure("watch", said + why, "values of what the reference is about", _HOW_TO_OBSERVE)
+        self.tell(Step(time, failures=(failure,)))
+
     def code(self, states: frozenset[str], *, nothing_seen: bool) -> int:
         """Return the exit code: 1 where one of ``states`` came up, 3 where something could not be observed."""
         if self._states & states:
@@ -137,6 +154,13 @@ class Teller:
             source = "--bag FILE" if self._options.bag else "--live 60s"
             return f"Nothing was judged. `roslens reference draft {source}` drafts what to hold it against."
         if not self._alarms:
-            return "Nothing was wrong."
+            unknown = [one for one in session.monitor.standing() if one.state is State.UNKNOWN]
+            if not unknown:
+                return "Nothing was wrong."
+            one = unknown[0]
+            why = f" ({one.evidence})" if one.evidence else ""
+            return (
+                f"Nothing is known to be wrong; unknown are {len(unknown)}, such as {one.entity} {one.quantity}{why}."
+            )
         times = "once" if self._alarms == 1 else f"{self._alarms} times"
         return f"Something became wrong {times}; `roslens reference explain FILE… ENTITY` says what is expected of it."

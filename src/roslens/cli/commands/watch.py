@@ -121,6 +121,7 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
 
         session = replay(bag, reference, told=told)
         amount = f"{bag.messages:,} messages in {bag.end - bag.start:.1f} s"
+        teller.tell_unjudged(session.monitor.standing(), bag.end)
         missed = about_nothing(session, reference, bag.end, RECORDED)
         teller.end(session, bag.end, f"{shown}: {amount}; at its end:", missed)
     if options.graph_out is not None:

@@ -28,7 +28,7 @@ from roslens.model.tally import Tally
 from roslens.model.verdict import State, Verdict
 from roslens.model.wire import Frame
 
-BEGIN_S = 30.0
+BEGIN_S = 60.0
 """So long is waited for observers that say nothing at all; then what nobody saw counts as absent all the same."""
 
 

@@ -129,7 +129,7 @@ def was_so(verdict: dict[str, Any], published: list[float]) -> bool:
         return False
     end = verdict["time"] + 0.5
     times = [one for one in published if end - 4 <= one <= end]
-    bounds = [float(number) for number in re.findall(r"[0-9.]*[0-9]", verdict["range"])]
+    bounds = [float(number) for number in re.findall(r"\d+(?:\.\d+)?", verdict["range"])]
     if verdict["quantity"] == "largest_gap":
         scale = 1e-3 if verdict["range"].endswith(" ms") else 1
         return max(after - before for before, after in pairwise([*times, end])) > bounds[-1] * scale

@@ -62,10 +62,19 @@ def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
         return mark_html(str(cell.value))
     # A plain string: what is joined to safe markup would be escaped once more.
     text = str(ticks(shown(column, cell, digits)) if column.kind == "text" else escape(shown(column, cell, digits)))
+    if column.kind in {"code", "name"}:
+        text = _breakable(text)
     if column.kind == "code" and text:
-        # A long path or qualified name may break between its parts, not inside them.
-        text = f"<code>{text.replace('/', '/<wbr>').replace('::', '::<wbr>')}</code>"
+        text = f"<code>{text}</code>"
     return _rating(cell.rating) + _linked(text, cell.ref, cell.hint, link)
+
+
+def _breakable(text: str) -> str:
+    """Return escaped text with places where it may break: between parts of a path or a name, not inside them."""
+    ends = ("/", "::") if "/" in text else ("::", "_", ".", "(", "-&gt;")
+    for end in ends:
+        text = text.replace(end, f"{end}<wbr>")
+    return text
 
 
 def _linked(text: str, ref: PageRef | None, hint: str, link: Link) -> str:

@@ -64,6 +64,7 @@ def test_labels_say_the_end_of_a_long_name() -> None:
     assert len(label) == LONGEST
     assert label.endswith("/image")
     assert label_of(Element(Kind.TOPIC, "/a/image", "k", "/a")) == "image"
+    assert label_of(Element(Kind.NODE, "/a/*", "k", "/a", program="CameraNode")) == "* (CameraNode)"
 
 
 def test_styles() -> None:

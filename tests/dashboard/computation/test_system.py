@@ -9,6 +9,7 @@ import pytest
 
 from roslens.dashboard.computation.system import Kind, System, namespace_of, relative, systems_of
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
+from roslens.model.finding import Finding, Severity
 from roslens.model.graph import Endpoint, Role
 
 
@@ -86,3 +87,15 @@ def test_names() -> None:
     assert namespace_of("/a") == "/"
     assert relative("/a/b/c", "/a") == "b/c"
     assert relative("/a", "/") == "a"
+
+
+def test_of_a_node_without_any_name_it_is_told_what_it_runs() -> None:
+    started = ConfiguredNode("/*", Proof("a.launch.py", 1), resolved=False, executable="camera::CameraNode")
+    assert System("s", Configuration("t", "ros2", (started,))).elements[0].program == "CameraNode"
+
+
+def test_what_is_wrong_with_a_parameter_stands_on_its_node() -> None:
+    finding = Finding("graph.parameter_type", Severity.ERROR, "of another type", entity="parameter:/a/b:rate")
+    system = System("s", Configuration("t", "ros2", (ConfiguredNode("/a/b", Proof()),)), (finding,))
+    assert system.findings_on(system.elements[0]) == (finding,)
+    assert system.elements[0].severity == "error"

@@ -60,7 +60,7 @@ def test_nothing_of_a_name_becomes_markup() -> None:
     found = Configuration(name, "ros2", (ConfiguredNode(name, Proof("a.py", 1)),))
     root = parsed(to_svg(found))
     assert {one.tag.removeprefix(SVG) for one in root.iter()} <= {
-        "svg", "title", "style", "rect", "g", "path", "text", "tspan",
+        "svg", "title", "style", "rect", "circle", "g", "path", "text", "tspan",
     }  # fmt: skip
     assert any("<script>" in title for title in titles(root))
 
@@ -94,3 +94,11 @@ def test_colours_are_those_of_the_pages_in_light_and_dark(robot: Configuration) 
     before, after = text.split("@media (prefers-color-scheme:dark)")
     assert f".paper{{fill:{light['ground']}}}" in before
     assert f".paper{{fill:{dark['ground']}}}" in after
+
+
+def test_doubt_is_a_sign_of_its_own_shape_beside_the_name() -> None:
+    nodes = tuple(ConfiguredNode(f"/{sure}", Proof("a.py", 1, sure=sure)) for sure in ("certain", "likely", "possible"))
+    picture = to_svg(Configuration("a", "ros2", nodes))
+    # Each once on its node and once in the legend.
+    assert (picture.count('class="half"'), picture.count('class="asked"')) == (2, 2)
+    assert "likely ~" not in picture

@@ -185,7 +185,7 @@ def _node_rows(book: Book, system: System, node: ConfiguredNode) -> list[tuple[s
 
 def _parameters(book: Book, node: ConfiguredNode) -> Table:
     columns = (
-        Column("name", "Parameter"),
+        Column("name", "Parameter", "name"),
         Column("value", "Value", "code"),
         Column("type", "Type", "code"),
         Column("default", "Default", "code"),

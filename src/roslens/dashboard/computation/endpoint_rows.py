@@ -11,9 +11,9 @@ from roslens.model.configuration import ConfiguredEndpoint
 from roslens.model.qos import Qos
 
 COLUMNS = {
-    "node": Column("node", "Node"),
+    "node": Column("node", "Node", "name"),
     "does": Column("does", "Does"),
-    "name": Column("name", "Name"),
+    "name": Column("name", "Name", "name"),
     "type": Column("type", "Type", "code"),
     "qos": Column("qos", "Quality of service", sparse=True),
     "place": Column("place", "Made at", "code"),

@@ -114,9 +114,9 @@ def _counts(system: System, visible: set[int]) -> dict[str, int]:
 
 def _nodes(book: Book, system: System) -> Table:
     columns = (
-        Column("node", "Node"),
+        Column("node", "Node", "name"),
         Column("kind", "Kind"),
-        Column("package", "Package"),
+        Column("package", "Package", "name"),
         Column("executable", "Executable", "code", sparse=True),
         Column("started", "Started at", "code"),
         Column("defined", "Defined at", "code"),

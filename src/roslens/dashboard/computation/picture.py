@@ -151,6 +151,8 @@ def visible_of(system: System, left: Left) -> set[int]:
 def label_of(element: Element) -> str:
     """Return the name as it stands in the box of its namespace; of a long one the middle is left out."""
     name = relative(element.name, element.lane)
+    if element.program:
+        name = f"{name} ({element.program})"
     if len(name) <= LONGEST:
         return name
     return name[:12] + "\N{HORIZONTAL ELLIPSIS}" + name[13 - LONGEST :]
@@ -161,8 +163,7 @@ def _lane_order(name: str) -> tuple[str, ...]:
 
 
 def _size(element: Element) -> tuple[float, float]:
-    # A sign of doubt stands behind the name where there is no mark for it.
-    width = (len(label_of(element)) + 2 * (element.sure != "certain")) * CHARACTER
+    width = len(label_of(element)) * CHARACTER
     if element.kind is Kind.NODE:
         return round(max(48.0, width + 24), 1), NODE_HEIGHT
     return round(MARK + width + 4, 1), MARK_HEIGHT

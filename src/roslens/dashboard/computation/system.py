@@ -56,6 +56,7 @@ class Element(msgspec.Struct, frozen=True):
         sure: the least sure of what shows it.
         noise: presets that leave it out.
         severity: of the worst finding about it; empty without any.
+        program: of a node of whose own name nothing is known, what it runs.
     """
 
     kind: Kind
@@ -67,6 +68,7 @@ class Element(msgspec.Struct, frozen=True):
     resolved: bool = True
     noise: tuple[str, ...] = ()
     severity: str = ""
+    program: str = ""
 
 
 class Wire(msgspec.Struct, frozen=True):
@@ -136,6 +138,7 @@ class System:
                 sure=node.proof.sure,
                 conditional=bool(node.conditions),
                 resolved=node.resolved,
+                program=node.executable.rpartition("::")[2] if node.name.endswith("/*") else "",
             )
             self.elements.append(msgspec.structs.replace(element, severity=self._severity(element)))
 

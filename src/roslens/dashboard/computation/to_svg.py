@@ -31,6 +31,9 @@ _RULES = (
     (".action .outline", "fill", "action"),
     (".name", "fill", "ink"),
     (".name", "stroke", "ground"),
+    (".sure circle", "fill", "ground"),
+    (".sure circle,.asked", "stroke", "ink"),
+    (".half", "fill", "ink"),
     (".error", "fill", "error"),
     (".warning", "fill", "warning"),
 )
@@ -41,6 +44,7 @@ text{font:12px system-ui,"Segoe UI",Roboto,"Noto Sans","Liberation Sans",Arial,s
 .node .name{text-anchor:middle;stroke:none}.many .wire{stroke-width:.8}.mark{font-weight:700}
 .conditional{stroke-dasharray:6 4}.unresolved{stroke-dasharray:1.5 3.5;stroke-linecap:round}
 .conditional>.outline{stroke-dasharray:3 2}.unresolved>.outline{stroke-dasharray:1.5 3.5;stroke-linecap:round}
+.sure{stroke-dasharray:none}.asked{fill:none;stroke-linecap:round}.sure circle,.asked{stroke-width:1.2}
 """
 _COLOUR = re.compile(r"--([\w-]+): (#[0-9a-f]{6});")
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -66,7 +70,7 @@ def to_svg(configuration: Configuration, findings: Sequence[Finding] = (), *, ev
     graph = computation_graph(system, left)
     drawing, lines = (graph.lines, graph.flows) if graph.many else (graph.topics, graph.wires)
     captions = _captions(system, drawing, as_lines=graph.many)
-    width = max(drawing.width, 920.0, 32 + max(map(len, captions)) * _CHARACTER)
+    width = max(drawing.width, 960.0, 32 + max(map(len, captions)) * _CHARACTER)
     height = drawing.height + _FOOT
     size = f'width="{width:g}" height="{height:g}"'
     parts = [
@@ -136,6 +140,7 @@ def _element(element: Element, mark: Mark, place: tuple[float, float]) -> str:
             f"<title>{_text(_told(element))}</title>",
             _outline(mark),
             _name(mark),
+            _doubt(mark),
             _severity(mark),
             "</g>",
         )
@@ -168,9 +173,22 @@ def _sign(kind: str, x: float) -> str:
 
 
 def _name(mark: Mark) -> str:
-    label = mark.label + {"likely": " ~", "possible": " ?"}.get(mark.sure, "")
     x = 0.0 if mark.kind == Kind.NODE.value else 20 - mark.w / 2
-    return f'<text class="name" x="{x:.1f}" y="{_BASELINE}">{_text(label)}</text>'
+    return f'<text class="name" x="{x:.1f}" y="{_BASELINE}">{_text(mark.label)}</text>'
+
+
+def _doubt(mark: Mark) -> str:
+    if mark.sure == "certain":
+        return ""
+    node = mark.kind == Kind.NODE.value
+    return _sure(mark.sure, mark.w / 2 if node else -mark.w / 2, -mark.h / 2 if node else 8)
+
+
+def _sure(word: str, x: float, y: float) -> str:
+    likely = '<path class="half" d="M0 -5A5 5 0 0 1 0 5Z"/>'
+    asked = '<path class="asked" d="M-1.8 -1C-1.8 -3.6 2 -3.4 1.8 -1.2C1.6 0 0 0 0 1.2M0 2.8v.4"/>'
+    sign = likely if word == "likely" else asked
+    return f'<g class="sure" transform="translate({x:.1f} {y:g})"><circle r="5"/>{sign}</g>'
 
 
 def _severity(mark: Mark) -> str:
@@ -206,7 +224,11 @@ def _legend(top: float, captions: Sequence[str]) -> Iterator[str]:
         yield f'<path class="wire {word}" d="M{x:g} {y:g}h32"/>'
         yield f'<text class="said" x="{x + 38:g}" y="{y + _BASELINE:g}">{text}</text>'
         x += 38 + len(text) * _CHARACTER + 18
+    for word in ("likely", "possible"):
+        yield _sure(word, x, y)
+        yield f'<text class="said" x="{x + 10:g}" y="{y + _BASELINE:g}">{word}</text>'
+        x += 10 + len(word) * _CHARACTER + 18
     signs = "".join(f'<tspan class="mark {word}" dx="14">{sign}</tspan> {word}' for word, sign in _SIGN.items())
-    yield f'<text class="said" x="{x - 6:g}" y="{y + _BASELINE:g}">~ likely  ? possible{signs}</text>'
+    yield f'<text class="said" x="{x - 20:g}" y="{y + _BASELINE:g}">{signs}</text>'
     for place, caption in enumerate(captions):
         yield f'<text class="said" x="16" y="{y + 30 + 17 * place:g}">{_text(caption)}</text>'

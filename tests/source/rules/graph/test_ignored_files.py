@@ -31,3 +31,17 @@ def test_one_key_for_the_node_is_enough():
 
 def test_a_name_that_is_not_known_is_not_held_against_a_file():
     assert not given("/slam", name="/*/slam", resolved=False)
+
+
+def loaded(*keys, **more):
+    settings = tuple(Setting(Text.of("rate"), Text.of("1"), Evidence("nav.yaml", 3), node=key) for key in keys)
+    start = Launched(Text.of("rclcpp_components"), Text.of("component_container"), PLACE, settings=settings)
+    held = node("/robot/amcl", line=9, container="/container", **more)
+    system = configuration(node("/container", line=4, kind="container"), held)
+    return list(ignored_files(system, Launch("ros2", (start,))))
+
+
+def test_a_file_of_a_container_may_be_for_a_node_in_it():
+    assert not loaded("/robot/amcl")
+    assert not loaded("/slam", resolved=False)
+    assert [one.node for one in loaded("/slam")] == ["/container"]

@@ -26,6 +26,9 @@ def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Igno
     for launched in launch.nodes:
         proof = launch_proof(launched.evidence)
         nodes = by_place.get(proof.place, [])
+        # What a container is given holds for all nodes of its process.
+        names = {node.name for node in nodes}
+        nodes = [*nodes, *(node for node in configuration.nodes if node.container in names)]
         if not nodes or not all(node.resolved for node in nodes):
             continue
         for settings in _keyed(launched).values():

@@ -1,5 +1,7 @@
 """Texts that are one thing or another, with what launch files set."""
 
+import pytest
+
 from roslens.source.extract.assemble_choices import alternatives, chosen_of
 from roslens.source.extract.assemble_parameters import Values
 from roslens.source.extract.launched import Setting
@@ -102,3 +104,42 @@ def test_an_endpoint_keeps_what_was_chosen():
     assert chosen_of(fact, first, first.text).conditions == ("x", "c")
     plain = EndpointFact(Role.PUBLISHER, Text.of("a"), Text.of("m/T"), Evidence("a.cpp", 3))
     assert chosen_of(plain, alternatives(plain.name, values())[0], Text.of("a")) == plain
+
+
+HELPER = """
+import rospy
+from std_msgs.msg import String
+def get(name, value):
+    private = '~' + name
+    if rospy.has_param(private):
+        return rospy.get_param(private)
+    elif rospy.has_param(name):
+        return rospy.get_param(name)
+    return value
+rospy.init_node('node')
+rospy.Publisher(get('topic', 'usual'), String, queue_size=1)
+for one in get('topics', ['c']):
+    rospy.Publisher(one, String, queue_size=1)
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "name"),
+    [
+        ({"/ns/node/topic": "mine"}, "mine"),
+        ({"/ns/topic": "ours"}, "ours"),
+        ({"/ns/node/topic": "mine", "/ns/topic": "ours"}, "mine"),
+        ({}, "usual"),
+    ],
+)
+def test_a_function_that_returns_in_three_places(units, given, name):
+    (facts,) = units(a_py=HELPER)
+    held = values(ROS1, **given)
+    assert [str(held.fill(one.text).text) for one in alternatives(facts.endpoints[0].name, held)] == [name]
+
+
+def test_each_item_of_what_a_function_returns_in_three_places(units):
+    (facts,) = units(a_py=HELPER)
+    held = values(ROS1, **{"/ns/node/topics": "[a, b]"})
+    found = [str(name) for one in alternatives(facts.endpoints[1].name, held) for name in held.each(one.text)]
+    assert found == ["a", "b"]

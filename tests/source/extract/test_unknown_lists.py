@@ -1,5 +1,5 @@
 from roslens.source.extract.abstract_value import Unknown
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Choice, Hole, Text
 from roslens.source.extract.unknown_lists import Each, each_of, is_list, item_of
 
 
@@ -12,6 +12,14 @@ def test_what_decides_a_list_decides_each_item():
     assert each_of(listed("a")).holes[0].among == ""
     assert each_of(Each(3)) == 3
     assert each_of(Unknown("what is read")) == Unknown("each of what is read")
+
+
+def test_of_one_of_two_lists_each_item_is_one_of_either():
+    choice = Choice("private", listed(), Text.of("[c]"))
+    (hole,) = each_of(Text((Hole("names if private, else c", choice=(choice,)),))).holes
+    (one,) = hole.choice
+    assert (one.condition, one.then) == ("private", each_of(listed()))
+    assert str(one.otherwise) == "{each of [c]}"
 
 
 def test_an_item_at_a_place():

@@ -52,7 +52,9 @@ def alternatives(text: Text, values: Values) -> tuple[Alternative, ...]:
 def chosen_of(fact: EndpointFact, one: Alternative, name: Text) -> EndpointFact:
     """Return an endpoint with an alternative for its name."""
     if not any(hole.choice for hole in fact.name.holes):
-        return msgspec.structs.replace(fact, name=name)
+        # An item of a list that is set is as sure as what sets it; what it still lacks says its holes.
+        sure = fact.evidence.sure if name == fact.name else Sure.CERTAIN
+        return msgspec.structs.replace(fact, name=name, evidence=msgspec.structs.replace(fact.evidence, sure=sure))
     evidence = msgspec.structs.replace(fact.evidence, sure=Sure.CERTAIN, how="written")
     conditions = tuple(dict.fromkeys((*fact.conditions, *one.conditions)))
     return msgspec.structs.replace(fact, name=name, evidence=evidence, conditions=conditions)

@@ -84,10 +84,15 @@ class Frame:
     def give(self, value: Any, conditions: Sequence[str] = ()) -> None:
         """Return a value, under conditions that are open or for sure where there are none."""
         self.result = self._or_else(value) if self._given else value
-        condition = " and ".join(conditions)
-        self._given = condition or self._given or "always"
+        condition, test = " and ".join(conditions), self.test_of(conditions) if conditions else None
+        if condition and self._given:
+            # What was returned until now is returned where either condition holds, whatever comes next.
+            condition = f"{self._given} or {condition}"
+            both = None if test is None else self._given_test
+            test = None if both is None or test is None else Asked("or", (), (both, test))
         if condition:
-            self._given_test = self.test_of(conditions)
+            self._given, self._given_test = condition, test
+        self._given = self._given or "always"
         self.returned = True
 
     def know(self, condition: str, otherwise: str, test: Asked | None) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Unknown
-from roslens.source.extract.text import Hole, Text
+from roslens.source.extract.text import Choice, Hole, Text, unknown
 
 
 class Each(msgspec.Struct, frozen=True):
@@ -22,9 +22,21 @@ def each_of(value: Any) -> Any:
         return value.item
     if isinstance(value, Text) and value.holes:
         hole = value.holes[0]
+        if hole.choice:
+            return Text(
+                (msgspec.structs.replace(hole, reason=f"each of {hole.reason}", choice=(_each(hole.choice[0]),)),)
+            )
         among = hole.default if is_list(hole) and hole.default else ""
         return Text((Hole(f"each of {hole.reason}", hole.parameter, among=among, named=hole.named),))
     return Unknown(f"each of {value.reason}" if isinstance(value, Unknown) else "an item")
+
+
+def _each(choice: Choice) -> Choice:
+    """Return a choice of items in place of one of lists."""
+    then, otherwise = (
+        each_of(one) if one.holes else unknown(f"each of {one}") for one in (choice.then, choice.otherwise)
+    )
+    return Choice(choice.condition, then, otherwise, choice.test)
 
 
 def item_of(value: Any, key: Any) -> Any:

@@ -67,3 +67,11 @@ def test_a_type_of_a_namespace_that_is_used_whole():
     assert used_interface("Other2", "msg", using, headers) == "two_msgs/msg/Other2"
     assert used_interface("TheType", "srv", using, headers) == ""
     assert used_interface("TheType", "msg", using, {*headers, "two_msgs/msg/the_type.hpp"}) == ""
+
+
+@pytest.mark.parametrize(
+    "written",
+    ["pcl::PointCloud<pcl::PointXYZ>", "const pcl::PointCloud<pcl::PointXYZI>::ConstPtr &", "pcl::PCLPointCloud2"],
+)
+def test_a_cloud_of_pcl_is_sent_as_the_message(written):
+    assert interface_name(written) == "sensor_msgs/PointCloud2"

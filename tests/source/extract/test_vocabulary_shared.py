@@ -59,3 +59,18 @@ def test_what_a_pointer_is_given(main_of, made):
     kind = "image_transport::ImageTransport"
     facts = main_of(f'boost::shared_ptr<{kind}> it; {made.format(kind)}\nauto p = it->advertise("image", 1);')
     assert [str(one.name) for one in facts.endpoints] == ["image"]
+
+
+def test_a_listener_of_rclpy_may_be_given_its_topics(units):
+    text = """
+from rclpy.node import Node
+import tf2_ros
+class A(Node):
+    def __init__(self):
+        super().__init__('a')
+        topic = self.declare_parameter('topic').value
+        self.listener = tf2_ros.TransformListener(tf2_ros.Buffer(), self, tf_topic=topic, tf_static_topic='/other')
+        self.usual = tf2_ros.TransformListener(tf2_ros.Buffer(), self)
+"""
+    (facts,) = units(a_py=text)
+    assert [str(one.name) for one in facts.endpoints] == ["{parameter topic}", "/other", "/tf", "/tf_static"]

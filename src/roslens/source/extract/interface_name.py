@@ -15,12 +15,17 @@ _ENDS = re.compile(
 _EVENT = re.compile(r"(?:::)?(?:ros::)?MessageEvent\s*<(.*)>[\s&]*$", re.DOTALL)
 _MIDDLE = frozenset({"msg", "srv", "action"})
 _NAME = re.compile(r"[A-Za-z_]\w*")
+_STANDS_FOR = {"pcl.PointCloud": "sensor_msgs/PointCloud2", "pcl.PCLPointCloud2": "sensor_msgs/PointCloud2"}
+"""Classes that are sent as messages of another name (pcl_ros, point_cloud.h; pcl_conversions.h)."""
 
 
 def interface_name(written: str) -> str:
     """Return ``package/Type`` or ``package/msg/Type`` of a C++ type or dotted Python name; empty where it is none."""
     name, _ = type_name(message_of(written).replace("/", "::"))
-    pieces = [piece for piece in _without_end(name).split(".") if piece]
+    without = _without_end(name)
+    if without in _STANDS_FOR:
+        return _STANDS_FOR[without]
+    pieces = [piece for piece in without.split(".") if piece]
     if len(pieces) >= 3 and pieces[-2].startswith("_") and pieces[-3] in _MIDDLE:
         pieces = [*pieces[:-2], pieces[-1]]
     if len(pieces) >= 5 and pieces[-2] == "Impl":

@@ -40,8 +40,11 @@ def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A listener to transforms."""
     node = _listening(engine, called)
     static = msgspec.structs.replace(_STATIC.qos, depth=100)
-    endpoint(engine, node, called, Role.SUBSCRIPTION, Text.of("/tf"), _TF, qos=_DYNAMIC)
-    endpoint(engine, node, called, Role.SUBSCRIPTION, Text.of("/tf_static"), _TF, qos=QosValue(static))
+    topic, static_topic = (
+        called.keywords.get(name, Text.of(f"/{name[:-6]}")) for name in ("tf_topic", "tf_static_topic")
+    )
+    endpoint(engine, node, called, Role.SUBSCRIPTION, topic, _TF, qos=_DYNAMIC)
+    endpoint(engine, node, called, Role.SUBSCRIPTION, static_topic, _TF, qos=QosValue(static))
     return Obj(called.name)
 
 

@@ -124,6 +124,17 @@ def test_a_wrong_key_is_named_on_both_sides(listener, agent_of):
     assert not frames(records)
 
 
+def test_a_wrong_key_is_told_once_however_often_it_is_tried(listener, agent_of):
+    told = []
+    for _ in range(2):
+        said = []
+        agent = agent_of(listener.port, key=b"another key of sixteen bytes", said=said)
+        records = until(listener, [agent], lambda records, said=said: failures(records) and said)
+        told += failures(records)
+    assert len(told) == 2
+    assert len(set(told)) == 1
+
+
 def test_garbage_does_not_disturb_the_others(listener, agent_of):
     agent = agent_of(listener.port)
     with socket.create_connection(("127.0.0.1", listener.port)) as stranger:

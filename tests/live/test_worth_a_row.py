@@ -10,6 +10,7 @@ from roslens.live.worth_a_row import worth_a_row
         ("topic", "/scan", True),
         ("topic", "/rosout", False),
         ("topic", "/parameter_events", False),
+        ("topic", "/statistics", False),
         ("topic", "/planner/transition_event", False),
         ("service", "/planner/get_parameters", False),
         ("service", "/planner/set_map", True),

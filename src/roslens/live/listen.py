@@ -189,7 +189,10 @@ class Listener:
         self._selector.unregister(line.socket)
         line.socket.close()
         del self._lines[line.socket]
-        who = f"agent {line.sender!r} at {line.peer}" if line.sender else f"the connection from {line.peer}"
-        return Failure(
-            "link", f"{who}: {reason}", expected="a roslens agent with the same key", advice="Look at its output"
-        )
+        # Without the port, which is another one each time that it tries again.
+        host = line.peer.rpartition(":")[0]
+        if line.sender:
+            what, expected = f"agent {line.sender!r} at {host}: {reason}", "an agent that goes on"
+        else:
+            what, expected = f"the connection from {host}: {reason}", "a roslens agent with the same key"
+        return Failure("link", what, expected=expected, advice="Look at its output")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.live.tree import SystemView
 
-_TOPICS = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
+_TOPICS = frozenset({"/rosout", "/rosout_agg", "/parameter_events", "/statistics"})
 _TO_NOBODY = " > ?"
 _ENDS = frozenset(
     {"get_parameters", "set_parameters", "set_parameters_atomically", "list_parameters", "describe_parameters",

@@ -241,7 +241,9 @@ class Agent:
             self._hang_up(f"the line broke: {error.strerror or error}; trying again")
             return
         if not piece or self._channel is None:
-            self._hang_up("the monitor hung up; trying again")
+            proven = self._channel is not None and self._channel.ready
+            why = "" if proven else " before it knew the key: give both the same --key-file"
+            self._hang_up(f"the monitor hung up{why}; trying again")
             return
         try:
             for letter, body in self._channel.feed(piece):

@@ -47,7 +47,7 @@ session, module, function = (shared(name, name) for name in ("session", "module"
 """
 
 
-pytestmark = pytest.mark.timed
+pytestmark = pytest.mark.slow
 
 
 @pytest.fixture

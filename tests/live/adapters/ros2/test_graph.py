@@ -247,6 +247,32 @@ def test_traffic_of_an_observer_is_not_told():
     assert [tally.publisher for tally in frame.tallies] == ["/ns/talker"]
 
 
+def test_what_nodes_of_the_same_name_count_in_another_domain_is_not_told():
+    node = FakeNode()
+    node.add("talker", "p", "/t", 7)
+    node.add("listener", "s", "/t", 8)
+
+    class Heard:
+        def read(self, now):
+            sent = Tally("/t", "/ns/talker", "", 0.0, 1.0, count=5)
+            taken = Tally("/t", "", "/ns/listener", 0.0, 1.0, count=5)
+            return [
+                *(CountedSlot(pid, "", sent, "") for pid in (7, 1007)),
+                *(CountedSlot(pid, gid(pid - 1, 1).hex(), taken, "") for pid in (8, 1008)),
+            ]
+
+        def failures(self):
+            return []
+
+    observation = Observation("robot", reader(node), Heard())
+    observation.changed(1.0)
+    frame, _ = observation.period(2.0, 1.0)
+    assert [(tally.publisher, tally.subscriber, tally.count) for tally in frame.tallies] == [
+        ("/ns/talker", "", 5),
+        ("/ns/talker", "/ns/listener", 5),
+    ]
+
+
 def test_silence_is_told_of_what_is_there_only():
     node = FakeNode()
     node.add("talker", "p", "/t", 7)

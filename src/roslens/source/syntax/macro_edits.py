@@ -54,8 +54,8 @@ def _arguments(content: bytes, end: int) -> tuple[int, int, int] | None:
     return opening.end() - 1, comma, -1
 
 
-def _with_arguments(content: bytes, end: int) -> int:
-    """Return the offset behind the name or behind its arguments."""
+def behind_arguments(content: bytes, end: int) -> int:
+    """Return the offset behind a name that ends at ``end`` or behind its arguments; -1 where they never end."""
     arguments = _arguments(content, end)
     if arguments is None:
         return end
@@ -63,21 +63,21 @@ def _with_arguments(content: bytes, end: int) -> int:
 
 
 def _blank_before_declaration(content: bytes, text: bytearray, start: int, end: int) -> int:
-    end = _with_arguments(content, end)
+    end = behind_arguments(content, end)
     if end > 0 and _DECLARATION_FOLLOWS.match(content, end):
         fill(text, start, end)
     return end
 
 
 def _blank_anywhere(content: bytes, text: bytearray, start: int, end: int) -> int:
-    end = _with_arguments(content, end)
+    end = behind_arguments(content, end)
     if end > 0:
         fill(text, start, end)
     return end
 
 
 def _blank_statement(content: bytes, text: bytearray, start: int, end: int) -> int:
-    end = _with_arguments(content, end)
+    end = behind_arguments(content, end)
     if end > 0 and not _NO_STATEMENT.match(content, end):
         fill(text, start, end)
     return end

@@ -19,6 +19,7 @@ from importlib.resources import files
 
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.macro_edits import EDITS, blank_linkage, fill
+from roslens.source.syntax.macro_statements import blank_statements
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -80,6 +81,7 @@ class MacroPreset:
         found = [(*match.span(), kind) for kind, word in self._repaired for match in word.finditer(content)]
         if found:
             content = _edited(content, found)
+        content = blank_statements(content)
         for words, pattern, with_ in self._rewrites:
             if words and not any(word in content for word in words):
                 continue

@@ -108,12 +108,15 @@ def watch(words, environment, folder, least):
     began = time.time()
     with out.open("w") as lines:
         process = subprocess.Popen(command, env=environment, stdout=lines, start_new_session=True)
-    cost, wanted, told = Cost(process.pid), entities(), out.open()
+    cost, wanted, told, line = Cost(process.pid), entities(), out.open(), ""
     try:
         while process.poll() is None:
             cost.look()
-            while line := told.readline():
-                one = json.loads(line)
+            while piece := told.readline():
+                line += piece
+                if not line.endswith("\n"):  # the rest is being written
+                    break
+                one, line = json.loads(line), ""
                 if one["is"] == "verdict" and one["state"] == "ok":
                     wanted.discard(one["entity"])
             if not wanted and time.time() - began >= least:

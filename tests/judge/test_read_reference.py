@@ -99,7 +99,11 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
 @pytest.mark.parametrize(
     ("lines", "message"),
     [
-        ("topc: /scan\nrate: 1..2", "r.yaml:4:5: unknown key 'topc' of a constraint; expected one of host, node"),
+        (
+            "topc: /scan\nrate: 1..2",
+            "r.yaml:4:5: unknown key 'topc' of a constraint; expected one of its 69 keys. Did you mean 'topic'?",
+        ),
+        ("zzzz: /scan\nrate: 1..2", "r.yaml:4:5: unknown key 'zzzz' of a constraint; expected one of host, node"),
         ("topic: /scan\nrate: 30 Hz", "r.yaml:5:11: rate: '30 Hz' is a single value, which nothing measured ever has"),
         ("topic: /scan\nrate: 5..9 ms", "r.yaml:5:11: rate: 5 ms: 'ms' is not its unit; expected one in Hz, mHz"),
         ("topic: /scan\nrat: 5..9", "Did you mean 'rate'?"),

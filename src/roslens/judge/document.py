@@ -19,6 +19,9 @@ from roslens.plugins.nearest import did_you_mean
 
 _NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?\Z")
 
+_LISTED = 30
+"""Keys that are all told, beside the one that was meant."""
+
 Choice = TypeVar("Choice", bound=Enum)
 
 
@@ -40,8 +43,11 @@ class Section:
         self._what = what
         for key, place in table.keys.items():
             if key not in keys:
-                expected = f"one of {', '.join(keys)}"
-                self._fail(place, f"unknown key {key!r} of a {what}", expected, did_you_mean(key, keys))
+                meant = did_you_mean(key, keys)
+                # A long list hides the word that is meant.
+                many = meant and len(keys) > _LISTED
+                expected = f"one of its {len(keys)} keys" if many else f"one of {', '.join(keys)}"
+                self._fail(place, f"unknown key {key!r} of a {what}", expected, meant)
 
     def __contains__(self, key: str) -> bool:
         """Whether the key is there."""

@@ -125,7 +125,7 @@ class Teller:
         if self._judged or not verdicts:
             return
         one = verdicts[0]
-        said = f"nothing could be judged: all of {len(verdicts)} verdicts are unknown, {one.entity} {one.quantity}"
+        said = f"nothing could be judged: every verdict stayed unknown, such as {one.entity} {one.quantity}"
         why = f" since {one.evidence}" if one.evidence else ""
         failure = Failure("watch", said + why, "values of what the reference is about", _HOW_TO_OBSERVE)
         self.tell(Step(time, failures=(failure,)))

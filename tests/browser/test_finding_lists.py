@@ -34,6 +34,7 @@ def test_filters_work_in_place_and_live_in_the_address(visit: Visit, fetch: Fetc
     expect(page.locator(".chips .chip")).to_contain_text("manifest")
     page.get_by_role("link", name="Clear filters").click()
     expect(page.locator("#findings")).to_have_attribute("data-total", str(total))
+    page.wait_for_load_state()  # a page of its own, which filters in place once its script runs
     page.locator("#text").fill("costmap")
     page.keyboard.press("Enter")
     expect(page).to_have_url(re.compile("text=costmap"))
@@ -83,6 +84,8 @@ def test_keys_walk_open_and_lead_to_the_line(visit: Visit) -> None:
 def test_package_page_has_findings_metrics_and_functions(visit: Visit, fetch: Fetch) -> None:
     page = visit("/packages")
     page.locator("#packages tbody tr").first.get_by_role("link").first.click()
+    expect(page).to_have_url(re.compile("/packages/."))
+    page.wait_for_load_state()
     name = page.locator("h1").inner_text()
     document = json.loads(fetch(f"/packages/{name}.json"))
     assert document["key"] == name

@@ -50,6 +50,8 @@ def test_file_page_shows_source_with_findings_in_the_margin(visit: Visit, flagge
 def test_metric_page_shows_distribution_worst_and_bounds(visit: Visit, fetch: Fetch) -> None:
     page = visit("/metrics")
     page.get_by_role("link", name="Cyclomatic complexity", exact=True).first.click()
+    expect(page).to_have_url(re.compile("/metrics/."))
+    page.wait_for_load_state()
     figures = json.loads(fetch("/metrics/cyclomatic_complexity.json"))["figures"]
     bars = page.locator(".distribution .bars rect")
     counts = [
@@ -78,6 +80,7 @@ def test_rules_lead_to_a_rule_and_its_findings(visit: Visit) -> None:
     expect(page).to_have_url(re.compile("text=calls"))
     page.get_by_role("link", name=re.compile("^(Calls above 10|ros.calls.max)$")).first.click()
     expect(page.locator("h1")).to_have_text("Calls above 10")
+    page.wait_for_load_state()
     expect(page.get_by_text("Why it matters")).to_be_visible()
     assert set(page.locator(".finding").evaluate_all("all => all.map(one => one.dataset.rule)")) == {"ros.calls.max"}
 
@@ -127,6 +130,7 @@ def test_dark_is_kept_over_pages(visit: Visit) -> None:
     assert dark != light
     page.locator("nav").get_by_role("link", name="Rules").click()
     expect(page.get_by_role("button", name="Light")).to_be_visible()
+    page.wait_for_load_state()
     assert page.evaluate(ground) == dark
     page.keyboard.press("d")
     assert page.evaluate(ground) == light

@@ -51,3 +51,31 @@ class A : public rclcpp::Node { public:
 """
     (facts,) = units(a_cpp=text)
     assert [one.name.known for one in facts.endpoints] == ["x", "y", "z", "copy_x"]
+
+
+def test_a_static_member_has_the_value_of_its_definition(units):
+    header = """
+namespace m { class Monitor { public:
+  static const std::string TOPIC; static const std::string SERVICE;
+  explicit Monitor(const rclcpp::Node::SharedPtr & node);
+  void start(const std::string & topic = TOPIC);
+  rclcpp::Node::SharedPtr node_;
+}; }
+"""
+    source = """
+namespace m {
+const std::string Monitor::TOPIC = "monitored";
+const std::string Monitor::SERVICE = "monitor";
+Monitor::Monitor(const rclcpp::Node::SharedPtr & node) : node_(node) {}
+void Monitor::start(const std::string & topic) {
+  pub_ = node_->create_publisher<std_msgs::msg::String>(topic, 1);
+  serve_ = node_->create_service<std_srvs::srv::Empty>(SERVICE, nullptr);
+}
+}
+"""
+    main = """
+#include <rclcpp/rclcpp.hpp>
+int main() { auto node = rclcpp::Node::make_shared("n"); m::Monitor monitor(node); monitor.start(); }
+"""
+    (facts,) = units(m_hpp=header, m_cpp=source, main_cpp=main)
+    assert [one.name.known for one in facts.endpoints] == ["monitored", "monitor"]

@@ -26,6 +26,13 @@ def test_each_source_means_its_own(units):
         assert {two.evidence.path for two in one.endpoints} == {f"pkg/{name}.cpp"}
 
 
+def test_a_member_that_only_one_of_two_classes_of_a_name_has(index_of):
+    one = 'class A { static const char * NAME; };\nconst char * A::NAME = "one";'
+    index = index_of(a_cpp=one, b_cpp="class A { int other; };")
+    assert index.member(index.class_of("A", "pkg/a.cpp", ""), "NAME")[1].value == "one"
+    assert index.member(index.class_of("A", "pkg/b.cpp", ""), "NAME") is None
+
+
 def test_a_class_of_a_header_is_meant_by_all_that_define_none(index_of):
     index = index_of(a_hpp="class A { int of_header; };", b_cpp="class A { int own; };", c_cpp="A a;")
     assert index.class_of("A", "pkg/c.cpp", "").path == "pkg/a.hpp"

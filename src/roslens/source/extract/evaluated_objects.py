@@ -68,6 +68,9 @@ class Objects(Calls):
                 if field.name in initialised:
                     thing.fields[field.name] = Unknown(field.name)
                     continue
+                if field.value is None and engine.index.member(one, field.name) is not None:
+                    # A static member has its value where it is defined, outside of the class.
+                    continue
                 outer, engine.frame = engine.frame, Frame(one.path, one.what.qualified_name, thing)
                 engine.frame.templates.update(thing.templates_of(one.what.qualified_name))
                 engine.site = Evidence(one.path, field.line)

@@ -234,7 +234,8 @@ class Index:
 
     def _before(self, path: str, name: str) -> str:
         """Return what stands before the name of what a file defines for itself."""
-        return f"{path}:" if name in self._own.get(path, ()) else _before(path, self.programs[path])
+        own = self._own.get(path, ())
+        return f"{path}:" if name in own or name.rpartition(".")[0] in own else _before(path, self.programs[path])
 
     def meaning(self, name: str, path: str, scope: str) -> str:
         """Return a name with its aliases of the file resolved, as far as they go."""

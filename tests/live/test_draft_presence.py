@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import msgspec
 import pytest
 
 from roslens.judge.read_reference import GivenText, load_reference
@@ -10,7 +11,7 @@ from roslens.live.draft_session import DraftSession
 from roslens.live.draft_text import draft_text
 from roslens.live.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Node, Role
-from roslens.model.tally import Moments, Tally
+from roslens.model.tally import BY_GID, Moments, Tally
 from roslens.model.wire import VERSION, Frame
 
 
@@ -48,6 +49,23 @@ def test_what_comes_and_goes_is_left_out_and_losses_are_counted():
 def test_a_topic_of_two_types_has_none():
     both = Graph("ros2", (), graph("/a").endpoints + graph("/a", type_="u/U").endpoints)
     assert [one.type for one in there_in(both)] == [""]
+
+
+def test_what_agents_count_is_drafted_by_name_and_once():
+    gid = "010faaaa0700000000000000000012ff"
+    session = DraftSession(start=100.0)
+    ends = (Endpoint("/a", Role.PUBLISHER, "/scan", gid=gid), Endpoint("/b", Role.SUBSCRIPTION, "/scan"))
+    session.take([Frame(VERSION, "ros2", 0, 100.0, graph=Graph("ros2", (Node("/a"), Node("/b")), ends))])
+    session.look(100.0)
+    for second in range(100, 130):
+        period = Moments(10, 1.0, 0.1, 0.1, 0.1)
+        sent = Tally("/scan", "/a", "", second, second + 1.0, 10, period=period, host="arm")
+        taken = Tally("/scan", BY_GID + gid, "/b", second, second + 1.0, 10, period=period, host="arm")
+        frame = Frame(VERSION, "arm/one", 0, second + 1.0, [sent, taken], counted_at="here")
+        session.take([frame, msgspec.structs.replace(frame, sender="arm/two")])
+        session.look(second + 1.0)
+    (scan,) = session.observed.drafted()
+    assert {line.quantity: line.typical for line in scan.lines}["rate"] == pytest.approx(10)
 
 
 def test_a_watch_becomes_a_document():

@@ -8,8 +8,7 @@ from roslens.judge.expectation import Reference
 from roslens.live.draft import Observed
 from roslens.live.draft_presence import Attendance, types_in
 from roslens.live.session import Session, Step
-from roslens.model.failure import Failure
-from roslens.model.wire import Frame
+from roslens.model.tally import Tally
 
 LOOK_S = 1.0
 
@@ -32,13 +31,11 @@ class DraftSession(Session):
         self._first: float | None = None
         self._next = start
 
-    def take(self, came: Iterable[Frame | Failure]) -> None:
-        """Take what observers tell."""
-        frames = list(came)
-        for one in frames:
-            if isinstance(one, Frame):
-                self.observed.add_live(one.tallies)
-        super().take(frames)
+    def rate(self, tallies: Iterable[Tally]) -> None:
+        """Keep traffic to draft from."""
+        kept = list(tallies)
+        self.observed.add_live(kept)
+        super().rate(kept)
 
     def look(self, now: float) -> Step:
         """Note what is there, and return what is new."""

@@ -173,6 +173,10 @@ class Session:
         self._failures.clear()
         return step
 
+    def rate(self, tallies: Iterable[Tally]) -> None:
+        """Take traffic that is named, counted once and by one clock."""
+        self.monitor.add_tallies(tallies)
+
     def readings(self, now: float) -> list[tuple[EntityId, dict[str, float]]]:
         """Return the latest values of every entity that has any, each entity once."""
         found: dict[str, dict[str, float]] = {}
@@ -217,9 +221,9 @@ class Session:
         if frame.counted_at:
             self._take_counted(frame.tallies if mine else ())
         elif self._clocks.several:
-            self.monitor.add_tallies(map(self._by_one_clock, frame.tallies))
+            self.rate(map(self._by_one_clock, frame.tallies))
         else:
-            self.monitor.add_tallies(frame.tallies)
+            self.rate(frame.tallies)
         if frame.graph is not None:
             self._graphs.put(frame.sender, frame.graph)
             self._graph_changed = True
@@ -246,9 +250,8 @@ class Session:
         self._add_counted(tally for tally in named if tally is not None)
 
     def _add_counted(self, tallies: Iterable[Tally]) -> None:
-        for tally in self._stretches.of(tallies):
-            # Whose memory a count lies in is where it was received, whatever else bears the name.
-            self.monitor.add_tally(self._by_one_clock(tally, tally.host))
+        # Whose memory a count lies in is where it was received, whatever else bears the name.
+        self.rate(self._by_one_clock(tally, tally.host) for tally in self._stretches.of(tallies))
 
     def _by_one_clock(self, tally: Tally, receiver: str = "") -> Tally:
         sender = self._hosts.get(tally.publisher, "")

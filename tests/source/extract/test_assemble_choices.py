@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.source.extract.assemble_choices import alternatives, chosen_of
+from roslens.source.extract.assemble_choices import alternatives, as_decided, chosen_of
 from roslens.source.extract.assemble_parameters import Values
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import EndpointFact, Evidence, Role, Sure
@@ -143,3 +143,13 @@ def test_each_item_of_what_a_function_returns_in_three_places(units):
     held = values(ROS1, **{"/ns/node/topics": "[a, b]"})
     found = [str(name) for one in alternatives(facts.endpoints[1].name, held) for name in held.each(one.text)]
     assert found == ["a", "b"]
+
+
+def test_conditions_that_what_is_set_decides():
+    asked = (("on", Asked("true", (parameter("on", "true"),))),)
+    fact = EndpointFact(
+        Role.PUBLISHER, Text.of("a"), Text.of("m/T"), Evidence("a.cpp", 3), conditions=("x", "on"), asked=asked
+    )
+    assert as_decided(fact, values(on="true")).conditions == ("x",)
+    assert as_decided(fact, values(on="false")) is None
+    assert as_decided(fact, values()) == fact

@@ -161,3 +161,23 @@ public:
         ("c", "demo_msgs/msg/TheCommand"),
         ("d", None),
     ]
+
+
+def test_what_is_made_at_one_place_under_several_conditions(node_of):
+    members = 'void make() { pub_ = create_publisher<std_msgs::msg::String>("a", 1); }'
+
+    def conditions(body):
+        (one,) = node_of(body, members).endpoints
+        return one.conditions
+
+    assert conditions("if (x()) { make(); } else { make(); }") == ()
+    assert conditions("if (x()) { make(); } if (y()) { make(); }") == ("x() or y()",)
+    assert conditions("if (x()) { make(); } make();") == ()
+    assert conditions("if (x()) { make(); if (y()) { make(); } }") == ("x()",)
+    assert conditions("if (x()) { if (y()) { make(); } if (z()) { make(); } }") == ("x()", "y() or z()")
+
+
+def test_conditions_that_parameters_decide_are_kept(node_of):
+    body = 'bool on = declare_parameter("on", true); if (on && read()) {} if (on) {'
+    (one,) = node_of(body + 'pub_ = create_publisher<std_msgs::msg::String>("a", 1); }').endpoints
+    assert [(condition, test.kind) for condition, test in one.asked] == [("on", "true")]

@@ -60,6 +60,21 @@ def chosen_of(fact: EndpointFact, one: Alternative, name: Text) -> EndpointFact:
     return msgspec.structs.replace(fact, name=name, evidence=evidence, conditions=conditions)
 
 
+def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
+    """Return an endpoint without the conditions that what is set for its node fulfils; None where it forbids one."""
+    met = set()
+    for condition, asked in fact.asked:
+        decided = _decided(asked, values)
+        if decided.holds is None or decided.sure is not Sure.CERTAIN:
+            continue
+        if not decided.holds:
+            return None
+        met.add(condition)
+    if not met:
+        return fact
+    return msgspec.structs.replace(fact, conditions=tuple(one for one in fact.conditions if one not in met))
+
+
 def _is_not_set(text: Text) -> bool:
     return len(text.parts) == 1 and isinstance(hole := text.parts[0], Hole) and hole.reason.endswith(_NOT_SET)
 

@@ -18,7 +18,7 @@ from roslens.model.configuration import (
 from roslens.model.graph import Endpoint
 from roslens.source.extract.assemble_actions import folded
 from roslens.source.extract.assemble_arguments import CommandLine, command_line, kind_of_value
-from roslens.source.extract.assemble_choices import Alternative, alternatives, chosen_of, doubt
+from roslens.source.extract.assemble_choices import Alternative, alternatives, as_decided, chosen_of, doubt
 from roslens.source.extract.assemble_overrides import Overriding
 from roslens.source.extract.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
@@ -217,7 +217,9 @@ class _Node:
         """Yield what is there as far as parameters of a node without source say so: ``imu0 is set``."""
         private = "~" if self.given.generation == "ros1" else ""
         known = (
-            facts if self.origin is not Origin.CATALOGUE else (one for f in facts for one in each_item(f, self.values))
+            (one for fact in facts if (one := as_decided(fact, self.values)) is not None)
+            if self.origin is not Origin.CATALOGUE
+            else (one for f in facts for one in each_item(f, self.values))
         )
         for fact in known:
             if self.origin is Origin.CATALOGUE and any(one.endswith(_IS_SET) for one in fact.conditions):

@@ -56,7 +56,7 @@ def _hold_not(engine: Evaluation, conditions: tuple[str, ...]) -> None:
         return
     note = negated(" and ".join(conditions))
     if note not in engine.conditions:
-        engine.conditions.append(note)
+        engine.under(note)
         engine.frame.passed += 1
 
 

@@ -227,7 +227,7 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     frame.stopped = gone and other_gone and not frame.returned
     if returned and not other_gone and plainly and _asks_parameter(engine, statement.condition):
         # What follows is reached only where the function was not left.
-        engine.conditions.append(otherwise)
+        engine.under(otherwise, frame.tests.get(otherwise))
         frame.passed += 1
     without_ways_out(engine, ways)
 
@@ -242,7 +242,7 @@ def _asks_parameter(engine: Evaluation, condition: Expression) -> bool:
 
 def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
     """Follow statements under a condition."""
-    engine.conditions.append(note)
+    engine.under(note, engine.frame.tests.get(note))
     try:
         block(engine, body)
     finally:

@@ -27,7 +27,7 @@ from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
-from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
 from roslens.source.extract.word_list import Words
 from roslens.source.extract.workspace_index import Index, type_name
@@ -54,6 +54,7 @@ class Evaluation(Objects):
         others: further nodes that were made on the way.
         made: objects of classes of the workspace that are nodes, in the order in which they were made.
         conditions: around what is evaluated, outermost first.
+        asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
         words: of the command line, where they are known.
     """
@@ -64,6 +65,7 @@ class Evaluation(Objects):
         self.node = node
         self.others: list[Building] = []
         self.conditions: list[str] = []
+        self.asked: dict[int, tuple[str, Asked | None]] = {}
         self.frame = Frame(node.path, "")
         self.words: Words | None = None
         self.made: list[Obj] = []
@@ -117,6 +119,17 @@ class Evaluation(Objects):
     def assign(self, target: Expression, value: Any) -> None:
         """Put a value where an expression says."""
         assign(self, target, value)
+
+    def under(self, condition: str, test: Asked | None = None) -> None:
+        """Let a condition hold for what follows, until it is taken away again."""
+        self.asked[len(self.conditions)] = (condition, test)
+        self.conditions.append(condition)
+
+    def asked_now(self) -> tuple[tuple[str, Asked], ...]:
+        """Return those of the conditions that parameters decide."""
+        found = (self.asked.get(place, ("", None)) for place in range(len(self.conditions)))
+        pairs = zip(self.conditions, found, strict=True)
+        return tuple(dict.fromkeys((one, test) for one, (known, test) in pairs if one == known and test is not None))
 
     def block(self, body: tuple[Statement, ...]) -> None:
         """Follow statements in order."""

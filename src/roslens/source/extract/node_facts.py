@@ -13,7 +13,7 @@ import msgspec
 
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Asked, Text
 
 
 class Sure(str, Enum):
@@ -80,6 +80,7 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
         callback: qualified name of what is called; empty where unknown.
         group: callback group, as a name in the source; empty of the default one.
         conditions: what must hold for it to be made, as written, outermost first.
+        asked: those of them that parameters decide, and how.
         sites: where it publishes or calls.
         through: calls in helper functions and classes that pass the name on, the one that makes it last.
     """
@@ -98,6 +99,7 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
     sites: tuple[Evidence, ...] = ()
     through: tuple[Evidence, ...] = ()
     overrides: Overrides | None = None
+    asked: tuple[tuple[str, Asked], ...] = ()
 
 
 class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -206,7 +208,13 @@ def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
         name=change(facts.name),
         namespace=change(facts.namespace),
         endpoints=tuple(
-            msgspec.structs.replace(one, name=change(one.name), type=change(one.type)) for one in facts.endpoints
+            msgspec.structs.replace(
+                one,
+                name=change(one.name),
+                type=change(one.type),
+                asked=tuple((condition, asked.changed(change)) for condition, asked in one.asked),
+            )
+            for one in facts.endpoints
         ),
         parameters=tuple(
             msgspec.structs.replace(

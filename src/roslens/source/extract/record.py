@@ -19,6 +19,7 @@ from roslens.source.extract.abstract_value import (
     Unknown,
     as_text,
 )
+from roslens.source.extract.condition import negated
 from roslens.source.extract.interface_name import (
     included_interface,
     interface_name,
@@ -36,6 +37,7 @@ from roslens.source.extract.workspace_index import dotted, type_arguments, type_
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
+_LONG = 300
 KINDS = {
     Role.PUBLISHER: "msg",
     Role.SUBSCRIPTION: "msg",
@@ -83,14 +85,32 @@ def endpoint(
         callback=engine.called_outer(callback),
         group=group.name if isinstance(group, Group) else "",
         conditions=tuple(dict.fromkeys(engine.conditions)),
+        asked=engine.asked_now(),
         through=through,
         overrides=_beyond(overrides, engine.conditions) if node.generation == "ros2" else None,
     )
     for place, known in enumerate(node.endpoints):
         if (known.evidence, known.role, known.name, known.type) == (fact.evidence, role, fact.name, fact.type):
+            node.endpoints[place] = _under_either(known, fact)
             return Made(node, place)
     node.endpoints.append(fact)
     return Made(node, len(node.endpoints) - 1)
+
+
+def _under_either(known: EndpointFact, other: EndpointFact) -> EndpointFact:
+    """Return an endpoint that is made at one place under these conditions or those."""
+    first, second = (tuple(one for one in fact.conditions) for fact in (known, other))
+    if set(first) <= set(second):
+        return known
+    common = tuple(one for one in first if one in second)
+    asked = tuple(one for one in known.asked if one in other.asked)
+    rests = [" and ".join(one for one in whole if one not in common) for whole in (first, second)]
+    if rests[1] and negated(rests[0]) != rests[1] and negated(rests[1]) != rests[0]:
+        either = " or ".join(rests)
+        if len(either) > _LONG:
+            return msgspec.structs.replace(known, asked=asked)
+        common = (*common, either)
+    return msgspec.structs.replace(known, conditions=common, asked=asked)
 
 
 def _beyond(overrides: Overrides | None, conditions: list[str]) -> Overrides | None:

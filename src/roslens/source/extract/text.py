@@ -103,6 +103,10 @@ class Asked(msgspec.Struct, frozen=True, array_like=True, order=True, tag="asked
     texts: tuple[Text, ...] = ()
     tests: tuple[Asked, ...] = ()
 
+    def changed(self, change: Callable[[Text], Text]) -> Asked:
+        """Return a test with each of its texts changed."""
+        return Asked(self.kind, tuple(map(change, self.texts)), tuple(one.changed(change) for one in self.tests))
+
     @property
     def opposite(self) -> Asked:
         """The test that holds where this one does not."""
@@ -122,14 +126,9 @@ def _mapped(hole: Hole, change: Callable[[Hole], Hole | Text]) -> Hole | Text:
     if not hole.choice:
         return change(hole)
     (one,) = hole.choice
-    test = tuple(_mapped_test(each, change) for each in one.test)
+    test = tuple(each.changed(lambda text: text.mapped(change)) for each in one.test)
     choice = Choice(one.condition, one.then.mapped(change), one.otherwise.mapped(change), test)
     return msgspec.structs.replace(hole, choice=(choice,))
-
-
-def _mapped_test(test: Asked, change: Callable[[Hole], Hole | Text]) -> Asked:
-    texts = tuple(one.mapped(change) for one in test.texts)
-    return Asked(test.kind, texts, tuple(_mapped_test(one, change) for one in test.tests))
 
 
 def unknown(reason: str, *, parameter: str = "", default: str | None = None) -> Text:

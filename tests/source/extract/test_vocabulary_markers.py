@@ -29,6 +29,28 @@ rospy.spin()
     assert ends(facts) == TOLD
 
 
-def test_that_of_ros2_is_another_one(node_of):
+OF_ROS2 = [
+    ("publisher", "m/update", "visualization_msgs/msg/InteractiveMarkerUpdate", False),
+    ("subscription", "m/feedback", "visualization_msgs/msg/InteractiveMarkerFeedback", False),
+    ("service_server", "m/get_interactive_markers", "visualization_msgs/srv/GetInteractiveMarkers", False),
+]
+
+
+def test_that_of_ros2_is_asked_by_a_service(node_of):
     facts = node_of('server_ = std::make_unique<interactive_markers::InteractiveMarkerServer>("m", this);')
-    assert ends(facts) == []
+    assert ends(facts) == OF_ROS2
+    assert [one.qos.depth for one in facts.endpoints if one.qos] == [100, 1]
+
+
+def test_that_of_rclpy_keeps_more(units):
+    text = """
+from interactive_markers import InteractiveMarkerServer
+from rclpy.node import Node
+class A(Node):
+    def __init__(self):
+        super().__init__("a")
+        self.server = InteractiveMarkerServer(self, "m")
+"""
+    (facts,) = units(a_py=text)
+    assert ends(facts) == OF_ROS2
+    assert [one.qos.depth for one in facts.endpoints if one.qos] == [100, 100]

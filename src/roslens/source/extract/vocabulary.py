@@ -69,7 +69,6 @@ _MODULES = (
     "vocabulary_shared",
     "vocabulary_transforms",
     "vocabulary_images",
-    "vocabulary_markers",
     "vocabulary_trees",
     "command_words",
 )

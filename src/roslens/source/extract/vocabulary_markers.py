@@ -1,18 +1,21 @@
-"""The vocabulary of interactive markers of ROS 1: what a server of them tells and hears (interactive_markers)."""
+"""The vocabulary of interactive markers: what a server of them tells and hears (interactive_markers)."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 from roslens.model.graph import Role
-from roslens.source.extract.abstract_value import Handle, Obj, Unknown, as_text
+from roslens.model.qos import Qos
+from roslens.source.extract.abstract_value import Handle, Obj, QosValue
 from roslens.source.extract.record import endpoint
 from roslens.source.extract.text import Text
-from roslens.source.extract.vocabulary import Called, outer
+from roslens.source.extract.vocabulary import Called, node_of, outer
+from roslens.source.extract.vocabulary_shared import handle_of
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
+_QUEUE = 100
 _ENDS = (
     ("/update_full", "InteractiveMarkerInit", Role.PUBLISHER, True),
     ("/update", "InteractiveMarkerUpdate", Role.PUBLISHER, False),
@@ -25,14 +28,33 @@ _ENDS = (
     "interactive_markers.interactive_marker_server.InteractiveMarkerServer",
 )
 def server(engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """A server of interactive markers; that of ROS 2 is another one, of which nothing is said."""
+    """A server of interactive markers; in ROS 2 all that exist are asked for by a service."""
     found = Obj("interactive_markers.InteractiveMarkerServer")
-    name = called.argument(0, "topic_ns")
-    if engine.node.generation == "ros1" and name is not None and not isinstance(name, Handle | Obj | Unknown):
-        for end, kind, role, latched in _ENDS:
-            written = Text.of(as_text(name), end)
-            endpoint(
-                engine, Handle(engine.node), called, role, written, f"visualization_msgs::{kind}", queue=100,
-                latched=latched,
-            )  # fmt: skip
+    name = next((one for one in called.arguments if isinstance(one, Text)), called.keywords.get("topic_ns"))
+    if isinstance(name, Text):
+        handle = handle_of(engine, called)
+        if node_of(engine, handle).generation == "ros2":
+            _server_of_ros2(engine, handle, called, name)
+        else:
+            for end, kind, role, latched in _ENDS:
+                endpoint(
+                    engine, Handle(engine.node), called, role, Text.of(name, end), f"visualization_msgs::{kind}",
+                    queue=_QUEUE, latched=latched,
+                )  # fmt: skip
     return found
+
+
+def _server_of_ros2(engine: Evaluation, handle: Any, called: Called, name: Text) -> None:
+    given = [one for one in called.arguments if isinstance(one, QosValue)]
+    update = given[0] if given else _keeping(_QUEUE)
+    feedback = given[1] if len(given) > 1 else _keeping(_QUEUE if called.evidence.path.endswith(".py") else 1)
+    for end, kind, role, quality in (
+        ("/update", "msg::InteractiveMarkerUpdate", Role.PUBLISHER, update),
+        ("/feedback", "msg::InteractiveMarkerFeedback", Role.SUBSCRIPTION, feedback),
+        ("/get_interactive_markers", "srv::GetInteractiveMarkers", Role.SERVICE_SERVER, None),
+    ):
+        endpoint(engine, handle, called, role, Text.of(name, end), f"visualization_msgs::{kind}", qos=quality)
+
+
+def _keeping(depth: int) -> QosValue:
+    return QosValue(Qos("reliable", "volatile", "keep_last", depth))

@@ -22,7 +22,8 @@ A member of an object is ``of->name`` in both languages, as a dot belongs to nam
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
 
 from roslens.source.extract.program import (
     Assign,
@@ -161,42 +162,37 @@ class _Writer:
         return f"while {over}" if over else "loop"
 
     def expression(self, expression: Expression) -> str:
-        if isinstance(expression, Literal):
-            return json.dumps(expression.value, ensure_ascii=False)
-        if isinstance(expression, Name):
-            return expression.name
-        if isinstance(expression, Member):
-            return f"{self.expression(expression.of)}->{expression.name}"
-        if isinstance(expression, Item):
-            return f"{self.expression(expression.of)}[{self.expression(expression.key)}]"
-        if isinstance(expression, Call):
-            return self._call(expression)
-        if isinstance(expression, Operation):
-            return self._operation(expression)
-        if isinstance(expression, Mapping):
-            pairs = [f"{self.expression(key)}: {self.expression(value)}" for key, value in expression.items]
-            return f"{{{', '.join(pairs)}}}"
-        if isinstance(expression, Lambda):
-            return f"lambda#{expression.function}"
-        if isinstance(expression, Opaque):
-            return f"`{expression.text}`"
-        return self._several(expression)
+        return _WRITTEN[type(expression)](self, expression)
 
-    def _several(self, expression: Sequence | Format) -> str:
-        if isinstance(expression, Format):
-            return f"format[{self._listed(expression.parts)}]"
-        return f"[{self._listed(expression.items)}]"
+    def literal(self, literal: Literal) -> str:
+        return json.dumps(literal.value, ensure_ascii=False)
+
+    def member(self, member: Member) -> str:
+        return f"{self.expression(member.of)}->{member.name}"
+
+    def item(self, item: Item) -> str:
+        return f"{self.expression(item.of)}[{self.expression(item.key)}]"
+
+    def mapping(self, mapping: Mapping) -> str:
+        pairs = [f"{self.expression(key)}: {self.expression(value)}" for key, value in mapping.items]
+        return f"{{{', '.join(pairs)}}}"
+
+    def format(self, format_: Format) -> str:
+        return f"format[{self._listed(format_.parts)}]"
+
+    def sequence(self, sequence: Sequence) -> str:
+        return f"[{self._listed(sequence.items)}]"
 
     def _listed(self, expressions: Iterable[Expression]) -> str:
         return ", ".join(map(self.expression, expressions))
 
-    def _call(self, call: Call) -> str:
+    def call(self, call: Call) -> str:
         arguments = [self.expression(argument) for argument in call.arguments]
         arguments += [f"{name}={self.expression(value)}" for name, value in call.keywords]
         at = f"@{call.line}:{call.column}" if self._lines else ""
         return f"{self.expression(call.function)}{_angles(call.templates)}({', '.join(arguments)}){at}"
 
-    def _operation(self, operation: Operation) -> str:
+    def operation(self, operation: Operation) -> str:
         operands = [self.expression(operand) for operand in operation.operands]
         if operation.operator == "?:" and len(operands) == 3:
             return f"({operands[0]} ? {operands[1]} : {operands[2]})"
@@ -211,3 +207,18 @@ def _angles(names: tuple[str, ...]) -> str:
 
 def _indented(lines: Iterable[str]) -> Iterator[str]:
     return (f"  {line}" for line in lines)
+
+
+_WRITTEN: dict[type[Any], Callable[[_Writer, Any], str]] = {
+    Literal: _Writer.literal,
+    Name: lambda _, name: str(name.name),
+    Member: _Writer.member,
+    Item: _Writer.item,
+    Call: _Writer.call,
+    Operation: _Writer.operation,
+    Mapping: _Writer.mapping,
+    Lambda: lambda _, one: f"lambda#{one.function}",
+    Opaque: lambda _, one: f"`{one.text}`",
+    Format: _Writer.format,
+    Sequence: _Writer.sequence,
+}

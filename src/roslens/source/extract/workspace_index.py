@@ -68,6 +68,8 @@ class Index:
         self._adapted: dict[str, str] = {}
         self._included: dict[str, set[str]] = {}
         self._found_aliases: dict[tuple[str, str, str], str] = {}
+        # By identity, which is a lot cheaper than by value; what is kept beside it keeps it from being given again.
+        self._keys: dict[int, tuple[Class | Function, str]] = {}
         self._found_constants: dict[tuple[str, str, str], tuple[str, Expression] | None] = {}
         self._found_globals: dict[tuple[str, str, str], str] = {}
         self._macros: dict[str, Expression] = {}
@@ -230,7 +232,11 @@ class Index:
 
     def key(self, defined: Defined) -> str:
         """Return the name by which what a class defines is kept."""
-        return self._before(defined.path, defined.what.qualified_name) + defined.what.qualified_name
+        what = defined.what
+        known = self._keys.get(id(what))
+        if known is None or known[0] is not what:
+            known = self._keys[id(what)] = (what, self._before(defined.path, what.qualified_name) + what.qualified_name)
+        return known[1]
 
     def _before(self, path: str, name: str) -> str:
         """Return what stands before the name of what a file defines for itself."""

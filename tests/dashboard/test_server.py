@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import csv
 import io
+import json
+import re
 import socket
 from contextlib import closing
 from typing import Any
 
 import pytest
+from dashboard.conftest import Client
+from dashboard.live.scripted_robot import ScriptedRobot
 
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.export import pages_of
 from roslens.dashboard.routes import PAGES
-from roslens.dashboard.server import serve
+from roslens.dashboard.server import create_app, serve
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Request
 from roslens.model.errors import UsageError
@@ -42,6 +46,28 @@ def test_every_page_and_its_twins_answer(site: Site, client: Any) -> None:
             rows = list(csv.reader(io.StringIO(found.text, newline="")))
             assert rows[0] == [column.key for column in table.columns]
             assert len(rows) == 1 + len(table.rows)
+
+
+def test_what_runs_is_a_page_beside_the_others(site: Site) -> None:
+    robot = ScriptedRobot()
+    robot.run(3)
+    client = Client(create_app(site, snapshot=robot.page.newest))
+    assert '<a href="/live/" data-nav="live">Live</a>' in client.get("/").text
+    to = client.get("/live")
+    assert (to.status_code, to.headers["location"]) == (307, "/live/")
+    page = client.get("/live/")
+    assert page.status_code == 200
+    assert "/lidar" in page.text
+    assert '<a href="/">Overview of the source</a>' in page.text
+    assert client.get("/live/snapshot.json").json() == json.loads(robot.page.newest())
+    asked = set(re.findall(r'(?:src|href)="([^"#]+)"', page.text)) - {"/"}
+    assert "web/live/main.js" in asked
+    assert {(one, client.get(f"/live/{one}").status_code) for one in asked} == {(one, 200) for one in asked}
+
+
+def test_without_a_watch_no_page_speaks_of_what_runs(client: Any) -> None:
+    assert "/live" not in client.get("/").text
+    assert client.get("/live/").status_code == 404
 
 
 def test_the_twin_of_a_filtered_page_is_filtered(client: Any) -> None:

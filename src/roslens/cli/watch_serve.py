@@ -48,14 +48,8 @@ def serve(source: PageSource, address: tuple[str, int]) -> LivePage:
     return page
 
 
-def page_beside(
-    stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int], clock: Callable[[float], str]
-) -> tuple[str, Callable[[Step], None]]:
-    """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
-
-    Raises:
-        UsageError: the address cannot be listened on.
-    """
+def page_of(session: Session, title: str, clock: Callable[[float], str]) -> tuple[PageSource, Callable[[Step], None]]:
+    """Return what shows a session that goes on, and what to tell each step."""
     source = PageSource(title, clock=clock, live=True, steady=time.monotonic)
     begun, cpu = time.monotonic(), time.process_time()
 
@@ -69,6 +63,18 @@ def page_beside(
             make(step.time)
 
     make(time.time())
+    return source, told
+
+
+def page_beside(
+    stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int], clock: Callable[[float], str]
+) -> tuple[str, Callable[[Step], None]]:
+    """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
+
+    Raises:
+        UsageError: the address cannot be listened on.
+    """
+    source, told = page_of(session, title, clock)
     return stack.enter_context(serve(source, address)).url, told
 
 

@@ -44,9 +44,11 @@ PARENTS = {
 class Renderer:
     """Renders the views of one site for one medium: served, folder or file."""
 
-    def __init__(self, site: Site, medium: str) -> None:
-        """Load the templates."""
-        self._environment = environment(medium, site=site, navigation=NAVIGATION, parents=PARENTS, help_keys=KEYS)
+    def __init__(self, site: Site, medium: str, live: str = "") -> None:
+        """Load the templates; ``live`` is the address of the page of what runs, where there is one."""
+        self._environment = environment(
+            medium, site=site, navigation=NAVIGATION, parents=PARENTS, help_keys=KEYS, live=live
+        )
 
     def page(self, view: View, links: Links) -> str:
         """Return a whole page."""

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import closing
+from types import FrameType
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.requests import Request as HttpRequest
-from starlette.responses import HTMLResponse, PlainTextResponse, Response
-from starlette.routing import Mount, Route
+from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import address_shown, listen
+from roslens.dashboard.live.app import Facts, create_live_app
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
@@ -22,12 +24,27 @@ from roslens.dashboard.table import to_csv
 from roslens.dashboard.view import Query, Request, View
 from roslens.model.errors import StoreError
 
+_LIVE = "/live/"
+_ADVICE = "start `roslens serve` with --host HOST"
 _MEDIA: Mapping[str, str] = {"json": "application/json", "csv": "text/csv; charset=utf-8"}
 
 
-def create_app(site: Site, names: frozenset[str] = frozenset()) -> Starlette:
-    """Return the application that shows ``site``; ``names`` are further host names that it answers to."""
-    renderer = Renderer(site, "served")
+def create_app(
+    site: Site,
+    names: frozenset[str] = frozenset(),
+    *,
+    snapshot: Callable[[], bytes] | None = None,
+    stopped: Callable[[], bool] = lambda: False,
+) -> Starlette:
+    """Return the application that shows ``site``.
+
+    Args:
+        site: what to show.
+        names: further host names that it answers to.
+        snapshot: returns the newest snapshot of what runs, for a live page beside the others.
+        stopped: whether streams of snapshots should end.
+    """
+    renderer = Renderer(site, "served", _LIVE if snapshot is not None else "")
     links = ServedLinks()
 
     # Views read a connection that belongs to one thread, and answer in milliseconds: so no worker threads.
@@ -43,8 +60,13 @@ def create_app(site: Site, names: frozenset[str] = frozenset()) -> Starlette:
         view = View(PageRef("help"), "The run cannot be read", {}, shown={"what": str(error), "advice": ""})
         return HTMLResponse(renderer.message(view, links), status_code=503)
 
+    beside: list[BaseRoute] = []
+    if snapshot is not None:
+        live = create_live_app(snapshot, Facts(names, advice=_ADVICE, beside=True), stopped=stopped)
+        beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
+            *beside,
             Mount("/web", StaticFiles(directory=WEB)),
             Route("/favicon.ico", lambda _: PlainTextResponse("", status_code=404)),
             Route("/{path:path}", answer),
@@ -81,7 +103,12 @@ def _missing(renderer: Renderer, links: ServedLinks, path: str) -> Response:
 
 
 def serve(
-    site: Site, *, host: str = "127.0.0.1", port: int = 8080, ready: Callable[[str], None] = lambda _: None
+    site: Site,
+    *,
+    host: str = "127.0.0.1",
+    port: int = 8080,
+    ready: Callable[[str], None] = lambda _: None,
+    snapshot: Callable[[], bytes] | None = None,
 ) -> None:
     """Serve until interrupted.
 
@@ -90,13 +117,22 @@ def serve(
         host: name or address to listen on; only this machine by default.
         port: to listen on; 0 takes a free one.
         ready: told the address of the first page once connections are accepted.
+        snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
 
     Raises:
         UsageError: the host is unknown, or the port is taken or not allowed.
     """
     import uvicorn
 
-    app = create_app(site, frozenset({host.lower()}))
+    stopping: list[bool] = []
+
+    class Server(uvicorn.Server):
+        def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+            stopping.append(True)
+            super().handle_exit(sig, frame)
+
+    names = frozenset({host.lower()})
+    app = create_app(site, names, snapshot=snapshot, stopped=lambda: bool(stopping))
     local, free = (
         "Leave --host out to listen on this machine only",
         "Give another one with --port, or --port 0 for any free one",
@@ -105,7 +141,7 @@ def serve(
         ready(address_shown(listener))
         config = uvicorn.Config(app, log_level="error", access_log=False, lifespan="off", server_header=False)
         try:
-            uvicorn.Server(config).run(sockets=[listener])
+            Server(config).run(sockets=[listener])
         except KeyboardInterrupt:
             # Ctrl-C is how a reader ends it, not an error.
             return

@@ -89,7 +89,7 @@ def test_the_snapshot_is_a_versioned_document():
 
 def test_every_file_that_the_page_names_is_there():
     page = client(ScriptedRobot())
-    found, waiting = set(), set(re.findall(r'(?:href|src)="(/web/[^"]+)"', page.get("/").text))
+    found, waiting = set(), {f"/{name}" for name in re.findall(r'(?:href|src)="(web/[^"]+)"', page.get("/").text)}
     assert "/web/live/main.js" in waiting
     while waiting:
         path = waiting.pop()

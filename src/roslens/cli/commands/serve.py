@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import argparse
 import sys
+from contextlib import nullcontext
 
+from roslens.cli.observers import add_observer_arguments, given
+from roslens.cli.param_reference import reference_argument
 from roslens.cli.shown_graphs import add_shown_argument
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace import add_workspace_argument
+from roslens.model.errors import UsageError
 
 TEXT = "Serve the pages of the last run on this machine."
 EXAMPLES = """\
   roslens serve
-  roslens serve ~/robot_ws --port 8081"""
+  roslens serve ~/robot_ws --port 8081
+  roslens serve --live --reference robot.yaml      with a page of the robot that runs"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -22,6 +27,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=int, default=8080, help="port (default: 8080; 0 takes a free one)")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
     add_shown_argument(parser)
+    live = parser.add_argument_group("the robot that runs")
+    live.add_argument("--live", action="store_true", help="watch it, and show it on a page beside the others")
+    live.add_argument(
+        "--reference",
+        type=reference_argument,
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="what is expected of it",
+    )
+    add_observer_arguments(live)
+    parser.set_defaults(bag=None)
     add_stream_arguments(parser)
 
 
@@ -29,16 +46,21 @@ def run(options: argparse.Namespace) -> int:
     """Serve until interrupted.
 
     Raises:
-        UsageError: there is no run, or the port is taken.
+        UsageError: there is no run, the port is taken, or what to watch is not there.
         StoreError: the store cannot be read.
+        DocumentError: a reference is wrong.
     """
+    if not options.live and (option := "--reference" if options.reference else given(options)):
+        raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
+    from roslens.cli.live_beside import live_beside
     from roslens.cli.shown_graphs import site_with_graphs
     from roslens.cli.workplace import open_store
     from roslens.dashboard.server import serve
 
     with open_store(options.path) as store:
         site = site_with_graphs(store.view(options.number), options, progress_for(options))
-        serve(site, host=options.host, port=options.port, ready=_ready)
+        with live_beside(options) if options.live else nullcontext() as snapshot:
+            serve(site, host=options.host, port=options.port, ready=_ready, snapshot=snapshot)
     return 0
 
 

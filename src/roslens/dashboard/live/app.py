@@ -47,11 +47,13 @@ class Facts(msgspec.Struct, frozen=True):
         names: further host names that it answers to, in lower case.
         advice: how to make it answer to another name.
         pace_s: least time between two snapshots of a stream.
+        beside: whether the pages of a run are served beside it, from the root.
     """
 
     names: frozenset[str] = frozenset()
     advice: str = "start `roslens watch` with --serve HOST:PORT"
     pace_s: float = 1.0
+    beside: bool = False
 
 
 def create_live_app(
@@ -66,7 +68,7 @@ def create_live_app(
         stopped: whether streams should end.
     """
     facts = facts or Facts()
-    page = _template()
+    page = _template(facts.beside)
     streams = _Streams(snapshot, facts.pace_s, stopped)
 
     async def show(_: Request) -> Response:
@@ -142,7 +144,7 @@ def _embeddable(text: bytes) -> Markup:
     return Markup(safe)  # noqa: S704 - escaped
 
 
-def _template() -> Callable[[Snapshot, Markup], str]:
+def _template(beside: bool) -> Callable[[Snapshot, Markup], str]:
     environment = Environment(
         loader=FileSystemLoader([HERE / "templates", TEMPLATES]),
         autoescape=True,
@@ -151,4 +153,6 @@ def _template() -> Callable[[Snapshot, Markup], str]:
         undefined=StrictUndefined,
     )
     template = environment.get_template("live.html")
-    return lambda shown, text: template.render(snapshot=shown, text=text, keys=_KEYS, version=roslens.__version__)
+    return lambda shown, text: template.render(
+        snapshot=shown, text=text, keys=_KEYS, version=roslens.__version__, beside=beside
+    )

@@ -18,7 +18,7 @@ export function listen(told, heard) {
   }
 
   function open() {
-    source = new EventSource("/events");
+    source = new EventSource("events");
     source.addEventListener("snapshot", (event) => {
       const begun = performance.now();
       const snapshot = JSON.parse(event.data);

@@ -1,0 +1,54 @@
+"""`roslens serve --live`: what runs is watched in a thread, beside the pages of a run."""
+
+from __future__ import annotations
+
+import argparse
+import platform
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Event, Thread
+
+import msgspec
+
+from roslens.cli.param_reference import reference_sources
+from roslens.cli.watch_live import sources_of
+from roslens.cli.watch_reload import ReferenceFiles
+from roslens.cli.watch_screen import time_of_day
+from roslens.cli.watch_serve import page_of
+from roslens.live.session import Session, Step, run
+
+_END_S = 10.0
+
+
+@contextmanager
+def live_beside(options: argparse.Namespace) -> Iterator[Callable[[], bytes]]:
+    """Watch what options ask for until the context is left; give what returns the newest snapshot.
+
+    Raises:
+        UsageError: there is no such ROS, or an address is taken.
+        DocumentError: a reference is wrong.
+    """
+    files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
+    session = Session(files.reference, start=time.time())
+    sources = sources_of(options)
+    page, shown = page_of(session, platform.node(), time_of_day)
+
+    def told(step: Step) -> None:
+        if notes := files.look(step.time):
+            step = msgspec.structs.replace(step, notes=notes)
+            session.monitor.replace_reference(files.reference)
+        shown(step)
+
+    ended = Event()
+
+    def watch() -> None:
+        run(session, sources, wall=time.time, stopped=lambda _: ended.is_set(), told=told)
+
+    thread = Thread(target=watch, name="watch", daemon=True)
+    thread.start()
+    try:
+        yield page.newest
+    finally:
+        ended.set()
+        thread.join(_END_S)

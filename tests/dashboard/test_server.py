@@ -65,6 +65,14 @@ def test_what_runs_is_a_page_beside_the_others(site: Site) -> None:
     assert {(one, client.get(f"/live/{one}").status_code) for one in asked} == {(one, 200) for one in asked}
 
 
+def test_the_overview_says_how_many_findings_no_check_counts(site: Site, client: Any) -> None:
+    aside = sum(not finding.gated for finding in site.view.findings())
+    assert aside > 0
+    page, twin = client.get("/"), client.get("/overview.json")
+    assert f"{aside} of them are in test, generated or vendored code, and fail no check." in page.text
+    assert twin.json()["counts"]["aside"] == aside
+
+
 def test_without_a_watch_no_page_speaks_of_what_runs(client: Any) -> None:
     assert "/live" not in client.get("/").text
     assert client.get("/live/").status_code == 404

@@ -28,6 +28,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         "functions": sum(package.functions for package in site.packages),
         "loc": int(sum(package.values.get("loc", 0) for package in site.packages)),
         "findings": total,
+        "aside": sum(one.count - one.gated for one in site.rule_totals()),
         "failures": len(site.failures),
     }
     header = site.view.header

@@ -9,8 +9,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Event, Thread
 
-import msgspec
-
 from roslens.cli.param_reference import reference_sources
 from roslens.cli.watch_live import sources_of
 from roslens.cli.watch_reload import ReferenceFiles
@@ -35,10 +33,7 @@ def live_beside(options: argparse.Namespace) -> Iterator[Callable[[], bytes]]:
     page, shown = page_of(session, platform.node(), time_of_day)
 
     def told(step: Step) -> None:
-        if notes := files.look(step.time):
-            step = msgspec.structs.replace(step, notes=notes)
-            session.monitor.replace_reference(files.reference)
-        shown(step)
+        shown(files.renew(session, step))
 
     ended = Event()
 

@@ -16,6 +16,18 @@ if TYPE_CHECKING:
 PREFIX = "param:"
 
 
+def add_reference_argument(parser: argparse._ActionsContainer) -> None:
+    """Add what says how things should be, given as often as one likes."""
+    parser.add_argument(
+        "--reference",
+        type=reference_argument,
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="what is expected; param:/NAME reads it from a parameter of ROS",
+    )
+
+
 def reference_argument(text: str) -> str | Path:
     """Return a path as one, and ``param:NAME`` as written."""
     return text if text.startswith(PREFIX) else Path(text)

@@ -13,8 +13,6 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from roslens.cli.about_nothing import about_nothing, kinds_of
 from roslens.cli.graph_file import write_graph
 from roslens.cli.stretch import Stretch, blind, never_saw
@@ -81,9 +79,7 @@ def _watched(
         def told(step: Step) -> None:
             nonlocal last
             last = step.time
-            if notes := files.look(step.time):
-                step = msgspec.structs.replace(step, notes=notes)
-                session.monitor.replace_reference(files.reference)
+            step = files.renew(session, step)
             for sink in sinks:
                 sink(step)
 

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from roslens.judge.read_reference import Source, load_reference
 from roslens.live.note import Note, NoteKind
 from roslens.live.signals import BY_KEY
@@ -14,6 +16,7 @@ from roslens.model.errors import DocumentError
 
 if TYPE_CHECKING:
     from roslens.judge.expectation import Reference
+    from roslens.live.session import Session, Step
 
 PACE_S = 1.0
 """Files are looked at this often; one that is being written is read when it was the same twice."""
@@ -58,6 +61,13 @@ class ReferenceFiles:
             return ()
         changed = sorted(path for path, content in contents.items() if content != self._contents.get(path))
         return (self._read(time, changed),)
+
+    def renew(self, session: Session, step: Step) -> Step:
+        """Let a session hold to the files as they are now; return its step with what there is to tell of that."""
+        if not (notes := self.look(step.time)):
+            return step
+        session.monitor.replace_reference(self.reference)
+        return msgspec.structs.replace(step, notes=notes)
 
     def _read(self, time: float, changed: Iterable[Path]) -> Note:
         stamps, contents = _stamps(self._touched), _contents(self._touched)

@@ -7,7 +7,7 @@ import sys
 from contextlib import nullcontext
 
 from roslens.cli.observers import add_observer_arguments, given
-from roslens.cli.param_reference import reference_argument
+from roslens.cli.param_reference import add_reference_argument
 from roslens.cli.shown_graphs import add_shown_argument
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace import add_workspace_argument
@@ -29,14 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_shown_argument(parser)
     live = parser.add_argument_group("the robot that runs")
     live.add_argument("--live", action="store_true", help="watch it, and show it on a page beside the others")
-    live.add_argument(
-        "--reference",
-        type=reference_argument,
-        action="append",
-        default=[],
-        metavar="FILE",
-        help="what is expected of it",
-    )
+    add_reference_argument(live)
     add_observer_arguments(live)
     parser.set_defaults(bag=None)
     add_stream_arguments(parser)

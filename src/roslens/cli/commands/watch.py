@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.observers import add_observer_arguments
-from roslens.cli.param_reference import reference_argument, reference_sources
+from roslens.cli.param_reference import add_reference_argument, reference_sources
 from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
 
@@ -37,14 +37,7 @@ _BAD = ("low", "high", "absent")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what to watch, what to hold it against, and where to tell it."""
     parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording (ROS 1 bag, MCAP, SQLite)")
-    parser.add_argument(
-        "--reference",
-        type=reference_argument,
-        action="append",
-        default=[],
-        metavar="FILE",
-        help="what is expected; param:/NAME reads it from a parameter of ROS",
-    )
+    add_reference_argument(parser)
     add_observer_arguments(parser)
     parser.add_argument("--for", dest="length", metavar="TIME", help="end after so long (`60s`, `5 min`)")
     parser.add_argument(

@@ -100,12 +100,14 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
         value: as text that it would have; None where it is unknown.
         type: of the value, or as declared.
         default: as declared; None where there is none or it is unknown.
-        range: as declared.
+        range: as declared: ``least..greatest``.
         access: ``declared``, ``read``, ``written``; empty where code does not know it.
         proof: where code declares or reads it.
         set_type: of the value that is set.
         set_by: where its value is set; None where the default holds.
         conditions: of the code that reaches it.
+        description: as declared.
+        written_by: where code gives it its value, as sure as the value is; None where no code does.
     """
 
     name: str
@@ -118,6 +120,8 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
     set_type: str = ""
     set_by: Proof | None = None
     conditions: tuple[str, ...] = ()
+    description: str = ""
+    written_by: Proof | None = None
 
 
 class ConfiguredRemap(msgspec.Struct, frozen=True, order=True, omit_defaults=True):

@@ -111,8 +111,12 @@ class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
         access: ``declared``, ``read`` or ``written``.
         type: ``bool``, ``int``, ``double``, ``string``, ``bool_array`` …; empty where unknown.
         default: as text; None where there is none, a hole where it is unknown.
-        range: as ``least..greatest`` where the declaration gives one.
+        range: as ``least..greatest`` where the declaration gives one; either end may be missing.
         conditions: what must hold for it to be reached.
+        description: as declared.
+        value: that code gives it; None where it gives none, a hole where it is unknown.
+        writer: what gives it its value, as sure as that is; a server of dynamic_reconfigure gives the default, or what
+            is set as far as it fits. None where nothing does.
     """
 
     name: Text
@@ -122,6 +126,9 @@ class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
     default: Text | None = None
     range: str = ""
     conditions: tuple[str, ...] = ()
+    description: str = ""
+    value: Text | None = None
+    writer: Evidence | None = None
 
 
 class TimerFact(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -218,7 +225,10 @@ def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
         ),
         parameters=tuple(
             msgspec.structs.replace(
-                one, name=change(one.name), default=None if one.default is None else change(one.default)
+                one,
+                name=change(one.name),
+                default=None if one.default is None else change(one.default),
+                value=None if one.value is None else change(one.value),
             )
             for one in facts.parameters
         ),

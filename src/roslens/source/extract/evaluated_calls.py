@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, Unknown, as_text
+from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, QosValue, Unknown, as_text
 from roslens.source.extract.evaluated_expressions import Expressions
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.refined_values import refine
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, find_method, find_outer
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
@@ -167,7 +168,8 @@ class Calls(Expressions):
         called = self._call_of(expression, name, arguments, keywords, templates)
         known = find_method(engine, of, called)
         if known is not None:
-            return known(engine, of, called)
+            found = known(engine, of, called)
+            return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
         found = plain_method(of, name, arguments)
         if not isinstance(of, Text | list | dict):
             self._may_set(expression, arguments, name)

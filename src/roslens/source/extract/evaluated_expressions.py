@@ -25,6 +25,7 @@ from roslens.source.extract.program import (
     Sequence,
 )
 from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.quality import one_of
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.unknown_lists import item_of
 from roslens.source.extract.vocabulary_streams import HELD, written_to
@@ -214,6 +215,9 @@ class Expressions:
         texts = isinstance(one, Text | Unknown) and isinstance(other, Text | Unknown)
         if texts and isinstance(one, Text) is not isinstance(other, Text):
             return either(as_text(one), as_text(other), _plain(expression.operands[0]), test_of(decides))
+        quality = one_of(one, other, _plain(expression.operands[0]))
+        if quality is not None:
+            return quality
         return one if not isinstance(one, Unknown) else other
 
     def _boolean(self, operator: str, operands: tuple[Expression, ...]) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Callable, Obj, Remappings, Unknown, as_text, test_of
+from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue, Remappings, Unknown, as_text, test_of
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
@@ -28,6 +28,8 @@ from roslens.source.extract.program import (
     Statement,
 )
 from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.quality import changed, quality_of
+from roslens.source.extract.refined_values import refine
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.workspace_index import type_arguments, type_name
 
@@ -147,6 +149,8 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
         of = engine.value(target.of)
         if isinstance(of, Obj):
             of.fields[target.name] = value
+        elif isinstance(of, QosValue | Named) and (quality := quality_of(of)) is not None:
+            refine(engine, target.of, of, changed(quality, target.name, value))
         if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
             # A member of what is not in the workspace: options that hold callbacks.
             engine.called_outer(value)

@@ -9,6 +9,7 @@ import msgspec
 
 from roslens.source.extract.abstract_value import Made, Obj, Unknown, as_text
 from roslens.source.extract.plain_methods import is_namespace
+from roslens.source.extract.quality import one_of
 from roslens.source.extract.text import Asked, Choice, Hole, Text, unknown
 
 Held = tuple[dict[str, Any], dict[str, Any]]
@@ -118,6 +119,9 @@ class Frame:
         if isinstance(one, Text) and isinstance(other, Text):
             known = isinstance(before, Text) or isinstance(value, Text)
             return either(one, other, self._given, self._given_test) if known else before
+        both = one_of(before, value, self._given)
+        if both is not None:
+            return both
         if before is None or isinstance(before, Unknown):
             return value
         if isinstance(before, bool | int | float) and isinstance(value, bool | int | float) and value != before:
@@ -151,6 +155,8 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Ask
             continue
         if before is None:
             names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value
+        elif (both := one_of(value, before, condition)) is not None:
+            names[name] = both
         elif isinstance(value, Unknown | Text | bool | int | float) and isinstance(
             before, Unknown | Text | bool | int | float
         ):

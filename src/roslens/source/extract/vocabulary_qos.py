@@ -8,87 +8,29 @@ import msgspec
 
 from roslens.model.qos import Qos
 from roslens.source.extract.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.quality import (
+    DEFAULT_QUALITY,
+    DURATIONS,
+    INITIALISATION,
+    POLICIES,
+    PRESETS,
+    changed,
+    history_of,
+    keeping,
+    profile_of,
+    quality_by_key,
+    quality_of,
+)
 from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
-_PRESETS = {
-    "SensorDataQoS": Qos("best_effort", "volatile", "keep_last", 5),
-    "qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
-    "SystemDefaultsQoS": Qos(),
-    "qos_profile_system_default": Qos(),
-    "ServicesQoS": Qos("reliable", "volatile", "keep_last", 10),
-    "qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
-    "ParametersQoS": Qos("reliable", "volatile", "keep_last", 1000),
-    "qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
-    "ParameterEventsQoS": Qos("reliable", "volatile", "keep_last", 1000),
-    "qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
-    "ClockQoS": Qos("best_effort", "volatile", "keep_last", 1),
-    "RosoutQoS": Qos("reliable", "transient_local", "keep_last", 1000),
-    "BestAvailableQoS": Qos("best_available", "best_available", "keep_last", 10),
-    "rmw_qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
-    "qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
-    "rmw_qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
-    "rmw_qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
-    "rmw_qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
-    "rmw_qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
-    "rmw_qos_profile_system_default": Qos(),
-    "rmw_qos_profile_best_available": Qos("best_available", "best_available", "keep_last", 10),
-}
-_OF_RCLPY = {
-    "SENSOR_DATA": _PRESETS["qos_profile_sensor_data"],
-    "SYSTEM_DEFAULT": _PRESETS["qos_profile_system_default"],
-    "SERVICES_DEFAULT": _PRESETS["qos_profile_services_default"],
-    "PARAMETERS": _PRESETS["qos_profile_parameters"],
-    "PARAMETER_EVENTS": _PRESETS["qos_profile_parameter_events"],
-    "ACTION_STATUS_DEFAULT": Qos("reliable", "transient_local", "keep_last", 1),
-}
-"""Of rclpy.qos.QoSPresetProfiles."""
-_DEFAULT = _PRESETS["rmw_qos_profile_default"]
-_INITIALISATION = "rclcpp.QoSInitialization"
-_DURATIONS = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
-_ENDLESS = frozenset({"rclpy.duration.Infinite", "rclpy.qos.Infinite", "RMW_DURATION_INFINITE"})
-_WORDS = {
-    "reliable": "reliable",
-    "best_effort": "best_effort",
-    "besteffort": "best_effort",
-    "volatile": "volatile",
-    "transient_local": "transient_local",
-    "transientlocal": "transient_local",
-    "keep_last": "keep_last",
-    "keeplast": "keep_last",
-    "keep_all": "keep_all",
-    "keepall": "keep_all",
-    "automatic": "automatic",
-    "manual_by_topic": "manual_by_topic",
-    "manualbytopic": "manual_by_topic",
-    "best_available": "best_available",
-    "bestavailable": "best_available",
-}
+_NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 
 
-def quality_of(value: Any) -> Any:
-    """Return what is given as quality of service as one; a number is a depth."""
-    if isinstance(value, bool):
-        return None
-    if isinstance(value, int):
-        return QosValue(Qos("reliable", "volatile", "keep_last", value))
-    if isinstance(value, Obj) and isinstance(value.fields.get("qos"), QosValue):
-        return value.fields["qos"]
-    if isinstance(value, Named) and ".QoSPresetProfiles." in value.name:
-        known = _OF_RCLPY.get(value.name.removesuffix(".value").rpartition(".")[2])
-        return QosValue(known) if known is not None else None
-    if isinstance(value, Named) and value.name.rpartition(".")[2] in _PRESETS:
-        return QosValue(_PRESETS[value.name.rpartition(".")[2]])
-    if isinstance(value, Text | Unknown):
-        reason = value.reason if isinstance(value, Unknown) else str(value)
-        return QosValue(Qos(), reason)
-    return value if isinstance(value, QosValue) else None
-
-
-@outer("rclcpp.QoS", "rclpy.qos.QoSProfile", "rclpy.qos.QoSPresetProfiles.get_from_short_key")
+@outer("rclcpp.QoS", "rclpy.qos.QoSProfile")
 def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
     """A quality of service."""
     value = _from_words(called)
@@ -99,46 +41,53 @@ def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 def _from_words(called: Called) -> QosValue:
-    base = QosValue(Qos("reliable", "volatile", "keep_last", 0))
     first = called.argument(0, "depth", "history_depth")
-    if isinstance(first, Obj) and first.type == _INITIALISATION:
-        base = _keeping(quality_of(called.argument(1)) or QosValue(_DEFAULT), first.fields["qos"])
-    elif isinstance(first, QosValue):
-        base = first
-    elif isinstance(first, int) and not isinstance(first, bool):
-        base = QosValue(Qos("reliable", "volatile", "keep_last", first))
-    elif isinstance(first, Named):
-        base = quality_of(first) or base
-    elif isinstance(first, Text | Unknown):
-        reason = first.reason if isinstance(first, Unknown) else str(first)
-        base = QosValue(Qos("reliable", "volatile", "keep_last", 0), f"its depth is {reason}")
+    if isinstance(first, list):
+        first = Obj(INITIALISATION, None, {"qos": history_of(*first[:2])}) if len(first) == 2 else Unknown("a list")
+    base = _given(first, called)
     for name, value in called.keywords.items():
-        if name in ("reliability", "durability", "history", "liveliness"):
-            base = _with(base, name, value)
-        elif name in _DURATIONS:
-            base = _lasting(base, name, value)
+        if name in POLICIES or name in DURATIONS:
+            base = changed(base, name, value)
     return base
 
 
-def _keeping(base: QosValue, kept: QosValue) -> QosValue:
-    """Return a quality of service with the history that something else says, not the policies."""
-    qos_ = msgspec.structs.replace(base.qos, history=kept.qos.history, depth=kept.qos.depth)
-    return QosValue(qos_, base.unknown or kept.unknown)
+def _given(first: Any, called: Called) -> QosValue:
+    """Return what the first argument says, which is a depth, a history, or another quality of service."""
+    if isinstance(first, Obj) and first.type == INITIALISATION:
+        profile = DEFAULT_QUALITY
+        if len(called.arguments) > 1:
+            profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
+        return keeping(profile, first.fields["qos"])
+    if isinstance(first, Text | Unknown | Named) and quality_of(first) in (None, QosValue(Qos(), _reason(first))):
+        reason = _reason(first)
+        # Another one may be copied.
+        whole = isinstance(first, Unknown) and ("qos" in reason.lower() or "profile" in reason.lower())
+        return QosValue(Qos(), reason) if whole else QosValue(_NO_DEPTH.qos, f"its depth is {reason}")
+    return quality_of(first) or _NO_DEPTH
 
 
-def _lasting(base: QosValue, name: str, value: Any) -> QosValue:
-    if isinstance(value, Named) and value.name in _ENDLESS:
-        value = 0
-    if isinstance(value, int | float) and not isinstance(value, bool):
-        return QosValue(msgspec.structs.replace(base.qos, **{_DURATIONS[name]: float(value)}), base.unknown)
-    return QosValue(base.qos, f"its {name.replace('_', ' ')} is not known")
+def _reason(value: Any) -> str:
+    if isinstance(value, Named):
+        return f"the value of {value.name}"
+    return value.reason if isinstance(value, Unknown) else str(value)
 
 
-def _with(base: QosValue, name: str, value: Any) -> QosValue:
-    word = _WORDS.get(value.name.rpartition(".")[2].lower(), "") if isinstance(value, Named) else ""
-    if not word:
-        return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is not known")
-    return QosValue(msgspec.structs.replace(base.qos, **{name: word}), base.unknown)
+@outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")
+def by_key(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A preset by the name that command lines have for it."""
+    return quality_by_key(called.argument(0, "name"))
+
+
+@outer("rmw_qos_profile_t")
+def profile(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A profile of the middleware, by its members or empty."""
+    return profile_of(called.arguments)
+
+
+@outer("rclcpp.QoSInitialization")
+def initialisation(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A history and how many messages it keeps."""
+    return Obj(INITIALISATION, None, {"qos": history_of(called.argument(0), called.argument(1))})
 
 
 @outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
@@ -151,18 +100,18 @@ def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
         value = QosValue(Qos(history="keep_all", depth=0))
     else:
         value = (quality_of(first) if first is not None else None) or QosValue(Qos(), "how many messages are kept")
-    return Obj(_INITIALISATION, None, {"qos": _keeping(QosValue(_DEFAULT), value)})
+    return Obj(INITIALISATION, None, {"qos": keeping(DEFAULT_QUALITY, value)})
 
 
-@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in _PRESETS))
+@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS))
 def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
     """A quality of service that has a name, with the history that it is given."""
-    value = QosValue(_PRESETS[called.name.rpartition(".")[2]])
+    value = QosValue(PRESETS[called.name.rpartition(".")[2]])
     first = called.argument(0)
-    if isinstance(first, Obj) and first.type == _INITIALISATION:
-        value = _keeping(value, first.fields["qos"])
+    if isinstance(first, Obj) and first.type == INITIALISATION:
+        value = keeping(value, first.fields["qos"])
     elif first is not None:
-        value = QosValue(value.qos, "how many messages it keeps")
+        value = QosValue(msgspec.structs.replace(value.qos, depth=0), "how many messages it keeps")
     if isinstance(thing, Obj):
         thing.fields["qos"] = value
         return thing
@@ -198,8 +147,6 @@ def _refined(base: QosValue, called: Called) -> QosValue:
     if name in fixed:
         return QosValue(msgspec.structs.replace(qos_, **fixed[name]), base.unknown)
     first = called.argument(0)
-    if name == "keep_last" and isinstance(first, int):
-        return QosValue(msgspec.structs.replace(qos_, history="keep_last", depth=first), base.unknown)
-    if name in ("reliability", "durability", "history", "liveliness") and first is not None:
-        return _with(base, name, first)
-    return _lasting(base, name, first) if name in _DURATIONS else base
+    if name == "keep_last" and first is not None:
+        return changed(QosValue(msgspec.structs.replace(qos_, history="keep_last"), base.unknown), "depth", first)
+    return changed(base, name, first) if first is not None else base

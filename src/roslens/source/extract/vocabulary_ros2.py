@@ -17,12 +17,12 @@ from roslens.source.extract.abstract_value import (
     as_text,
 )
 from roslens.source.extract.plain_methods import is_namespace
+from roslens.source.extract.quality import quality_of
 from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.vocabulary_options import doubt_options, given_options, take_options
 from roslens.source.extract.vocabulary_overrides import overrides_of
-from roslens.source.extract.vocabulary_qos import quality_of
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation

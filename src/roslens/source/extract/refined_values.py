@@ -1,0 +1,49 @@
+"""Values that are changed in place: whoever holds one holds what it became."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.abstract_value import Obj, QosValue
+from roslens.source.extract.program import Call, Expression, Member, Name
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+
+def refine(engine: Evaluation, holder: Expression, before: Any, after: Any) -> Any:
+    """Let what holds a quality of service hold what it was changed to; return that.
+
+    Args:
+        engine: the evaluation.
+        holder: the expression that was changed: a name, a member, or calls that hand on what they change
+            (``qos.reliable().transient_local()``).
+        before: what it was.
+        after: what it became.
+    """
+    while isinstance(holder, Call) and isinstance(holder.function, Member) and holder.function.name in HANDED_ON:
+        holder = holder.function.of
+    if not isinstance(holder, Name | Member) or not isinstance(after, QosValue):
+        return after
+    engine.assign(holder, after)
+    if engine.index.programs[engine.frame.path].language == "python":
+        _everywhere(engine, before, after)
+    return after
+
+
+def _everywhere(engine: Evaluation, before: Any, after: QosValue) -> None:
+    """In Python names are given to an object: under each of them it is changed."""
+    thing = engine.frame.self
+    for held in (engine.frame.names, thing.fields if isinstance(thing, Obj) else {}):
+        for name, value in held.items():
+            if value is before:
+                held[name] = after
+
+
+HANDED_ON = frozenset(
+    {"reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last", "reliability",
+     "durability", "history", "liveliness", "deadline", "lifespan", "liveliness_lease_duration",
+     "avoid_ros_namespace_conventions", "reliability_best_available", "durability_best_available",
+     "get_rmw_qos_profile"}
+)  # fmt: skip
+"""Methods of a quality of service that change it and return it."""

@@ -1,0 +1,38 @@
+"""The vocabulary of Python itself: copies, and members that are set by name."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.abstract_value import Obj
+from roslens.source.extract.program import Member
+from roslens.source.extract.quality import quality_of
+from roslens.source.extract.text import Text
+from roslens.source.extract.vocabulary import Called, outer
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+
+@outer("copy.copy", "copy.deepcopy", quiet=True)
+def copied(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A value that is another one than what it is a copy of."""
+    value = called.argument(0)
+    if type(value) is list:
+        return list(value)
+    if isinstance(value, dict):
+        return dict(value)
+    if isinstance(value, Obj):
+        return Obj(value.type, value.defined, dict(value.fields), value.node, value.templates, value.base_templates)
+    quality = None if isinstance(value, int) else quality_of(value)
+    return value if quality is None or not quality.qos else msgspec.structs.replace(quality)
+
+
+@outer("setattr", quiet=True)
+def member_set(engine: Evaluation, _thing: Any, called: Called) -> None:
+    """A member that is set by its name."""
+    name = called.argument(1)
+    if isinstance(name, Text) and name.known and len(called.written) == 3:
+        engine.assign(Member(called.written[0], name.known), called.argument(2))

@@ -118,3 +118,15 @@ if __name__ == '__main__':
         ("each of parameter p", ""), ("each of parameter q", "q"),
     ]  # fmt: skip
     assert [str(end.name) for end in one.endpoints] == ["{each of parameter q of node no. 1}"]
+
+
+def test_vectors_of_cpp_that_may_be_filled_are_not_taken_for_empty(node_of, names):
+    body = """
+std::vector<std::string> given{"a", "b"};
+for (auto & one : given) { create_client<std_srvs::srv::Trigger>(one); }
+std::vector<std::string> filled;
+fill(filled);
+for (auto & one : filled) { create_client<std_srvs::srv::Trigger>(one); }
+"""
+    assert [name for _, name in names(node_of(body))][:2] == ["a", "b"]
+    assert len(node_of(body).endpoints) == 3

@@ -103,7 +103,9 @@ class Expressions:
         if not declared_type(type_) and len(arguments) == 1:
             return arguments[0]
         if name in _CONTAINERS and values.type == "initializer_list":
-            return Sequence(arguments)
+            if name != "std.vector" or not templates:
+                return Sequence(arguments)
+            arguments = (Sequence(arguments),)
         row, column = at.start_point
         return Call(name_of(name), arguments, (), templates, row + 1, column + 1)
 
@@ -145,6 +147,9 @@ class Expressions:
             if name in _CASTS and len(values) == 1:
                 return values[0]
             callee = name_of(name)
+            if not values and name == "std.vector":
+                # What stands there is empty; a variable that is declared may be filled.
+                values = (Sequence(()),)
             if name in _FORMATS:
                 formatted = _formatted(values)
                 if formatted is not None:

@@ -11,6 +11,7 @@ from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Assign, Function, Member
 from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.typed_list import TypedList
 from roslens.source.extract.vocabulary import Called, find_class, find_outer
 from roslens.source.extract.word_list import Words
 from roslens.source.extract.workspace_index import Defined, type_arguments, type_name
@@ -128,7 +129,7 @@ class Objects(Calls):
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         engine: Evaluation = self  # type: ignore[assignment]
         name, inside = type_name(declared)
-        braced = isinstance(value, list) and not isinstance(value, Words)
+        braced = isinstance(value, list) and not isinstance(value, Words | TypedList)
         if braced and not is_list(declared) and not declared.startswith("std::map"):
             return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
         if name in ("rclcpp.QoS", "rmw_qos_profile_t") and isinstance(value, int):

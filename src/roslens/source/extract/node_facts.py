@@ -102,6 +102,22 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
     asked: tuple[tuple[str, Asked], ...] = ()
 
 
+class Terms(msgspec.Struct, frozen=True, omit_defaults=True):
+    """On what terms a parameter may be set, besides its type and range.
+
+    Attributes:
+        read_only: whether it cannot be set while the node runs.
+        dynamic: whether it may be set to a value of any type.
+        allowed: the values that it may have, as text; empty where these are not counted.
+        constraints: what else is asked, in words.
+    """
+
+    read_only: bool = False
+    dynamic: bool = False
+    allowed: tuple[str, ...] = ()
+    constraints: tuple[str, ...] = ()
+
+
 class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
     """A parameter that a node declares, reads or writes.
 
@@ -109,14 +125,17 @@ class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
         name: as given.
         evidence: where.
         access: ``declared``, ``read`` or ``written``.
-        type: ``bool``, ``int``, ``double``, ``string``, ``bool_array`` …; empty where unknown.
+        type: ``bool``, ``int``, ``double``, ``string``, ``bool_array`` …; ``list`` of a list of unknown items; empty
+            where unknown.
         default: as text; None where there is none, a hole where it is unknown.
-        range: as ``least..greatest`` where the declaration gives one; either end may be missing.
+        range: as ``least..greatest`` where the declaration gives one; either end may be missing, and
+            ``>`` or ``<`` stands before one that is outside of it.
         conditions: what must hold for it to be reached.
         description: as declared.
         value: that code gives it; None where it gives none, a hole where it is unknown.
         writer: what gives it its value, as sure as that is; a server of dynamic_reconfigure gives the default, or what
             is set as far as it fits. None where nothing does.
+        terms: on which it may be set.
     """
 
     name: Text
@@ -129,6 +148,7 @@ class ParameterFact(msgspec.Struct, frozen=True, omit_defaults=True):
     description: str = ""
     value: Text | None = None
     writer: Evidence | None = None
+    terms: Terms = Terms()
 
 
 class TimerFact(msgspec.Struct, frozen=True, omit_defaults=True):

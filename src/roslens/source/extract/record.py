@@ -28,7 +28,16 @@ from roslens.source.extract.interface_name import (
     of_generation,
     used_interface,
 )
-from roslens.source.extract.node_facts import EndpointFact, Evidence, Overrides, ParameterFact, Sure, TimerFact
+from roslens.source.extract.node_facts import (
+    EndpointFact,
+    Evidence,
+    Overrides,
+    ParameterFact,
+    Sure,
+    Terms,
+    TimerFact,
+)
+from roslens.source.extract.parameter_types import type_of_value
 from roslens.source.extract.program import Call, Name
 from roslens.source.extract.text import Asked, Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, node_of
@@ -237,9 +246,20 @@ def type_of_callback(engine: Evaluation, callback: Any, place: int = 0) -> str:
     return engine.callable_type(callback, place) if isinstance(callback, Callable) else ""
 
 
+class Described(msgspec.Struct, frozen=True):
+    """What the declaration of a parameter says of it, see :class:`~roslens.source.extract.node_facts.ParameterFact`."""
+
+    range: str = ""
+    description: str = ""
+    terms: Terms = Terms()
+
+
+_PLAIN = Described()
+
+
 def parameter(
     engine: Evaluation, receiver: Any, called: Called, access: str, name: Any, *, default: Any = None, kind: str = "",
-    given: bool = False,
+    given: bool = False, described: Described = _PLAIN, evidence: Evidence | None = None,
 ) -> Text:  # fmt: skip
     """Record a parameter and return what reading it gives: a hole with its default."""
     node = node_of(engine, receiver)
@@ -247,11 +267,14 @@ def parameter(
     text = value_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
     fact = ParameterFact(
         written,
-        called.evidence,
+        evidence or origin(engine, called, name)[0],
         access,
-        kind or kind_of(default),
+        kind or type_of_value(default, python=node.generation == "ros2" and called.evidence.path.endswith(".py")),
         text,
-        conditions=tuple(dict.fromkeys(engine.conditions)),
+        described.range,
+        tuple(dict.fromkeys(engine.conditions)),
+        described.description,
+        terms=described.terms,
     )
     if fact not in node.parameters:
         node.parameters.append(fact)
@@ -284,19 +307,6 @@ def declared_default(node: Building, name: Text) -> Text | None:
         if one.name == name and one.default is not None:
             return one.default
     return None
-
-
-def kind_of(value: Any) -> str:
-    """Return the type of a parameter by its default."""
-    if isinstance(value, bool):
-        return "bool"
-    if isinstance(value, int):
-        return "int"
-    if isinstance(value, float):
-        return "double"
-    if isinstance(value, Text):
-        return "string"
-    return "list" if isinstance(value, list) else ""
 
 
 def timer(engine: Evaluation, receiver: Any, called: Called, period: Any, callback: Any, group: Any) -> None:

@@ -59,6 +59,8 @@ _BETTER = {"tf2_ros.Buffer": ("tf2_ros.Buffer", ""), "Buffer": ("tf2_ros.Buffer"
 _MODULES = (
     "vocabulary_options",
     "vocabulary_ros2",
+    "vocabulary_parameters",
+    "vocabulary_descriptors",
     "vocabulary_qos",
     "vocabulary_python",
     "vocabulary_ros1",

@@ -1,11 +1,13 @@
-"""What the functions of Python do that make lists of lists."""
+"""What the functions of Python do that make lists of lists, and ``std::vector`` of C++."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Unknown
+from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.parameter_types import ITEM, VECTOR, array_of_cpp
 from roslens.source.extract.text import Text
+from roslens.source.extract.typed_list import TypedList
 from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.vocabulary import Called, outer
 from roslens.source.extract.word_list import Words
@@ -69,3 +71,19 @@ def counted(_engine: Evaluation, _thing: Any, called: Called) -> Any:
         return Each(Unknown("a number"))
     numbers = range(*given)
     return list(numbers) if len(numbers) <= _MOST else Each(Unknown("a number"))
+
+
+@outer(VECTOR, quiet=True)
+def vector(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A list of C++; of one that is declared without items nobody knows what it is filled with."""
+    item = called.templates[0] if called.templates else ""
+    first = called.argument(0)
+    if isinstance(first, list):
+        kind = array_of_cpp(item)
+        reals = kind == "double_array"
+        return TypedList((float(one) if reals and type(one) is int else one for one in first), kind)
+    if len(called.arguments) == 2 and type(first) is int and 0 <= first <= _MOST:
+        return TypedList([called.arguments[1]] * first, array_of_cpp(item))
+    if not called.arguments or type(first) is int:
+        return Obj(VECTOR, None, {}, None, {ITEM: item})
+    return first if len(called.arguments) == 1 else Unknown("result of std.vector()")

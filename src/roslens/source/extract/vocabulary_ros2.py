@@ -1,4 +1,4 @@
-"""The vocabulary of rclcpp and rclpy: nodes, endpoints, parameters, timers, quality of service."""
+"""The vocabulary of rclcpp and rclpy: nodes, endpoints, timers, quality of service."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from roslens.source.extract.abstract_value import (
 )
 from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.quality import quality_of
-from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
+from roslens.source.extract.record import endpoint, timer, type_of_callback
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 from roslens.source.extract.vocabulary_options import doubt_options, given_options, take_options
@@ -207,75 +207,6 @@ def wall_timer(engine: Evaluation, thing: Any, called: Called) -> Any:
     period = next((one for one in given if isinstance(one, int | float)), called.keywords.get("timer_period_sec"))
     timer(engine, thing, called, period, callback, _group(called, 2))
     return Obj("rclcpp.TimerBase")
-
-
-@method("node", "declare_parameter", anywhere=True)
-def declare(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A parameter is declared."""
-    default = called.argument(1, "value", "default_value")
-    if isinstance(default, Obj) and default.type.endswith("ParameterValue"):
-        default = default.fields.get("value")
-    return parameter(
-        engine, thing, called, "declared", called.argument(0, "name"), default=default, given=default is not None,
-        kind=_kind(called),
-    )  # fmt: skip
-
-
-@method("node", "declare_or_get_parameter", anywhere=True)
-def declare_or_read(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A parameter is declared, or read where it is declared already, as nodes of Nav2 do."""
-    return declare(engine, thing, called)
-
-
-@outer("rclcpp.ParameterValue", "rclpy.parameter.Parameter", "rclcpp.Parameter", "rclpy.Parameter")
-def parameter_value(_engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """A value of a parameter."""
-    if called.name == "rclcpp.ParameterValue":
-        return called.argument(0, default=Unknown("a value that is not set"))
-    return called.argument(2 if "rclpy" in called.name else 1, "value", default=Unknown("a parameter"))
-
-
-def _kind(called: Called) -> str:
-    written = called.templates[0] if called.templates else ""
-    words = {"std::string": "string", "bool": "bool", "int": "int", "int64_t": "int", "double": "double",
-             "float": "double", "std::vector<std::string>": "string_array", "std::vector<double>": "double_array",
-             "std::vector<int64_t>": "int_array", "std::vector<bool>": "bool_array"}  # fmt: skip
-    return words.get(written.replace("const ", ""), "")
-
-
-@method("node", "declare_parameters", anywhere=True)
-def declare_all(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """Several parameters are declared at once."""
-    prefix = called.argument(0, "namespace")
-    given = called.argument(1, "parameters")
-    pairs = list(given.items()) if isinstance(given, dict) else given if isinstance(given, list) else []
-    for pair in pairs:
-        if isinstance(pair, list | tuple) and pair:
-            name = as_text(pair[0])
-            if isinstance(prefix, Text) and prefix.parts:
-                name = Text.of(prefix, ".", name)
-            default = pair[1] if len(pair) > 1 else None
-            parameter(engine, thing, called, "declared", name, default=default, given=default is not None)
-    return None
-
-
-@method("node", "get_parameter", "get_parameter_or", anywhere=True)
-def read(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """A parameter is read, into a variable where one is given."""
-    default = called.argument(2, "alternative_value")
-    value = parameter(
-        engine, thing, called, "read", called.argument(0, "name"), default=default, given=default is not None
-    )
-    if len(called.written) > 1 and called.name in ("get_parameter", "get_parameter_or"):
-        engine.assign(called.written[1], value)
-        return Unknown("whether the parameter is set", is_set(value))
-    return value
-
-
-@method("node", "set_parameter", "set_parameters", "has_parameter", anywhere=True)
-def write(_engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """A parameter is written, or asked for; by names that are not followed."""
-    return Unknown(f"result of {called.name}()")
 
 
 @method("node", "create_callback_group", anywhere=True)

@@ -221,3 +221,107 @@ def test_what_is_set_after_a_node_holds_over_its_own():
 def test_arguments_of_the_command_line_need_no_declaration():
     files = Written.of("<launch><node pkg='p' type='t' name='$(arg who)'/></launch>")
     assert [str(one.name) for one in evaluate_ros1("a.launch", files, {"who": "n"}).nodes] == ["n"]
+
+
+def test_included_nodes_have_the_remappings_and_parameters_around_the_include():
+    files = Written.of(
+        "<launch><remap from='scan' to='front'/><param name='~rate' value='5'/>"
+        "<group><remap from='odom' to='wheels'/><include file='b.launch'/></group><include file='b.launch' ns='two'/>"
+        "</launch>"
+    )
+    files.files["b.launch"] = b"<launch><node pkg='p' type='t' name='n'/></launch>"
+    first, second = evaluate_ros1("a.launch", files).nodes
+    assert [(str(one.source), str(one.target)) for one in first.remaps] == [("scan", "front"), ("odom", "wheels")]
+    assert [(str(one.source), str(one.target)) for one in second.remaps] == [("scan", "front")]
+    assert [[(str(one.name), str(one.value)) for one in node.settings] for node in (first, second)] == [
+        [("~rate", "5")],
+        [("~rate", "5")],
+    ]
+
+
+def test_parameters_hold_over_files_of_them_wherever_they_stand():
+    files = Written.of(
+        "<launch><param name='~a' value='2'/><node pkg='p' type='t' name='n'>"
+        "<param name='b' value='3'/><rosparam>{a: 0, b: 0, c: 0, /d: 0}</rosparam></node></launch>"
+    )
+    whole = evaluate_ros1("a.launch", files)
+    assert {str(one.name): str(one.value) for one in whole.nodes[0].settings} == {"~a": "2", "~b": "3", "~c": "0"}
+    assert [(str(one.name), str(one.value)) for one in whole.settings] == [("/d", "0")]
+
+
+def test_the_later_remapping_of_a_name_takes_the_place_of_the_first():
+    files = Written.of(
+        "<launch><remap from='a' to='x'/><remap from='b' to='y'/>"
+        "<node pkg='p' type='t' name='n'><remap from='a' to='z'/></node></launch>"
+    )
+    (node,) = evaluate_ros1("a.launch", files).nodes
+    assert [(str(one.source), str(one.target)) for one in node.remaps] == [("b", "y"), ("a", "z")]
+
+
+def test_arguments_of_a_group_end_with_it():
+    files = Written.of(
+        "<launch><group><arg name='x' value='1'/></group><group><arg name='x' value='2'/>"
+        "<param name='inside' value='$(arg x)'/></group><param name='outside' value='$(arg x)'/></launch>"
+    )
+    whole = evaluate_ros1("a.launch", files)
+    assert [(str(one.name), str(one.value)) for one in whole.settings] == [("/inside", "2")]
+    assert "no argument 'x'" in whole.unresolved[0].reason
+
+
+def test_substitutions_are_made_before_arguments_are_split():
+    files = Written.of(
+        "<launch><arg name='more' value='--fast scan:=front'/>"
+        "<node pkg='p' type='t' name='n' args='$(arg more) \"two words\" $(env X)y'/></launch>"
+    )
+    (node,) = evaluate_ros1("a.launch", files).nodes
+    assert [one.pattern for one in node.arguments] == ["--fast", "scan:=front", "two words", "*y"]
+
+
+def test_what_the_machine_decides_is_in_doubt():
+    files = Written.of(
+        "<launch><arg name='x' default='a'/><group><arg name='y' value='1' if='$(optenv SIM 0)'/>"
+        "<arg name='z' value='2' unless='$(optenv SIM 0)'/>"
+        "<node pkg='p' type='t' name='n'><remap from='scan' to='other' if='$(env SIM)'/>"
+        "<param name='y' value='$(arg y)'/><param name='z' value='$(arg z)'/>"
+        "<param name='w' value='3' if='$(optenv SIM 1)'/></node></group>"
+        "<group if='$(env SIM)'><param name='s' value='4'/>"
+        "<node pkg='p' type='t' name='m'><param name='u' value='5'/></node></group></launch>"
+    )
+    whole = evaluate_ros1("a.launch", files)
+    first, second = whole.nodes
+    (one,) = first.remaps
+    assert (one.target.pattern, one.target.holes[0].reason) == ("*", "other, if $(env SIM)")
+    values = {str(one.name): one.value for one in (*first.settings, *second.settings, *whole.settings)}
+    assert {name: (one.pattern, one.usual) for name, one in values.items()} == {
+        "~y": ("*", None),
+        "~z": ("*", "2"),
+        "~w": ("*", "3"),
+        "~u": ("5", "5"),
+        "/s": ("*", None),
+    }
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        ("<launch><group ns=''/></launch>", "its namespace is empty"),
+        ("<launch><arg name='x' value='1'/><arg name='x' value='1'/></launch>", "declared before"),
+        ("<launch><arg name='x' value='1' default='1'/></launch>", "a value and a default"),
+        ("<launch><group if='1' unless='0'/></launch>", "it has if and unless"),
+        ("<launch><param name='x' value='1' command='ls'/></launch>", "it has value and command"),
+        ("<launch><param name='x' value='a' type='int'/></launch>", "'a' is not of the type int"),
+        ("<launch><remap from='a b' to='c'/></launch>", "'a b' is no name of ROS"),
+        ("<launch><remap from='' to='c'/></launch>", "'' is no name of ROS"),
+        ("<launch><rosparam command='drop' param='x'/></launch>", "no command of rosparam"),
+        ("<launch><rosparam>5</rosparam></launch>", "a value without a name"),
+        ("<launch><rosparam subst_value='1'>a: 1</rosparam></launch>", "neither true nor false"),
+        ("<launch><node pkg='p' type='t' name='a/b'/></launch>", "has a `/`"),
+        ("<launch><node pkg='p' type='t' name='n'><group/></node></launch>", "no element of a node"),
+        ("<launch><include file='b.launch'><arg name='gone' value='1'/></include></launch>", "does not declare"),
+        ("<launch><include file='b.launch'><arg name='x'/></include></launch>", "has no value"),
+    ],
+)
+def test_mistakes_that_roslaunch_refuses(content, reason):
+    files = Written.of(content)
+    files.files["b.launch"] = b"<launch><arg name='x' default='1'/></launch>"
+    assert reason in " ".join(one.reason for one in evaluate_ros1("a.launch", files).unresolved)

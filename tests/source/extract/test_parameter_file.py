@@ -43,7 +43,6 @@ def test_files_of_ros1_are_flattened():
     assert told(ros1_parameters(content, "g.yaml", 10)) == [
         ("", "base/p", "1", "int", 11),
         ("", "other/p", "1", "int", 11),
-        ("", "other/empty", "{}", "map", 14),
         ("", "angles", "[1, 2]", "int_array", 15),
     ]
     assert ros1_parameters(b"", "g.yaml") == ros2_parameters(b"", "g.yaml") == []

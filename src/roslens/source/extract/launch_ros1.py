@@ -11,15 +11,23 @@ from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
 
-from roslens.model.errors import DocumentError
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.gazebo_plugins import with_plugins
 from roslens.source.extract.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.parameter_file import ros1_parameters, type_of_text
-from roslens.source.extract.resolve_name import absolute
+from roslens.source.extract.resolve_name import absolute, tidy
+from roslens.source.extract.ros1_doubt import Doubt, only_if, setting_if
 from roslens.source.extract.ros1_nodelet import as_nodelet
-from roslens.source.extract.ros1_substitution import Scope, SubstitutionError, UnknownInsideError, substitute, truth
+from roslens.source.extract.ros1_settings import Reading, boolean, of_param, of_rosparam
+from roslens.source.extract.ros1_substitution import (
+    Scope,
+    SubstitutionError,
+    UnknownInsideError,
+    needed,
+    substitute,
+    truth,
+)
+from roslens.source.extract.ros1_words import words_of
 from roslens.source.extract.ros_controllers import with_controllers
 from roslens.source.extract.text import Text, unknown
 from roslens.source.workspace.elements import Document, Element, read_elements
@@ -27,8 +35,7 @@ from roslens.source.workspace.elements import Document, Element, read_elements
 MOST_FILES = 200
 MOST_DEPTH = 30
 """Files that include each other deeper than this include themselves."""
-_TYPES = {"int": "int", "double": "double", "str": "string", "string": "string", "bool": "bool", "boolean": "bool",
-          "yaml": "map"}  # fmt: skip
+_LEGAL = re.compile(r"[~/A-Za-z][\w/]*")
 _IGNORED = frozenset({"env", "machine", "master"})
 _STARTING = frozenset({"include", "group", "node"})
 
@@ -40,6 +47,18 @@ class _Space(msgspec.Struct, frozen=True):
     conditions: tuple[str, ...] = ()
     private: tuple[Setting, ...] = ()
     """Parameters with ``~`` outside of nodes, which later nodes get."""
+    around: tuple[Doubt, ...] = ()
+    """The conditions, with what they usually come to."""
+    own: tuple[Doubt, ...] = ()
+    """Those of the element itself."""
+
+
+class _Given(msgspec.Struct, frozen=True):
+    """Arguments of a file; whether they are of the command line, or all of who includes it."""
+
+    arguments: dict[str, Text]
+    outer: bool = False
+    every: bool = False
 
 
 def evaluate_ros1(
@@ -55,7 +74,7 @@ def evaluate_ros1(
     """
     whole = _Whole(files, environment or {})
     given = {name: Text.of(value) for name, value in (arguments or {}).items()}
-    whole.file(path, given, _Space(Text.of("/")), Evidence(path, 0), outer=True)
+    whole.file(path, _Given(given, outer=True), _Space(Text.of("/")), Evidence(path, 0), [])
     launch = Launch(
         "ros1", tuple(whole.overridden()), tuple(whole.settings), tuple(whole.arguments), tuple(whole.included),
         tuple(whole.unresolved),
@@ -78,39 +97,40 @@ class _Whole:
         self._open: list[str] = []
         self._read = 0
 
-    def file(self, path: str, given: dict[str, Text], space: _Space, evidence: Evidence, *, outer: bool) -> None:
-        """Evaluate a file with the arguments that it is given."""
+    def file(
+        self, path: str, given: _Given, space: _Space, evidence: Evidence, remaps: list[Remap]
+    ) -> tuple[Setting, ...]:
+        """Evaluate a file with the arguments that it is given; return the parameters that later nodes get."""
         if path in self._open:
             self.miss(path, evidence, f"it includes itself: {' > '.join([*self._open, path])}", opens=True)
-            return
+            return space.private
         if len(self._open) >= MOST_DEPTH or self._read >= MOST_FILES:
             self.miss(path, evidence, f"more than {MOST_FILES} files, or {MOST_DEPTH} inside each other", opens=True)
-            return
+            return space.private
         content = self.files.content(path)
         if content is None:
             self.miss(path, evidence, "there is no such file in the workspace", opens=True)
-            return
+            return space.private
         self._read += 1
         document = read_elements(content)
         for fault in document.faults:
-            line, column = document.place(fault.offset)
-            self.miss(
-                fault.what, Evidence(path, line, column), f"expected {fault.expected or 'readable XML'}", opens=True
-            )
-        if document.root is None:
-            return
-        if document.root.tag != "launch":
-            line, column = document.place(document.root.start)
-            self.miss(
-                f"<{document.root.tag}>",
-                Evidence(path, line, column),
-                "expected <launch> as the outermost element",
-                opens=True,
-            )
-            return
+            place = Evidence(path, *document.place(fault.offset))
+            self.miss(fault.what, place, f"expected {fault.expected or 'readable XML'}", opens=True)
+        root = document.root
+        if root is None:
+            return space.private
+        if root.tag != "launch":
+            place = Evidence(path, *document.place(root.start))
+            self.miss(f"<{root.tag}>", place, "expected <launch> as the outermost element", opens=True)
+            return space.private
         self._open.append(path)
-        _File(self, path, document, given, outer=outer).children(document.root, space, [])
+        file = _File(self, path, document, given)
+        private = file.children(root, space, remaps)
+        if not (given.outer or given.every):
+            for name in sorted(given.arguments.keys() - file.declared):
+                self.miss(name, evidence, f"the include gives an argument that {path} does not declare")
         self._open.pop()
+        return private
 
     def overridden(self) -> Iterator[Launched]:
         """Yield the nodes with the parameters of theirs that are set outside after them, which hold over their own."""
@@ -127,18 +147,25 @@ class _Whole:
 class _File:
     """One launch file on its way."""
 
-    def __init__(self, whole: _Whole, path: str, document: Document, given: dict[str, Text], *, outer: bool) -> None:
+    def __init__(self, whole: _Whole, path: str, document: Document, given: _Given) -> None:
         self._whole = whole
         self._path = path
         self._document = document
-        self._given = given
-        self._outer = outer
-        # Arguments of the command line are seen without a declaration, as roslaunch has it.
-        self._known: dict[str, Text] = dict(given) if outer else {}
-        folder = path.rpartition("/")[0]
-        self._scope = Scope(whole.files, folder, self._known, whole.environment)
+        self._given = given.arguments
+        self._outer = given.outer
+        self._all_given = given.every
+        self.declared: set[str] = set()
+        # Arguments of the command line, and all those of who includes it, are seen without a declaration.
+        self._known: dict[str, Text] = dict(given.arguments)
+        self._in_scope(self._known)
 
-    def children(self, element: Element, space: _Space, remaps: list[Remap]) -> None:
+    def _in_scope(self, known: dict[str, Text]) -> None:
+        """Let these be the arguments that are known from here on."""
+        self._known = known
+        self._scope = Scope(self._whole.files, self._path.rpartition("/")[0], known, self._whole.environment)
+        self._reading = Reading(self._scope, self._path, self._place, self._miss)
+
+    def children(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Evaluate what is in an element; ``remaps`` grows, as they hold from where they stand on."""
         for child in element.elements():
             inner = self._if(child, space)
@@ -155,94 +182,106 @@ class _File:
                 self._miss(child, child.written()[:80], str(error), opens=child.tag in _STARTING)
             except SubstitutionError as error:
                 self._miss(child, child.written()[:80], str(error), opens=child.tag in _STARTING)
+        return space.private
 
     def arg(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
         """Declare an argument."""
-        name = self._needed(element, "name")
+        name = substitute(needed(element, "name"), self._scope).pattern
         default = element.attributes.get("default")
         value = element.attributes.get("value")
         place = self._place(element)
+        if default is not None and value is not None:
+            self._miss(element, name, "the argument has a value and a default; expected one of them")
+        if name in self.declared and not self._all_given:
+            self._miss(element, name, "the argument is declared before")
+        self.declared.add(name)
         if self._outer and value is None:
             text = None if default is None else substitute(default, self._scope)
             self._whole.arguments.append(Argument(name, place, text, element.attributes.get("doc", "")))
+        before = self._known.get(name)
         if value is not None:
-            self._known[name] = substitute(value, self._scope)
-            if name in self._given and self._given[name] != self._known[name]:
+            found = substitute(value, self._scope)
+            if name in self._given and not self._all_given:
                 self._miss(element, name, f"the argument has a fixed value here, but is given {self._given[name]}")
         elif name in self._given:
-            self._known[name] = self._given[name]
+            found = self._given[name]
         elif default is not None:
-            self._known[name] = substitute(default, self._scope)
+            found = before if before is not None and self._all_given else substitute(default, self._scope)
         else:
-            self._known[name] = unknown(f"argument {name}, which is not given")
-            self._miss(element, name, "the argument is required, but not given")
+            found = before or unknown(f"argument {name}, which is not given")
+            if before is None:
+                self._miss(element, name, "the argument is required, but not given")
+        self._known[name] = only_if(space.own, found, before)
         return space.private
 
     def group(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
-        """Evaluate a group: what it sets holds inside it."""
+        """Evaluate a group: what it sets holds inside it, and what it declares too."""
         inner = msgspec.structs.replace(space, namespace=self._namespace(element, space))
+        known, declared = self._known, self.declared
+        self.declared = set(declared)
+        self._in_scope(dict(known))
         self.children(element, inner, list(remaps))
+        self.declared = declared
+        self._in_scope(known)
         return space.private
 
-    def include(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
+    def include(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Evaluate another file with the arguments it is given."""
-        given = dict(self._known) if element.attributes.get("pass_all_args", "") in ("true", "1") else {}
+        whole = substitute(element.attributes.get("pass_all_args", "false"), self._scope)
+        every = whole.known is not None and boolean(whole.known, "pass_all_args")
+        given = dict(self._known) if every else {}
         for child in element.elements():
-            if child.tag == "arg" and self._if(child, space) is not None:
-                value = child.attributes.get("value", child.attributes.get("default", ""))
-                given[self._needed(child, "name")] = substitute(value, self._scope)
-        file = substitute(self._needed(element, "file"), self._scope)
+            inside = self._if(child, space) if child.tag == "arg" else None
+            if inside is None:
+                continue
+            name = substitute(needed(child, "name"), self._scope).pattern
+            written = child.attributes.get("value", child.attributes.get("default"))
+            if written is None:
+                self._miss(child, name, "an argument of an include has no value")
+            elif "value" in child.attributes or name not in given:
+                found = substitute(written, self._scope)
+                given[name] = only_if(inside.own, found, given.get(name))
+        file = substitute(needed(element, "file"), self._scope)
         if file.known is None:
             self._miss(element, str(file), file.holes[0].reason, opens=True)
             return space.private
         path = joined("", file.known)
         self._whole.included += [path] if path not in self._whole.included else []
-        inner = msgspec.structs.replace(space, namespace=self._namespace(element, space), private=())
-        self._whole.file(path, given, inner, self._place(element), outer=False)
-        return space.private
+        inner = msgspec.structs.replace(space, namespace=self._namespace(element, space))
+        after = self._whole.file(path, _Given(given, every=every), inner, self._place(element), list(remaps))
+        # roslaunch keeps them in one list, which both files have where there was anything in it before.
+        return after if space.private else space.private
 
     def remap(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Remap for all nodes that follow in this scope."""
-        remaps.append(self._remap(element))
+        _remapped(remaps, self._remap(element, space))
         return space.private
 
     def param(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
         """Set a parameter outside of nodes."""
-        found = self._param(element)
-        return self._set([found] if found else [], space)
+        return self._set(of_param(element, self._reading), space)
 
     def rosparam(self, element: Element, space: _Space, _remaps: list[Remap]) -> tuple[Setting, ...]:
         """Set parameters of a file outside of nodes."""
-        return self._set(self._rosparam(element), space)
+        return self._set(of_rosparam(element, self._reading), space)
 
     def node(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[Setting, ...]:
         """Start a node."""
-        inner_remaps = list(remaps)
-        settings = list(space.private)
-        for child in element.elements():
-            if self._if(child, space) is None:
-                continue
-            if child.tag == "remap":
-                inner_remaps.append(self._remap(child))
-            elif child.tag == "param":
-                found = self._param(child)
-                settings += [found] if found else []
-            elif child.tag == "rosparam":
-                settings += self._rosparam(child)
         given = element.attributes.get
-        name = substitute(
-            given("test-name" if element.tag == "test" and not given("name") else "name", ""), self._scope
-        )
-        words = self._words(given("args", ""))
+        written = given("name") or (needed(element, "test-name") if element.tag == "test" else needed(element, "name"))
+        name = substitute(written, self._scope)
+        if "/" in name.pattern:
+            self._miss(element, str(name), "the name of a node has a `/`; expected a namespace as ns=…")
+        inner_remaps, own = self._inside(element, space, remaps)
         launched = Launched(
-            package=substitute(self._needed(element, "pkg"), self._scope),
-            executable=substitute(self._needed(element, "type"), self._scope),
+            package=substitute(needed(element, "pkg"), self._scope),
+            executable=substitute(needed(element, "type"), self._scope),
             evidence=self._place(element),
             name=name,
             namespace=self._namespace(element, space),
-            settings=tuple(_private(one) for one in settings),
+            settings=tuple(_private(one) for one in own),
             remaps=tuple(inner_remaps),
-            arguments=words,
+            arguments=words_of(substitute(given("args", ""), self._scope)),
             conditions=space.conditions,
             kind="test" if element.tag == "test" else "node",
             machine=given("machine", ""),
@@ -252,32 +291,52 @@ class _File:
         self._whole.set_before.append(len(self._whole.settings))
         return space.private
 
-    def _words(self, text: str) -> tuple[Text, ...]:
-        """Return arguments of a command line; substitutions may hold spaces."""
-        words, depth, word = [], 0, ""
-        for sign in text:
-            depth += (sign == "(") - (sign == ")")
-            if sign.isspace() and depth <= 0:
-                words += [word] if word else []
-                word = ""
-            else:
-                word += sign
-        return tuple(substitute(one, self._scope) for one in [*words, word] if one)
+    def _inside(self, element: Element, space: _Space, remaps: list[Remap]) -> tuple[list[Remap], list[Setting]]:
+        """Return remappings and parameters of a node: files first, then what is set outside of it, then ``<param>``."""
+        inner_remaps, files, own = list(remaps), list[Setting](), list[Setting]()
+        for child in element.elements():
+            inside = self._if(child, space)
+            if inside is None:
+                continue
+            if child.tag == "remap":
+                _remapped(inner_remaps, self._remap(child, inside))
+            elif child.tag == "param":
+                own += [setting_if(inside.own, one) for one in of_param(child, self._reading)]
+            elif child.tag == "rosparam":
+                found = [setting_if(inside.own, one) for one in of_rosparam(child, self._reading)]
+                everywhere = [one for one in found if one.name.pattern.startswith("/")]
+                self._whole.settings += everywhere
+                files += [one for one in found if one not in everywhere]
+            elif child.tag != "env":
+                self._miss(child, f"<{child.tag}>", "no element of a node")
+        return inner_remaps, [*files, *space.private, *own]
 
     def _if(self, element: Element, space: _Space) -> _Space | None:
         """Return the space inside an element; None where a condition says that it is not there."""
+        space = msgspec.structs.replace(space, own=()) if space.own else space
+        if "if" in element.attributes and "unless" in element.attributes:
+            self._miss(element, element.written()[:80], "it has if and unless; expected one of them")
         for attribute, wanted in (("if", True), ("unless", False)):
             written = element.attributes.get(attribute)
             if written is None:
                 continue
+            usual = None
             try:
-                holds = truth(substitute(written, self._scope))
+                text = substitute(written, self._scope)
+                holds = truth(text)
+                if holds is None and text.usual is not None:
+                    usual = truth(Text.of(text.usual))
             except SubstitutionError as error:
                 self._miss(element, f'{attribute}="{written}"', str(error))
                 holds = None
             if holds is None:
-                condition = written if wanted else f"not {written}"
-                space = msgspec.structs.replace(space, conditions=(*space.conditions, condition))
+                own = (
+                    *space.own,
+                    Doubt(written if wanted else f"not {written}", None if usual is None else usual is wanted),
+                )
+                space = msgspec.structs.replace(
+                    space, own=own, around=(*space.around, own[-1]), conditions=(*space.conditions, own[-1].condition)
+                )
             elif holds is not wanted:
                 return None
         return space
@@ -285,6 +344,8 @@ class _File:
     def _namespace(self, element: Element, space: _Space) -> Text:
         given = substitute(element.attributes.get("ns", ""), self._scope)
         if not given.parts:
+            if "ns" in element.attributes:
+                self._miss(element, element.written()[:80], "its namespace is empty; expected a name, or no ns=…")
             return space.namespace
         first = given.parts[0]
         absolute = isinstance(first, str) and first.startswith("/")
@@ -292,84 +353,27 @@ class _File:
         before: Text | str = "" if absolute else "/" if top else Text.of(space.namespace, "/")
         return _without_end(Text.of(before, given))
 
-    def _remap(self, element: Element) -> Remap:
-        source = substitute(self._needed(element, "from"), self._scope)
-        return Remap(source, substitute(self._needed(element, "to"), self._scope), self._place(element))
-
-    def _param(self, element: Element) -> Setting | None:
-        name = substitute(self._needed(element, "name"), self._scope)
-        given = element.attributes
-        if "value" in given:
-            value = substitute(given["value"], self._scope)
-            kind = _TYPES.get(given.get("type", "auto"), "")
-            if not kind and value.known is not None:
-                kind = type_of_text(value.known) if value.known.lower() not in _WORDS else "string"
-            return Setting(name, value, self._place(element), kind)
-        for source in ("textfile", "binfile", "command"):
-            if source in given:
-                text = substitute(given[source], self._scope)
-                hole = f"output of {text}" if source == "command" else f"content of {text}"
-                words = _split(text) if source == "command" else (Text.of("cat"), text)
-                return Setting(name, unknown(hole), self._place(element), "string", words=words)
-        self._miss(element, f"<param name={name}>", "it has no value; expected value, textfile, binfile or command")
-        return None
-
-    def _rosparam(self, element: Element) -> list[Setting]:
-        given = element.attributes
-        command = given.get("command", "load")
-        if command != "load":
-            self._miss(element, f'<rosparam command="{command}">', "only what is loaded is followed")
-            return []
-        prefix = "/".join(one for one in (self._plain(given.get("ns")), self._plain(given.get("param"))) if one)
-        place = self._place(element)
-        if "file" in given:
-            file = substitute(given["file"], self._scope)
-            if file.known is None:
-                self._miss(element, str(file), file.holes[0].reason)
-                return []
-            path, content, line = joined("", file.known), self._whole.files.content(joined("", file.known)), 0
-            if content is None:
-                self._miss(element, file.known, "there is no such file in the workspace")
-                return []
-        else:
-            path, content, line = self._path, element.full_text().encode(), place.line - 1
-        if given.get("subst_value") in ("true", "1", "True"):
-            content = self._plain(content.decode("utf-8", "replace")).encode()
-        try:
-            found = ros1_parameters(content, path, line)
-        except DocumentError as error:
-            self._miss(element, error.what, f"{error.where}: expected {error.expected}")
-            return []
-        return [msgspec.structs.replace(one, name=_below(prefix, one.name)) for one in found]
-
-    def _plain(self, written: str | None) -> str:
-        """Return a text that has to be known.
-
-        Raises:
-            UnknownInsideError: it is not.
-        """
-        text = substitute(written or "", self._scope)
-        if text.known is None:
-            raise UnknownInsideError(text.holes[0])
-        return text.known
+    def _remap(self, element: Element, space: _Space) -> Remap:
+        source = substitute(needed(element, "from"), self._scope)
+        target = only_if(space.own, substitute(needed(element, "to"), self._scope), None)
+        for one in (source, target):
+            if one.known is not None and not _LEGAL.fullmatch(one.known):
+                raise SubstitutionError(f"{one.known!r} is no name of ROS; expected letters, digits, `_` and `/`")
+        return Remap(tidy(source), tidy(target), self._place(element))
 
     def _set(self, found: list[Setting], space: _Space) -> tuple[Setting, ...]:
         private = list(space.private)
         for one in found:
             first = one.name.parts[0] if one.name.parts else ""
             if isinstance(first, str) and first.startswith("~"):
-                private.append(one)
-            elif isinstance(first, str) and first.startswith("/"):
-                self._whole.settings.append(one)
-            else:
+                private.append(setting_if(space.own, one))
+                continue
+            sure = setting_if(space.around, one)
+            if not (isinstance(first, str) and first.startswith("/")):
                 before = "/" if space.namespace.parts == ("/",) else Text.of(space.namespace, "/")
-                self._whole.settings.append(msgspec.structs.replace(one, name=Text.of(before, one.name)))
+                sure = msgspec.structs.replace(sure, name=Text.of(before, one.name))
+            self._whole.settings.append(sure)
         return tuple(private)
-
-    def _needed(self, element: Element, attribute: str) -> str:
-        if attribute not in element.attributes:
-            raise SubstitutionError(f"<{element.tag}> has no {attribute!r}; expected <{element.tag} {attribute}=…>")
-        return element.attributes[attribute]
 
     def _place(self, element: Element) -> Evidence:
         return Evidence(self._path, *self._document.place(element.start))
@@ -378,8 +382,6 @@ class _File:
         self._whole.miss(text, self._place(element), reason, opens=opens)
 
 
-_WORDS = frozenset({"yes", "no", "on", "off"})
-"""What YAML, but not roslaunch, takes for true and false."""
 _TAGS: dict[str, Callable[[_File, Element, _Space, list[Remap]], tuple[Setting, ...]]] = {
     "arg": _File.arg,
     "group": _File.group,
@@ -392,19 +394,10 @@ _TAGS: dict[str, Callable[[_File, Element, _Space, list[Remap]], tuple[Setting, 
 }
 
 
-def _split(text: Text) -> tuple[Text, ...]:
-    """Return the words of a command line; what is unknown is part of a word."""
-    words = [Text()]
-    for part in text.parts:
-        for number, piece in enumerate(re.split(r"\s+", part) if isinstance(part, str) else (part,)):
-            if number and words[-1].parts:
-                words.append(Text())
-            words[-1] = Text.of(words[-1], piece)
-    return tuple(word for word in words if word.parts)
-
-
-def _below(prefix: str, name: Text) -> Text:
-    return Text.of(*(piece for piece in (prefix, "/" if prefix and name.parts else "", name) if piece != ""))
+def _remapped(remaps: list[Remap], one: Remap) -> None:
+    """Add a remapping; it takes the place of one from the same name."""
+    remaps[:] = [other for other in remaps if other.source != one.source]
+    remaps.append(one)
 
 
 def _private(setting: Setting) -> Setting:

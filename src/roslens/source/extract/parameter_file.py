@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+
+import msgspec
 
 from roslens.judge.yaml_tree import Items, Node, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.ros1_values import angle, type_in_yaml
 from roslens.source.extract.text import Text
 
 _ROS2 = "ros__parameters"
@@ -28,7 +31,20 @@ def ros1_parameters(content: bytes, path: str, line: int = 0) -> list[Setting]:
     tree = read_tree(content, path, last_counts=True)
     if tree.root is None:
         return []
-    return [_setting(names, "/", node, tree, line) for names, node in _leaves(tree.root, ())]
+    leaves = (one for one in _leaves(tree.root, ()) if not (isinstance(one[1], Table) and one[0]))
+    return [_ros1(names, node, _setting(names, "/", node, tree, line)) for names, node in leaves]
+
+
+def _ros1(names: tuple[str, ...], node: Node, setting: Setting) -> Setting:
+    """Return a parameter as rosparam types it; a name that begins with ``/`` is one of its own."""
+    first = max((place for place, one in enumerate(names) if one.startswith("/")), default=0)
+    turned = angle(node.text) if isinstance(node, Scalar) and node.plain else None
+    return msgspec.structs.replace(
+        setting,
+        name=Text.of("/".join(names[first:])) if first else setting.name,
+        type=type_of(node, type_in_yaml),
+        value=setting.value if turned is None else Text.of(repr(turned)),
+    )
 
 
 def ros2_parameters(content: bytes, path: str) -> list[Setting]:
@@ -65,10 +81,13 @@ def _of_nodes(node: Node, above: tuple[str, ...], tree: Tree) -> Iterator[tuple[
 
 def _leaves(node: Node, above: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Node]]:
     if isinstance(node, Table) and node.nodes:
+        merged = node.nodes.get("<<")
+        # What a table has itself holds over what is merged into it, and of several the first one.
+        for one in reversed(merged.nodes) if isinstance(merged, Items) else (merged,):
+            if isinstance(one, Table):
+                yield from _leaves(one, above)
         for key, inner in node.nodes.items():
-            if key == "<<" and isinstance(inner, Table):
-                yield from _leaves(inner, above)
-            else:
+            if key != "<<":
                 yield from _leaves(inner, (*above, key))
     else:
         yield above, node
@@ -89,16 +108,16 @@ def written(node: Node) -> str:
     return f"{{{', '.join(f'{key}: {written(one)}' for key, one in node.nodes.items())}}}"
 
 
-def type_of(node: Node) -> str:
-    """Return the type that YAML gives a value."""
+def type_of(node: Node, of_text: Callable[[str], str] | None = None) -> str:
+    """Return the type that YAML gives a value; ``of_text`` tells that of plain ones."""
     if isinstance(node, Items):
-        kinds = {type_of(one) for one in node.nodes}
+        kinds = {type_of(one, of_text) for one in node.nodes}
         if kinds == {"int", "double"}:
             return "double_array"
         return f"{kinds.pop()}_array" if len(kinds) == 1 else "list"
     if isinstance(node, Table):
         return "map"
-    return type_of_text(node.text) if node.plain else "string"
+    return (of_text or type_of_text)(node.text) if node.plain else "string"
 
 
 def type_of_text(text: str) -> str:

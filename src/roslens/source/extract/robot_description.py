@@ -16,7 +16,7 @@ from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_expression import Plain, UnknownError, evaluate
-from roslens.source.extract.ros1_substitution import Scope, SubstitutionError, converted, substitute
+from roslens.source.extract.ros1_substitution import Scope, SubstitutionError, substitute
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.workspace.elements import Document, Element, read_elements
 
@@ -277,7 +277,7 @@ def _conditional(element: Element, place: _Place, *, wanted: bool) -> tuple[Desc
     if known is None:
         condition = written if wanted else f"not {written}"
         return _children(element, msgspec.structs.replace(place, conditions=(*place.conditions, condition)))
-    value = converted(known)
+    value = _converted(known)
     holds = bool(value) if not isinstance(value, str) else value.strip().lower() not in ("", "false")
     return _children(element, place) if holds is wanted else ()
 
@@ -323,7 +323,7 @@ def _evaluated(expression: str, place: _Place) -> Text:
     for name in set(_NAME.findall(inner.known)):
         value = place.space.find(name)
         if value is not None and value.known is not None:
-            names[name] = converted(value.known)
+            names[name] = _converted(value.known)
         elif value is not None:
             if inner.known.strip() == name:
                 return value
@@ -333,3 +333,13 @@ def _evaluated(expression: str, place: _Place) -> Text:
     except UnknownError as error:
         return unknown(f"${{{expression}}}: {error}")
     return Text.of(str(value_of))
+
+
+def _converted(text: str) -> Plain:
+    """Return a value as xacro converts it: int, float, bool, else text."""
+    for convert in (int, float):
+        try:
+            return convert(text)
+        except ValueError:
+            continue
+    return {"true": True, "false": False}.get(text.strip().lower(), text)

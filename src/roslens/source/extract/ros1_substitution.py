@@ -13,7 +13,9 @@ import msgspec
 
 from roslens.source.extract.files import Files
 from roslens.source.extract.python_expression import Plain, UnknownError, evaluate
+from roslens.source.extract.ros1_values import converted
 from roslens.source.extract.text import Hole, Text
+from roslens.source.workspace.elements import Element
 
 _WHOLE = re.compile(r"\s*\$\(eval\s+(.*)\)\s*", re.DOTALL)
 _COMMANDS = frozenset({"arg", "find", "env", "optenv", "anon", "dirname"})
@@ -75,14 +77,15 @@ def truth(text: Text) -> bool | None:
     raise SubstitutionError(f"{known!r} is no condition; expected `true`, `1`, `false` or `0`")
 
 
-def converted(text: str) -> Plain:
-    """Return a value as roslaunch converts it where no type is given: bool, int, float, else text."""
-    for convert in (int, float):
-        try:
-            return convert(text)
-        except ValueError:
-            continue
-    return {"true": True, "false": False}.get(text.strip().lower(), text)
+def needed(element: Element, attribute: str) -> str:
+    """Return an attribute that an element must have.
+
+    Raises:
+        SubstitutionError: it has none of that name.
+    """
+    if attribute not in element.attributes:
+        raise SubstitutionError(f"<{element.tag}> has no {attribute!r}; expected <{element.tag} {attribute}=…>")
+    return element.attributes[attribute]
 
 
 def _closing(text: str, at: int) -> int:
@@ -95,8 +98,8 @@ def _closing(text: str, at: int) -> int:
 
 
 def _command(inside: str, scope: Scope) -> Text:
-    if "$(" in inside:
-        inside = _within(inside, scope)
+    if "$" in inside or "(" in inside:
+        raise SubstitutionError(f"$({inside}) has another one inside, which roslaunch refuses")
     command, _, rest = inside.partition(" ")
     rest = rest.strip()
     if command not in _COMMANDS:
@@ -106,13 +109,6 @@ def _command(inside: str, scope: Scope) -> Text:
     if not rest:
         raise SubstitutionError(f"$({command}) names nothing; expected $({command} NAME)")
     return _NAMED[command](rest, scope)
-
-
-def _within(inside: str, scope: Scope) -> str:
-    resolved = substitute(inside, scope)
-    if resolved.known is None:
-        raise UnknownInsideError(resolved.holes[0])
-    return resolved.known
 
 
 class UnknownInsideError(SubstitutionError):

@@ -124,3 +124,21 @@ def test_any_bytes_are_read(content):
     read_setup_script(content, "setup.py", [])
     read_setup_config(content, "setup.cfg")
     read_pyproject(content + b"\nscripts", "pyproject.toml")
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("generate_parameter_module('m', 'pkg/p.yaml')", (("m", "pkg/p.yaml"),)),
+        (
+            "generate_parameter_module(module_name='m', yaml_file='./pkg/p.yaml', validation_module='v')",
+            (("m", "pkg/p.yaml"),),
+        ),
+        ("f = 'pkg/p.yaml'\nhelper.generate_parameter_module('m', f)", (("m", "pkg/p.yaml"),)),
+        ("generate_parameter_module('m', unknown())", ()),
+        ("generate_parameter_module('m')", ()),
+    ],
+)
+def test_modules_that_declare_parameters(call, expected):
+    assert read(f"{call}\nsetup()").parameters == expected
+    assert read(call).parameters == expected

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roslens.source.extract.files import FolderFiles
-from roslens.source.extract.node_facts import Sure, TargetKind
+from roslens.source.extract.node_facts import Generated, Sure, TargetKind
 from roslens.source.extract.targets import build_of, targets_of
 
 ROOT = Path(__file__).parents[2] / "fixtures" / "extract" / "cmake"
@@ -332,3 +332,22 @@ def test_mutated_packages_never_fail(content, edits):
         content = content[:at] + piece.encode() + content[at + gone :]
     files = {"pkg/CMakeLists.txt": content, "pkg/src/a.cpp": b""}
     build_of("pkg", "pkg", "catkin", Written(files), list(files))
+
+
+def test_files_of_parameters_of_which_code_is_generated():
+    found = build(
+        "set(NAME demo_parameters)\ngenerate_parameter_library(${NAME} src/demo.yaml include/checks.hpp)\n"
+        "generate_parameter_module(other pkg/other.yaml)\ngenerate_parameter_library(gone src/gone.yaml)",
+        "src/demo.yaml", "pkg/other.yaml",
+    )  # fmt: skip
+    assert found.parameters == (
+        Generated("demo_parameters", "pkg/src/demo.yaml"),
+        Generated("other", "pkg/pkg/other.yaml", python=True),
+    )
+    assert reasons(found) == [("src/gone.yaml", "a file of parameters is not among the files of the package")]
+
+
+def test_files_of_parameters_of_a_python_package():
+    setup = "name = 'pkg'\nif True:\n    generate_parameter_module('demo', name + '/demo.yaml')\nsetup(name=name)\n"
+    found = build("", "pkg/demo.yaml", kind="ament_python", files={"pkg/setup.py": setup})
+    assert found.parameters == (Generated("demo", "pkg/pkg/demo.yaml", python=True),)

@@ -76,3 +76,19 @@ def test_what_cannot_be_read_is_made_again(root: Path, tmp_path: Path, kept: byt
     with Cache.open(tmp_path / "cache.sqlite") as cache:
         cache.put({"graph:x:1": kept})
         assert parts_of(root, cache).kept("x", "1", Builds, lambda: Builds({}, ())) == Builds({}, ())
+
+
+def test_what_is_declared_beside_code_changes_the_key_of_units(root: Path):
+    cmake = root / "c" / "CMakeLists.txt"
+    cmake.write_text(cmake.read_text() + "generate_parameter_library(eye_parameters eye.yaml)\n")
+    (root / "c" / "eye.yaml").write_text("eye: {rate: {type: double}}\n")
+    parts = parts_of(root, Cache.open(None))
+    (library,) = parts.libraries
+    assert (library.namespace, library.package, [one.name for one in library.declarations]) == (
+        "eye",
+        parts.found["eye"].package.id,
+        ["rate"],
+    )
+    assert parts.index.parameter_libraries == parts.libraries
+    (root / "c" / "eye.yaml").write_text("eye: {rate: {type: int}}\n")
+    assert parts_of(root, Cache.open(None)).programs_key != parts.programs_key

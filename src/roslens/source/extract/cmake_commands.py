@@ -449,7 +449,7 @@ IGNORED = frozenset({
     "catkin_download_test_data", "catkin_metapackage", "catkin_package_xml", "catkin_run_tests_target",
     "cmake_minimum_required", "cmake_policy", "configure_file", "configure_package_config_file", "enable_language",
     "enable_testing", "export", "find_package_handle_standard_args", "generate_dynamic_reconfigure_options",
-    "generate_messages", "generate_parameter_library", "generate_parameter_module", "include_directories",
+    "generate_messages", "include_directories",
     "include_external_msproject", "include_guard", "link_directories", "link_libraries", "mark_as_advanced",
     "remove_definitions", "rosidl_export_typesupport_targets", "rosidl_get_typesupport_target",
     "rosidl_target_interfaces", "roslaunch_add_file_check", "roslint_add_test", "roslint_cpp", "roslint_custom",

@@ -12,7 +12,7 @@ from roslens.source.extract.cmake_evaluation import BUILD, SOURCE, Evaluation
 from roslens.source.extract.cmake_targets import Collected, Installed, Item, Made
 from roslens.source.extract.cmake_value import MADE, is_unknown, reason_of
 from roslens.source.extract.files import joined
-from roslens.source.extract.node_facts import Sure, Target, TargetKind
+from roslens.source.extract.node_facts import Generated, Sure, Target, TargetKind
 
 INSTALL = "/=install"
 """Stands for the folder that is installed to."""
@@ -214,6 +214,13 @@ class Linking:
             inside = one.kind == "directory" and one.item.text.endswith("/")
             found.append((path, destination if inside else joined(destination, one.rename or basename(path))))
         return found
+
+    def parameters(self) -> list[Generated]:
+        """Return the files that declare parameters of which the package generates code."""
+        found = (
+            (name, self.file(item, "a file of parameters"), python) for name, python, item in self._collected.parameters
+        )
+        return list(dict.fromkeys(Generated(name, path, python) for name, path, python in found if path))
 
     def interfaces(self) -> list[str]:
         """Return the files of messages, services and actions that the package generates code of."""

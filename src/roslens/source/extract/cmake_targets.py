@@ -81,6 +81,7 @@ class Collected:
         self.installed: list[Installed] = []
         self.interfaces: list[Item] = []
         self.plugins: list[Item] = []
+        self.parameters: list[tuple[str, bool, Item]] = []
         self.python_setup = False
         self.script_folder = ""
         self.automatic: list[Made] = []
@@ -103,6 +104,7 @@ class Collected:
             "rosidl_generate_interfaces": self._interfaces, "add_message_files": self._ros1_interfaces,
             "add_service_files": self._ros1_interfaces, "add_action_files": self._ros1_interfaces,
             "pluginlib_export_plugin_description_file": self._plugin, "catkin_package": _nothing,
+            "generate_parameter_library": self._parameters, "generate_parameter_module": self._parameters,
         }  # fmt: skip
 
     def _items(self, run: Evaluation, call: Call, values: list[str]) -> list[Item]:
@@ -330,6 +332,11 @@ class Collected:
 
     def _plugin(self, run: Evaluation, call: Call) -> None:
         self.plugins.extend(self._items(run, call, call.arguments[1:2]))
+
+    def _parameters(self, run: Evaluation, call: Call) -> None:
+        python = call.command.name.lower() == "generate_parameter_module"
+        for item in self._items(run, call, call.arguments[1:2]):
+            self.parameters.append((call.arguments[0], python, item))
 
 
 def _nothing(_run: Evaluation, _call: Call) -> None:

@@ -266,6 +266,20 @@ def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
     )
 
 
+class Generated(msgspec.Struct, frozen=True, array_like=True):
+    """A file that declares parameters, of which a build makes code (generate_parameter_library).
+
+    Attributes:
+        target: name of the library or module that is made.
+        path: of the file.
+        python: whether a module of Python is made, else a header of C++.
+    """
+
+    target: str
+    path: str
+    python: bool = False
+
+
 class TargetKind(str, Enum):
     """What a build makes."""
 

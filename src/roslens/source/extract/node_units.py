@@ -30,7 +30,17 @@ from roslens.source.extract.workspace_index import Defined, Index, type_name
 
 Reached = set[tuple[str, int]]
 """Functions that were evaluated, by file and line."""
-_FIRST = ("on_configure", "on_activate", "onInit", "configure", "initialize", "onInitialize", "init", "activate")
+_FIRST = (
+    "on_init",
+    "on_configure",
+    "on_activate",
+    "onInit",
+    "configure",
+    "initialize",
+    "onInitialize",
+    "init",
+    "activate",
+)
 _ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What values that fit nowhere may raise: source that does not compile must not hide what is found elsewhere."""
 _TREE_REGISTRATIONS = frozenset({"registerNodeType", "registerBuilder"})

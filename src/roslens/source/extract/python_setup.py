@@ -22,6 +22,7 @@ from roslens.source.extract.python_expression import Plain, UnknownError, evalua
 
 _MOST_ITEMS = 2_000
 _MOST_DEPTH = 30
+_PARAMETERS = "generate_parameter_module"
 
 
 class EntryPoint(msgspec.Struct, frozen=True):
@@ -42,6 +43,7 @@ class Setup(msgspec.Struct, frozen=True):
         folders: in which packages lie, by name; of all others at the empty one.
         script_folder: where programs are installed, as written; empty where nothing is said.
         unresolved: what could not be read.
+        parameters: modules that declare parameters, each with the file it is made of, relative to the package.
     """
 
     programs: tuple[EntryPoint, ...] = ()
@@ -50,6 +52,7 @@ class Setup(msgspec.Struct, frozen=True):
     folders: tuple[tuple[str, str], ...] = ()
     script_folder: str = ""
     unresolved: tuple[Unresolved, ...] = ()
+    parameters: tuple[tuple[str, str], ...] = ()
 
 
 def read_setup_script(content: bytes, path: str, listing: Iterable[str]) -> Setup:
@@ -82,6 +85,7 @@ class _Script:
 
     def read(self, tree: ast.Module) -> Setup:
         call: ast.Call | None = None
+        parameters: list[tuple[str, str]] = []
         for statement in _statements(tree.body):
             if isinstance(statement, ast.Assign) and len(statement.targets) == 1:
                 target = statement.targets[0]
@@ -89,10 +93,11 @@ class _Script:
                     self._assigned[target.id] = statement.value
                 elif isinstance(target, ast.Subscript) and isinstance(target.value, ast.Name):
                     self._fail(statement.value, UnknownError("a part of a variable is set"))
-            found = [one for one in ast.walk(statement) if isinstance(one, ast.Call) and _called(one) == "setup"]
-            call = found[0] if found else call
+            calls = [one for one in ast.walk(statement) if isinstance(one, ast.Call)]
+            parameters += [pair for one in calls if _called(one) == _PARAMETERS for pair in self._parameters(one)]
+            call = next((one for one in calls if _called(one) == "setup"), call)
         if call is None:
-            return Setup(unresolved=tuple(self._unresolved))
+            return Setup(unresolved=tuple(self._unresolved), parameters=tuple(parameters))
         keywords = self._keywords(call, 0)
         programs: list[EntryPoint] = []
         for group, value in self._pairs(keywords.get("entry_points")):
@@ -107,7 +112,19 @@ class _Script:
         folders = [
             (key, text) for key, value in self._pairs(keywords.get("package_dir")) for text in self._texts(value)
         ]
-        return Setup(tuple(programs), tuple(scripts), tuple(data), tuple(folders), unresolved=tuple(self._unresolved))
+        return Setup(
+            tuple(programs), tuple(scripts), tuple(data), tuple(folders), "", tuple(self._unresolved),
+            tuple(parameters),
+        )  # fmt: skip
+
+    def _parameters(self, call: ast.Call) -> Iterator[tuple[str, str]]:
+        """Yield module and file of ``generate_parameter_module(name, file)``."""
+        given = {"module_name": 0, "yaml_file": 1}
+        named = {one.arg: one.value for one in call.keywords}
+        nodes = [named.get(name, call.args[place] if place < len(call.args) else None) for name, place in given.items()]
+        texts = [self._texts(node) if node is not None else [] for node in nodes]
+        if all(len(one) == 1 for one in texts):
+            yield texts[0][0], normpath(texts[1][0])
 
     def _evidence(self, node: ast.expr) -> Evidence:
         return Evidence(self._path, getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1)

@@ -40,6 +40,7 @@ def read_setup(folder: str, files: Files, listing: frozenset[str]) -> Setup:
         tuple(pair for setup in found for pair in setup.folders),
         next((setup.script_folder for setup in found if setup.script_folder), ""),
         tuple(one for setup in found for one in setup.unresolved),
+        tuple(pair for setup in found for pair in setup.parameters),
     )
 
 

@@ -17,7 +17,7 @@ from roslens.source.extract.cmake_linking import INSTALL, Linking, merged
 from roslens.source.extract.cmake_targets import Collected, Item
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Unresolved
-from roslens.source.extract.node_facts import Evidence, Sure, Target, TargetKind
+from roslens.source.extract.node_facts import Evidence, Generated, Sure, Target, TargetKind
 from roslens.source.extract.plugin_xml import PluginClass, exported_descriptions, read_plugins
 from roslens.source.extract.python_setup_targets import module_file, read_setup, setup_targets
 
@@ -32,12 +32,14 @@ class Build(msgspec.Struct, frozen=True):
         unresolved: what could not be evaluated.
         interfaces: files of messages, services and actions that it generates code of.
         installed: files and folders of the workspace, each with where it is then: ``launch`` in ``share/pkg/launch``.
+        parameters: files of which it generates code that declares parameters.
     """
 
     targets: tuple[Target, ...] = ()
     unresolved: tuple[Unresolved, ...] = ()
     interfaces: tuple[str, ...] = ()
     installed: tuple[tuple[str, str], ...] = ()
+    parameters: tuple[Generated, ...] = ()
 
 
 def targets_of(
@@ -74,6 +76,7 @@ class _Reading:
         self._linking = Linking(package, build_type == "catkin", self._run, self._collected)
         self._targets: list[Target] = []
         self._unresolved: list[Unresolved] = []
+        self._parameters: list[Generated] = []
 
     def read(self) -> Build:
         cmake = joined(self._folder, "CMakeLists.txt")
@@ -82,6 +85,7 @@ class _Reading:
             self._evaluate(cmake)
         self._targets.extend(self._linking.targets())
         installed = self._linking.installs()
+        self._parameters = self._linking.parameters()
         if not has_cmake or self._collected.python_setup or self._collected.script_folder:
             installed.extend(self._read_setup())
         self._read_plugins()
@@ -91,6 +95,7 @@ class _Reading:
             (*self._run.unresolved, *dict.fromkeys(self._unresolved)),
             tuple(interfaces),
             tuple(dict.fromkeys(installed)),
+            tuple(dict.fromkeys(self._parameters)),
         )
 
     def _evaluate(self, path: str) -> None:
@@ -126,6 +131,9 @@ class _Reading:
         targets, unresolved = setup_targets(self._package, self._folder, setup, self._listing, script_folder)
         self._targets.extend(targets)
         self._unresolved.extend(unresolved)
+        for target, path in setup.parameters:
+            if joined(self._folder, path) in self._listing:
+                self._parameters.append(Generated(target, joined(self._folder, path), python=True))
         return [
             (joined(self._folder, path), joined(folder, path.rpartition("/")[2]))
             for folder, paths in setup.data

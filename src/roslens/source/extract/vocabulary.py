@@ -56,13 +56,16 @@ _ANYWHERE: dict[str, Word] = {}
 _QUIET: set[Word] = set()
 _BETTER = {"tf2_ros.Buffer": ("tf2_ros.Buffer", ""), "Buffer": ("tf2_ros.Buffer", "/tf2_ros/buffer.py")}
 """By the qualified name of a class of a library its whole name, and the end of the path of the file that has it."""
+LISTENER = "ParamListener"
+"""The class that generate_parameter_library makes, in whatever namespace: it declares parameters."""
 _MODULES = (
     "vocabulary_options",
     "vocabulary_ros2",
-    "vocabulary_parameters",
-    "vocabulary_descriptors",
     "vocabulary_qos",
     "vocabulary_python",
+    "vocabulary_parameters",
+    "vocabulary_descriptors",
+    "vocabulary_listeners",
     "vocabulary_ros1",
     "vocabulary_nodelets",
     "vocabulary_markers",
@@ -129,7 +132,10 @@ def known_names() -> frozenset[str]:
 def find_outer(engine: Evaluation, name: str) -> Word | None:
     """Return what calling a function or class by its whole name does."""
     _load()
-    return _said(engine, _OUTER.get(name))
+    word = _OUTER.get(name)
+    if word is None and name.endswith(LISTENER):
+        word = _OUTER.get(LISTENER)
+    return _said(engine, word)
 
 
 def find_class(engine: Evaluation, name: str, path: str) -> tuple[str, Word] | None:

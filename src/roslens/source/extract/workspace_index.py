@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -24,6 +25,9 @@ from roslens.source.extract.program import (
 )
 from roslens.source.extract.type_names import dotted, type_arguments, type_name
 
+if TYPE_CHECKING:
+    from roslens.source.extract.parameter_library import ParameterLibrary
+
 __all__ = ["Defined", "Index", "assigned_names", "dotted", "type_arguments", "type_name"]
 
 _CUSTOM = Name("RCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE")
@@ -37,7 +41,12 @@ class Defined(msgspec.Struct, frozen=True):
 
 
 class Index:
-    """What the programs of a workspace define; the first definition of a name counts."""
+    """What the programs of a workspace define; the first definition of a name counts.
+
+    Attributes:
+        programs: by path.
+        parameter_libraries: code that builds generate to declare parameters, which no program holds.
+    """
 
     def __init__(self, programs: Mapping[str, Program], packages: Mapping[str, str] | None = None) -> None:
         """Index programs by path; ``packages`` names the package of each, by default its first folder."""
@@ -46,6 +55,7 @@ class Index:
 
         self._outer = known_names()
         self.programs = dict(programs)
+        self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
         self._own = own_names(self.programs)
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}

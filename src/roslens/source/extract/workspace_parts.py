@@ -17,6 +17,7 @@ from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
 from roslens.source.extract.files import FolderFiles
 from roslens.source.extract.kept_program import becomes_nodes
+from roslens.source.extract.parameter_library import ParameterLibrary, parameter_library
 from roslens.source.extract.targets import Build, build_of
 from roslens.source.extract.workspace_index import Index
 from roslens.source.extract.workspace_interfaces import INTERFACES, KnownInterface, interfaces_of, ros_generation
@@ -31,6 +32,7 @@ from roslens.store.cache import Cache
 _LAUNCH = frozenset({Language.LAUNCH_XML, Language.LAUNCH_PYTHON, Language.LAUNCH_YAML})
 _UNREAD = frozenset({Language.C, Language.CPP, Language.PYTHON})
 """Files that builds name but do not read, but for ``setup.py``."""
+_NOTHING = Build()
 
 
 class LaunchFile(msgspec.Struct, frozen=True, order=True):
@@ -143,7 +145,7 @@ class WorkspaceParts:
     def programs_key(self) -> str:
         """A key of what the facts of units depend on: programs and their packages."""
         files = sorted((file.path, file.content_hash, file.language.value) for file in self.sources())
-        return key_of(analyser_version(), self._macros, files, sorted(self.owners.items()))
+        return key_of(analyser_version(), self._macros, files, sorted(self.owners.items()), self.libraries)
 
     @cached_property
     def programs(self) -> WorkspacePrograms:
@@ -155,7 +157,20 @@ class WorkspaceParts:
     @cached_property
     def index(self) -> Index:
         """What the programs of the workspace define."""
-        return Index(self.programs.programs, self.owners)
+        index = Index(self.programs.programs, self.owners)
+        index.parameter_libraries = self.libraries
+        return index
+
+    @cached_property
+    def libraries(self) -> tuple[ParameterLibrary, ...]:
+        """The parameters that builds generate code to declare."""
+        made = ((name, one) for name in sorted(self.found) for one in self.builds.builds.get(name, _NOTHING).parameters)
+        return tuple(
+            parameter_library(
+                one.target, self.found[name].package.id, one.path, self.reading.content(one.path), python=one.python
+            )
+            for name, one in made
+        )
 
     @cached_property
     def builds(self) -> Builds:

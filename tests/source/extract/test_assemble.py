@@ -385,14 +385,15 @@ def test_a_guess_about_which_node_stays_a_guess():
     assert explicit(only(configured(talker(endpoints=(fact,)), started())))[0].proof.sure == "likely"
 
 
-def test_further_nodes_of_a_component_take_what_their_container_is_given():
+@pytest.mark.parametrize("kind", ["container", "node"])
+def test_further_nodes_of_a_component_take_what_their_container_is_given(kind):
     first = NodeFacts("pkg.Talker", "pkg/src/talker.cpp", 5, "ros2", name=Text.of("a"))
     second = NodeFacts(
         "pkg.Talker", "pkg/src/map.cpp", 0, "ros2", name=Text.of("costmap"), number=1,
         endpoints=(end(Role.PUBLISHER, parameter_name("topic", "map")), end(Role.PUBLISHER, "chatter")),
     )  # fmt: skip
     box = Launched(
-        Text.of("rclcpp_components"), Text.of("component_container"), START, Text.of("box"), kind="container",
+        Text.of("rclcpp_components"), Text.of("component_container_mt"), START, Text.of("box"), kind=kind,
         settings=(Setting(Text.of("topic"), Text.of("grid"), YAML, "string", "/costmap"),),
         remaps=(Remap(Text.of("chatter"), Text.of("/box_said"), START),),
     )  # fmt: skip

@@ -64,7 +64,7 @@ def test_a_program_is_evaluated_with_the_words_of_its_command_line():
     asked = []
 
     class Asked(KnownUnits):
-        def program(self, path, function="", words=None):
+        def program(self, path, function="", words=None, chosen=None):
             asked.append((path, words))
             return super().program(path, function, words)
 

@@ -49,6 +49,23 @@ def test_types_of_bases(units, derived, types):
     assert [str(one.type) for one in facts.endpoints] == types
 
 
+def test_an_argument_means_the_class_of_that_name_where_it_is_written(units):
+    text = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+namespace far { struct Parameters { std::string topic = "other"; }; }
+namespace tools { template<class T> class Handler { public: T params_; T * get() { return &params_; } }; }
+namespace near { struct Parameters { std::string topic = "mine"; };
+class Own : public tools::Handler<Parameters> {};
+class A : public rclcpp::Node { public: A() : Node("a") {
+  own_ = std::make_unique<Own>(); auto params = own_->get();
+  create_publisher<std_msgs::msg::String>(params->topic, 1); }
+  std::unique_ptr<Own> own_; }; }
+"""
+    (facts,) = [one for one in units(a_cpp=text) if one.unit == "near.A"]
+    assert [one.name.known for one in facts.endpoints] == ["mine"]
+
+
 def test_arguments_of_bases_are_lowered():
     text = b"class A : public B, public n::C<int, D<E>> {};\nclass F : public B {};"
     first, second = program_of_cpp(text, load_macros()).classes

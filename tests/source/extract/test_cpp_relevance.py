@@ -218,6 +218,8 @@ def test_statements_that_only_tell_people_something(statement: bytes, expected: 
         "a->get_node_base_interface()",
         "executor.add_node(a)",
         "ros::topic::waitForMessage<A>(a)",
+        "plugins_[i]->configure(node, names_[i])",
+        "layers_[0]->initialize(a)",
         'return std::string("a")',
     ],
 )

@@ -18,6 +18,7 @@ from roslens.source.extract.node_facts import (
     LoadFact,
     NodeFacts,
     ParameterFact,
+    PluginFact,
     TimerFact,
     with_texts,
 )
@@ -68,6 +69,8 @@ class Building(msgspec.Struct, eq=False):
     named: bool = False
     declares_set: bool = False
     doubt: str = ""
+    plugins: list[PluginFact] = []
+    asks: list[Text] = []
 
     def facts(self) -> NodeFacts:
         """Return what was collected."""
@@ -76,7 +79,7 @@ class Building(msgspec.Struct, eq=False):
             tuple(self.endpoints), tuple(self.parameters), tuple(self.timers), tuple(self.arguments),
             tuple(self.settings), self.global_arguments, self.inherits, self.conditions, self.number,
             tuple(dict.fromkeys(self.uses)), tuple(dict.fromkeys(self.unresolved)), tuple(self.loads),
-            self.declares_set, self.doubt,
+            self.declares_set, self.doubt, tuple(self.plugins), tuple(self.asks),
         )  # fmt: skip
         return with_texts(facts, self._seen_from_here) if self.number else facts
 

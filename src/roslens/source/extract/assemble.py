@@ -16,7 +16,8 @@ from roslens.model.errors import DocumentError
 from roslens.source.extract.assemble_arguments import CommandLine, command_line
 from roslens.source.extract.assemble_loads import loaded_by, with_used
 from roslens.source.extract.assemble_node import Given, assembled, container_name, place_of, values_of
-from roslens.source.extract.assemble_parameters import set_outside
+from roslens.source.extract.assemble_parameters import Values, set_outside
+from roslens.source.extract.assemble_plugins import with_plugins
 from roslens.source.extract.assemble_proof import launch_proof
 from roslens.source.extract.assemble_units import Meant, Units, as_script, meant_by
 from roslens.source.extract.command_words import words_of
@@ -150,6 +151,8 @@ class _Whole:
             self.hints,
             self.hinted_in,
         )
+        if any(one.plugins or one.asks for one in meant.facts):
+            meant = self._with_plugins(given, meant)
         if has_bond(launched):
             name = place_of(given, meant.facts[0] if meant.facts else _nothing(launched, generation)).node.pattern
             self.bonds.append(Bond(name, given.container, launched.conditions))
@@ -186,7 +189,7 @@ class _Whole:
         loaded, line = given.launched, given.line
         process = loaded
         if loaded.kind == "component":
-            found = [one for one in self.launch.nodes if one.kind == "container"]
+            found = [one for one in self.launch.nodes if _is_container(one)]
             box = next((one for one in found if _whole_name(one) == given.container), None)
             process = _without_line(loaded) if box is None else box
             line = CommandLine() if box is None else command_line(box.arguments, "ros2", box.evidence)
@@ -215,6 +218,19 @@ class _Whole:
             meant = msgspec.structs.replace(meant, facts=(first, *rest))
         return meant
 
+    def _with_plugins(self, given: Given, meant: Meant) -> Meant:
+        """Return what is started with what the plug-ins make that its parameters name."""
+        launched, words = given.launched, words_of(given.launched, self.launch.generation) if self.by_launch else None
+        main = meant.facts[0]
+
+        def values(facts: NodeFacts, number: int) -> Values:
+            if not number or self.launch.generation != "ros2":
+                return values_of(given, facts)
+            filled = values_of(given, main).filled_by_maker(facts)
+            return values_of(self._further(given, filled), filled)
+
+        return with_plugins(meant, lambda chosen: meant_by(launched, self.units, words, chosen), values)
+
     def _with_files(self, line: CommandLine, launched: Launched) -> CommandLine:
         if not line.files:
             return line
@@ -237,6 +253,14 @@ class _Whole:
 def _nothing(launched: Launched, generation: str) -> NodeFacts:
     """Return facts of a node of which nothing is known."""
     return NodeFacts("", launched.evidence.path, launched.evidence.line, generation, name=launched.executable)
+
+
+def _is_container(launched: Launched) -> bool:
+    """Whether a node loads components: by an action of its own, or as the plain program of rclcpp_components."""
+    if launched.kind == "container":
+        return True
+    executable = launched.executable.known or ""
+    return launched.package.known == "rclcpp_components" and executable.startswith("component_container")
 
 
 def _whole_name(launched: Launched) -> str:

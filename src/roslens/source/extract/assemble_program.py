@@ -74,6 +74,8 @@ def joined_facts(main: NodeFacts | None, of_class: NodeFacts) -> NodeFacts:
         declares_set=main.declares_set or of_class.declares_set,
         doubt=main.doubt or of_class.doubt,
         loads=tuple(dict.fromkeys((*main.loads, *of_class.loads))),
+        asks=tuple(dict.fromkeys((*main.asks, *of_class.asks))),
+        plugins=tuple(dict.fromkeys((*main.plugins, *of_class.plugins))),
     )
 
 

@@ -10,6 +10,7 @@ import msgspec
 from roslens.model.configuration import Origin
 from roslens.source.extract.launched import Launched
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
+from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
 
 _PROGRAMS = frozenset({TargetKind.EXECUTABLE, TargetKind.SCRIPT})
@@ -25,16 +26,20 @@ class Units(Protocol):
     def targets(self, package: str) -> Sequence[Target]:
         """Return what the build of a package makes."""
 
-    def program(self, path: str, function: str = "", words: Sequence[Text] | None = None) -> Sequence[NodeFacts]:
+    def program(
+        self, path: str, function: str = "", words: Sequence[Text] | None = None, chosen: Chosen | None = None
+    ) -> Sequence[NodeFacts]:
         """Return the nodes that a file becomes when it is started: by its main function, or a function of a module.
 
-        ``words`` are those of its command line, that of the program first, where they are known.
+        ``words`` are those of its command line, that of the program first, where they are known; ``chosen`` decides
+        which plug-ins it loads.
         """
 
-    def of_class(self, name: str, sources: Sequence[str] = ()) -> Sequence[NodeFacts]:
+    def of_class(self, name: str, sources: Sequence[str] = (), chosen: Chosen | None = None) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes; ``name`` is qualified, joined by ``.``.
 
-        ``sources`` are those of what is loaded: they tell which class is meant where several define one.
+        ``sources`` are those of what is loaded: they tell which class is meant where several define one. ``chosen``
+        decides which plug-ins it loads.
         """
 
     def scripts(self, package: str, name: str) -> Sequence[str]:
@@ -77,17 +82,19 @@ class KnownUnits:
         """Return what the build of a package makes."""
         return self._targets.get(package, ())
 
-    def program(self, path: str, function: str = "", words: Sequence[Text] | None = None) -> Sequence[NodeFacts]:
+    def program(
+        self, path: str, function: str = "", words: Sequence[Text] | None = None, chosen: Chosen | None = None
+    ) -> Sequence[NodeFacts]:
         """Return the nodes that a file becomes when it is started."""
-        del words
+        del words, chosen
         for unit in (function,) if function else ("<module>", "main"):
             if found := self._programs.get((path, unit)):
                 return found
         return ()
 
-    def of_class(self, name: str, sources: Sequence[str] = ()) -> Sequence[NodeFacts]:
+    def of_class(self, name: str, sources: Sequence[str] = (), chosen: Chosen | None = None) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes."""
-        del sources
+        del sources, chosen
         return self._classes.get(name, ())
 
     def scripts(self, package: str, name: str) -> Sequence[str]:
@@ -101,13 +108,18 @@ class KnownUnits:
         return ""
 
 
-def meant_by(launched: Launched, units: Units, words: Sequence[Text] | None = None) -> Meant:
-    """Return the code that is started, with the words of its command line; where there is none, the reason."""
+def meant_by(
+    launched: Launched, units: Units, words: Sequence[Text] | None = None, chosen: Chosen | None = None
+) -> Meant:
+    """Return the code that is started, with the words of its command line; where there is none, the reason.
+
+    ``chosen`` decides which plug-ins are loaded.
+    """
     package = launched.package.known
     if package is None:
         return Meant(reason=f"the package is unknown: {launched.package}")
     if launched.kind in ("component", "nodelet"):
-        return _loaded(launched, package, units)
+        return _loaded(launched, package, units, chosen)
     name = launched.executable.known
     if name is None:
         return Meant(reason=f"the executable is unknown: {launched.executable}")
@@ -116,7 +128,7 @@ def meant_by(launched: Launched, units: Units, words: Sequence[Text] | None = No
     target = _best(units.targets(package), name, _PROGRAMS)
     if target is None:
         return Meant(reason=f"no build of package {package} makes {name}")
-    return facts_of_target(target, units, words)
+    return facts_of_target(target, units, words, chosen)
 
 
 def as_script(launched: Launched, units: Units, words: Sequence[Text] | None = None) -> Meant | None:
@@ -132,34 +144,38 @@ def as_script(launched: Launched, units: Units, words: Sequence[Text] | None = N
     return Meant(tuple(facts)) if facts else None
 
 
-def facts_of_target(target: Target, units: Units, words: Sequence[Text] | None = None) -> Meant:
+def facts_of_target(
+    target: Target, units: Units, words: Sequence[Text] | None = None, chosen: Chosen | None = None
+) -> Meant:
     """Return the nodes that a target becomes."""
     if target.kind in _LOADED or (target.entry and ":" not in target.entry.replace("::", "")):
-        found = units.of_class((target.entry or target.name).replace("::", "."), target.sources)
+        found = units.of_class((target.entry or target.name).replace("::", "."), target.sources, chosen)
         what = f"class {target.entry or target.name}"
     else:
-        found = _of_program(target, units, words)
+        found = _of_program(target, units, words, chosen)
         what = target.entry or f"a main function in {', '.join(target.sources) or 'its sources'}"
     if not found:
         return Meant(reason=f"{target.name}: {what} makes no node that could be found", conditions=target.conditions)
     return Meant(tuple(found), conditions=target.conditions)
 
 
-def _of_program(target: Target, units: Units, words: Sequence[Text] | None) -> Sequence[NodeFacts]:
+def _of_program(
+    target: Target, units: Units, words: Sequence[Text] | None, chosen: Chosen | None
+) -> Sequence[NodeFacts]:
     module, _, function = target.entry.partition(":")
     if function:
         ends = (module.replace(".", "/") + ".py", module.replace(".", "/") + "/__init__.py")
         paths = [path for path in target.sources if path.endswith(ends)] or list(target.sources)
         for path in paths:
-            if found := units.program(path, function, words):
+            if found := units.program(path, function, words, chosen):
                 return found
     for path in target.sources:
-        if found := units.program(path, "", words):
+        if found := units.program(path, "", words, chosen):
             return found
     return ()
 
 
-def _loaded(launched: Launched, package: str, units: Units) -> Meant:
+def _loaded(launched: Launched, package: str, units: Units, chosen: Chosen | None) -> Meant:
     name = launched.plugin.known
     if name is None:
         return Meant(reason=f"the class is unknown: {launched.plugin}")
@@ -167,10 +183,11 @@ def _loaded(launched: Launched, package: str, units: Units) -> Meant:
     owner = name.partition("/")[0] if launched.kind == "nodelet" and "/" in name else package
     target = _best(units.targets(owner), name, _LOADED) if units.has(owner) else None
     if target is not None:
-        return facts_of_target(target, units)
+        return facts_of_target(target, units, None, chosen)
     if not units.has(owner):
         return Meant(reason=f"package {owner} is not in the workspace")
-    found = units.of_class(name.partition("/")[2].replace("::", ".") if "/" in name else name.replace("::", "."))
+    whole = (name.partition("/")[2] if "/" in name else name).replace("::", ".")
+    found = units.of_class(whole, (), chosen)
     return Meant(tuple(found)) if found else Meant(reason=f"package {owner} registers no {name}")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.type_names import dotted
 
 if TYPE_CHECKING:
     from roslens.source.extract.abstract_value import Obj
@@ -24,6 +25,14 @@ def bind_bases(engine: Evaluation, thing: Obj) -> None:
             base = engine.index.class_of(written, one.path, name.rpartition(".")[0])
             if base is not None and given:
                 names = getattr(base.what, "templates", ())
-                bound = dict(zip(names, (engine.template(each) for each in given), strict=False))
+                bound = dict(zip(names, (_whole(engine, each) for each in given), strict=False))
                 thing.base_templates.setdefault(base.what.qualified_name, bound)
         engine.frame = outer
+
+
+def _whole(engine: Evaluation, written: str) -> str:
+    """Return a template argument as it is meant where it is written: elsewhere its name may mean another class."""
+    meant = engine.template(written)
+    plain = dotted(meant)
+    defined = engine.index.class_of(plain, engine.frame.path, engine.frame.scope) if plain.isidentifier() else None
+    return meant if defined is None else defined.what.qualified_name.replace(".", "::")

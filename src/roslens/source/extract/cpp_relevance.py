@@ -38,6 +38,7 @@ _WORDS = {
     b"get_node_": rb"\bget_node_\w+_interface",
     b"add_node": rb"\badd_node",
     b"waitForMessage": rb"\bwaitForMessage",
+    b"]->": rb"\]->(?:on_?)?(?:[cC]onfigure|[iI]nit(?:ialize)?)\s*\(",
     b"return": rb"return\s+(?:std::string\s*\(\s*)?\"",
 }
 _WHOLE = tuple((letters, re.compile(written)) for letters, written in _WORDS.items())

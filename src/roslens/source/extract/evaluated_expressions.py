@@ -9,6 +9,7 @@ from roslens.source.extract.abstract_value import Callable, Class, Made, Named, 
 from roslens.source.extract.evaluation_frame import Frame, either
 from roslens.source.extract.list_slices import is_slice, part_of
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
+from roslens.source.extract.plugin_held import item_held
 from roslens.source.extract.program import (
     Call,
     Expression,
@@ -170,7 +171,7 @@ class Expressions:
             return of.get(hashable(key), Unknown(f"an item of {expression_text(expression.of)}"))
         if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
             return of[key] if not isinstance(of, Words) or of.has(key) else Unknown(expression_text(expression))
-        inside = item_of(of, key)
+        inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
         if isinstance(of, Text) and key == 0 and of.parts and isinstance(first := of.parts[0], str):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.abstract_value import Obj, Unknown
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluation_frame import WayOut, Ways
+from roslens.source.extract.plugin_held import plugged_in
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -23,6 +24,7 @@ from roslens.source.extract.program import (
 from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.unknown_lists import Each, each_of
+from roslens.source.extract.vocabulary_streams import words_read
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -78,10 +80,10 @@ def looped(engine: Evaluation, statement: Loop) -> None:
 
 def _followed(engine: Evaluation, statement: Loop) -> None:
     over = engine.value(statement.over) if statement.over is not None else None
-    items = engine.items(over) if statement.target is not None else None
-    if statement.target is not None and items is not None:
+    target, items = _gone_through(engine, statement, over)
+    if target is not None and items is not None:
         for item in items[:MOST_TURNS]:
-            engine.assign(statement.target, item)
+            engine.assign(target, item)
             if not _turn(engine, statement):
                 return
         return
@@ -109,6 +111,16 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
     if not returned:
         frame.join(after, _written(statement))
         _keep_filled(frame.names, after[0])
+
+
+def _gone_through(engine: Evaluation, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:
+    """Return what a loop sets in each turn, and the values in turn; None where they are unknown."""
+    target = statement.target
+    if target is None:
+        reads = isinstance(statement.over, Operation) and statement.over.operator == ">>"
+        return (words_read(engine, statement.over) if reads else None) or (None, None)
+    items = engine.items(over)
+    return target, plugged_in(engine, over) if items is None and engine.plugged else items
 
 
 def _keep_filled(names: dict[str, Any], after: dict[str, Any]) -> None:

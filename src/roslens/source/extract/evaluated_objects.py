@@ -121,7 +121,7 @@ class Objects(Calls):
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
         engine: Evaluation = self  # type: ignore[assignment]
         name, inside = type_name(declared)
-        if "*" in declared or "ptr" in declared.lower():
+        if ("*" in declared or "ptr" in declared.lower()) and name != "std.vector":
             return None
         return engine.of_type(name, [], {}, tuple(type_arguments(inside)))
 
@@ -151,7 +151,10 @@ class Objects(Calls):
         engine: Evaluation = self  # type: ignore[assignment]
         if not name or name in _PLAIN:
             return engine.plain(name, arguments)
-        name = engine.frame.templates.get(name, name)
+        bound = engine.frame.templates.get(name)
+        if bound is not None:
+            name, inside = type_name(bound)
+            templates = tuple(type_arguments(inside)) or templates
         alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
         if "<" in alias:
             name, inside = type_name(alias)

@@ -11,6 +11,7 @@ from roslens.source.extract.evaluated_loops import left, looped, without_ways_ou
 from roslens.source.extract.evaluated_objects import is_list
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
+from roslens.source.extract.plugin_held import hold
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -155,16 +156,22 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
             # A member of what is not in the workspace: options that hold callbacks.
             engine.called_outer(value)
     elif isinstance(target, Item):
-        of, key = engine.value(target.of), engine.value(target.key)
-        if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
-            # It may hold, or not: nobody knows what the name becomes.
-            value = unknown(f"{as_text(value)} if {engine.conditions[-1]}")
-        if isinstance(of, dict):
-            of[hashable(key)] = value
+        _assign_item(engine, target, value)
     elif isinstance(target, Sequence):
         items = value if isinstance(value, list) and len(value) == len(target.items) else None
         for place, one in enumerate(target.items):
             assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
+
+
+def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
+    of, key = engine.value(target.of), engine.value(target.key)
+    if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
+        # It may hold, or not: nobody knows what the name becomes.
+        value = unknown(f"{as_text(value)} if {engine.conditions[-1]}")
+    if isinstance(of, dict):
+        of[hashable(key)] = value
+    elif isinstance(of, Obj) and of.type == "std.vector":
+        hold(engine, of, key, value)
 
 
 def _assign_name(engine: Evaluation, name: str, value: Any) -> None:

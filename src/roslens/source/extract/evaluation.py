@@ -7,7 +7,8 @@ condition are followed; what is made there keeps it. Everything is bounded.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 from roslens.source.extract.abstract_value import (
@@ -26,6 +27,7 @@ from roslens.source.extract.evaluated_statements import assign, block, initialis
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
@@ -34,6 +36,7 @@ from roslens.source.extract.workspace_index import Index, type_name
 
 MOST_STEPS = 60_000
 MOST_DEPTH = 14
+MOST_OF_PLUGIN = 15_000
 _STOPPED = object()
 _NONE = Text()
 
@@ -53,16 +56,29 @@ class Evaluation(Objects):
         node: that is built.
         others: further nodes that were made on the way.
         made: objects of classes of the workspace that are nodes, in the order in which they were made.
+        first: the node that is built first, whichever is evaluated.
+        chosen: what is set that decides which plug-ins are loaded; None where that is not known yet.
+        plugin_names: the class of each plug-in that has another name.
+        plugged: objects of plug-ins and the nodes they are loaded into.
         conditions: around what is evaluated, outermost first.
         asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
         words: of the command line, where they are known.
     """
 
-    def __init__(self, index: Index, node: Building) -> None:
+    def __init__(
+        self,
+        index: Index,
+        node: Building,
+        chosen: Chosen | None = None,
+        plugin_names: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
         super().__init__()
         self.index = index
-        self.node = node
+        self.node = self.first = node
+        self.chosen = chosen
+        self.plugin_names = plugin_names
+        self.plugged: list[tuple[Obj, Building]] = []
         self.others: list[Building] = []
         self.conditions: list[str] = []
         self.asked: dict[int, tuple[str, Asked | None]] = {}
@@ -72,7 +88,7 @@ class Evaluation(Objects):
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
-        self._steps = 0
+        self._steps, self._most = 0, MOST_STEPS
         self._again = Again()
         self._stack: list[tuple[str, int]] = []
         self.constants: dict[tuple[str, str], Any] = {}
@@ -102,8 +118,12 @@ class Evaluation(Objects):
             SpentError: there were too many.
         """
         self._steps += 1
-        if self._steps > MOST_STEPS:
+        if self._steps > self._most:
             raise SpentError
+
+    def more_steps(self) -> None:
+        """Let a plug-in that is followed take steps of its own."""
+        self._most += MOST_OF_PLUGIN
 
     def run_later(self) -> None:
         """Run the callbacks that were given away, once each, with arguments that are unknown."""

@@ -178,6 +178,24 @@ class LoadFact(msgspec.Struct, frozen=True, omit_defaults=True):
     conditions: tuple[str, ...] = ()
 
 
+class PluginFact(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A class that code loads by name into the node (pluginlib, class_loader).
+
+    Attributes:
+        type: name by which it is loaded.
+        evidence: where.
+        base: class that it implements, as written.
+        made: qualified name of the class, joined by ``.``, where what it makes is among the facts; else empty.
+        conditions: what must hold for it to be loaded.
+    """
+
+    type: Text
+    evidence: Evidence
+    base: str = ""
+    made: str = ""
+    conditions: tuple[str, ...] = ()
+
+
 class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     """Something that becomes a node when it is started: a program's main function, a component, a nodelet.
 
@@ -203,6 +221,8 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
         uses: units whose facts are part of it (base classes, owned objects), for people.
         unresolved: what could not be evaluated, with the reason.
         loads: nodelets that it loads into its own process, in source order.
+        plugins: classes that it loads by name, likewise.
+        asks: texts of which it goes through the words: what they are decides what it makes.
     """
 
     unit: str
@@ -226,6 +246,8 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
     loads: tuple[LoadFact, ...] = ()
     declares_set: bool = False
     doubt: str = ""
+    plugins: tuple[PluginFact, ...] = ()
+    asks: tuple[Text, ...] = ()
 
 
 def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
@@ -263,6 +285,8 @@ def with_texts(facts: NodeFacts, change: Callable[[Text], Text]) -> NodeFacts:
             )
             for one in facts.loads
         ),
+        asks=tuple(change(one) for one in facts.asks),
+        plugins=tuple(msgspec.structs.replace(one, type=change(one.type)) for one in facts.plugins),
     )
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable as Callable1
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from roslens.source.extract.abstract_value import Building, Callable, Named, Obj, Unknown
 from roslens.source.extract.evaluated_statements import block
@@ -11,6 +12,7 @@ from roslens.source.extract.evaluation import Evaluation, SpentError
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.node_facts import Evidence, NodeFacts
+from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -28,6 +30,7 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.word_list import words_given
 from roslens.source.extract.workspace_index import Defined, Index, type_name
 
+NO_NAMES: Mapping[str, str] = MappingProxyType({})
 Reached = set[tuple[str, int]]
 """Functions that were evaluated, by file and line."""
 _FIRST = (
@@ -79,11 +82,15 @@ def registered(index: Index) -> dict[str, Evidence]:
 
 
 def facts_of_class(
-    index: Index, defined: Defined, generation: str, kind: str, reached: Reached | None = None
-) -> list[NodeFacts]:
-    """Return the facts of a class that is a node, and of further nodes that it makes."""
+    index: Index, defined: Defined, generation: str, kind: str, reached: Reached | None = None, *,
+    chosen: Chosen | None = None, plugin_names: Mapping[str, str] = NO_NAMES,
+) -> list[NodeFacts]:  # fmt: skip
+    """Return the facts of a class that is a node, and of further nodes that it makes.
+
+    ``chosen`` and ``plugin_names`` tell which plug-ins are loaded, see :class:`Evaluation`.
+    """
     building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
-    engine = Evaluation(index, building)
+    engine = Evaluation(index, building, chosen, plugin_names)
 
     def run() -> None:
         engine.frame = Frame(defined.path, defined.what.qualified_name)
@@ -94,6 +101,7 @@ def facts_of_class(
         engine.construct_as(thing, defined, [], {})
         _run_methods(engine, thing)
         _run_made(engine, thing)
+        _run_plugged(engine)
 
     return _finished(engine, run, reached)
 
@@ -122,18 +130,20 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
 
 
 def facts_of_main(
-    index: Index, path: str, reached: Reached | None = None, words: Sequence[Text] | None = None
-) -> list[NodeFacts]:
+    index: Index, path: str, reached: Reached | None = None, words: Sequence[Text] | None = None, *,
+    chosen: Chosen | None = None, plugin_names: Mapping[str, str] = NO_NAMES,
+) -> list[NodeFacts]:  # fmt: skip
     """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes.
 
-    ``words`` are those of its command line, where they are known.
+    ``words`` are those of its command line, where they are known; ``chosen`` and ``plugin_names`` tell which plug-ins
+    are loaded, see :class:`Evaluation`.
     """
     program = index.programs[path]
     main = next((one for one in program.functions if one.qualified_name == "main"), None)
     if main is None:
         return []
     building = _building("main", path, main.line, generation_of(index, path), "node")
-    engine = Evaluation(index, building)
+    engine = Evaluation(index, building, chosen, plugin_names)
 
     def run() -> None:
         engine.frame = Frame(path, "")
@@ -144,6 +154,7 @@ def facts_of_main(
         if len(engine.made) > 1:
             # Which node of several is which only this evaluation knows.
             _run_made(engine)
+        _run_plugged(engine)
 
     return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
 
@@ -242,6 +253,19 @@ def _run_made(engine: Evaluation, first: Obj | None = None) -> None:
                 engine.node = outer
 
 
+def _run_plugged(engine: Evaluation) -> None:
+    """Run what plug-ins do that nobody was seen to call; they may load others."""
+    done = 0
+    while done < len(engine.plugged):
+        thing, node = engine.plugged[done]
+        outer, engine.node = engine.node, node
+        try:
+            _run_methods(engine, thing)
+        finally:
+            engine.node = outer
+        done += 1
+
+
 def _run_callbacks(engine: Evaluation) -> None:
     """Run the callbacks of a program: by then, members of their objects may have changed."""
     for callback, _ in engine.later:
@@ -293,6 +317,7 @@ def _building(unit: str, path: str, line: int, generation: str, kind: str) -> Bu
     building.endpoints, building.parameters, building.timers = [], [], []
     building.arguments, building.settings = [], []
     building.uses, building.unresolved = [], []
+    building.plugins, building.asks = [], []
     return building
 
 

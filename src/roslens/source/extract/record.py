@@ -38,6 +38,7 @@ from roslens.source.extract.node_facts import (
     TimerFact,
 )
 from roslens.source.extract.parameter_types import type_of_value
+from roslens.source.extract.plugin_choice import chosen_value
 from roslens.source.extract.program import Call, Name
 from roslens.source.extract.text import Asked, Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, node_of
@@ -260,8 +261,8 @@ _PLAIN = Described()
 def parameter(
     engine: Evaluation, receiver: Any, called: Called, access: str, name: Any, *, default: Any = None, kind: str = "",
     given: bool = False, described: Described = _PLAIN, evidence: Evidence | None = None,
-) -> Text:  # fmt: skip
-    """Record a parameter and return what reading it gives: a hole with its default."""
+) -> Any:  # fmt: skip
+    """Record a parameter and return what reading it gives: a hole with its default, or what it is known to be."""
     node = node_of(engine, receiver)
     written = below(receiver, as_text(name))
     text = value_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
@@ -280,13 +281,22 @@ def parameter(
         node.parameters.append(fact)
     known = written.known or written.pattern
     stated = text if text is not None else declared_default(node, written)
+    if engine.chosen is not None:
+        known = written.usual or known
+        if stated is None:
+            stated = declared_default(node, Text.of(known))
+        decided = chosen_value(engine.chosen, node, known, stated)
+        if decided is not None:
+            return decided
     usual = None if stated is None else stated.usual
     named = (written, *(() if stated is None else (stated,))) if written.holes else ()
     return Text((Hole(node.said(f"parameter {written}"), known, usual, named=named),))
 
 
-def is_set(value: Text) -> Asked | None:
+def is_set(value: Any) -> Asked | None:
     """Return what decides whether a parameter that was read is set; None where that is no question of its name."""
+    if not isinstance(value, Text):
+        return None
     hole = value.parts[0] if len(value.parts) == 1 else None
     return Asked("set", (value,)) if isinstance(hole, Hole) and hole.parameter and "*" not in hole.parameter else None
 

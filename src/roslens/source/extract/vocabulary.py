@@ -68,6 +68,7 @@ _MODULES = (
     "vocabulary_listeners",
     "vocabulary_ros1",
     "vocabulary_nodelets",
+    "vocabulary_plugins",
     "vocabulary_markers",
     "vocabulary_durations",
     "vocabulary_lists",

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Obj, as_text
-from roslens.source.extract.text import Text
+from roslens.source.extract.plugin_choice import deciding_node
+from roslens.source.extract.program import Expression, Operation
+from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
@@ -34,6 +36,28 @@ def text_of(_engine: Evaluation, thing: Any, called: Called) -> Any:
 def cleared(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
     """The state of a stream is cleared: its text stays."""
     return None
+
+
+def words_read(engine: Evaluation, over: Any) -> tuple[Expression, list[Any]] | None:
+    """Return what a loop reads the words of a stream into, and these: ``while (stream >> word)``.
+
+    Words of a text that is unknown are one that stands for each. None where a loop does something else.
+    """
+    if not isinstance(over, Operation) or over.operator != ">>" or len(over.operands) != 2:
+        return None
+    source = engine.value(over.operands[0])
+    if not isinstance(source, Obj) or HELD not in source.fields:
+        return None
+    text = source.fields[HELD]
+    node = deciding_node(engine, text)
+    if text.holes and text not in node.asks:
+        node.asks.append(text)
+    usual = text.known if engine.chosen is None else text.usual
+    if usual is not None:
+        where = f"default of {text.holes[0].reason}" if text.holes else ""
+        return over.operands[1], [Text((Hole(where, default=one),)) if where else Text.of(one) for one in usual.split()]
+    decides = next((hole.parameter for hole in text.holes if hole.parameter), "")
+    return over.operands[1], [unknown(f"each word of {text}", parameter=decides)]
 
 
 def written_to(thing: Obj, values: list[Any]) -> Obj:

@@ -7,13 +7,15 @@ what a configuration starts. Programs, builds and what units come to are kept in
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cached_property
 
 import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.source import Language, Package, Role
 from roslens.source.extract.launched import Unresolved
-from roslens.source.extract.node_facts import NodeFacts, Target
+from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
+from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_interfaces import KnownInterface, nearest
 from roslens.source.extract.workspace_parts import WorkspaceParts
@@ -110,12 +112,15 @@ class WorkspaceFacts:
         build = self._parts.builds.builds.get(package)
         return () if build is None else build.targets
 
-    def program(self, path: str, function: str = "", words: Sequence[Text] | None = None) -> Sequence[NodeFacts]:
+    def program(
+        self, path: str, function: str = "", words: Sequence[Text] | None = None, chosen: Chosen | None = None
+    ) -> Sequence[NodeFacts]:
         """Return the nodes that a file becomes when it is started, with these words on its command line."""
         if words is None or not self._reads_words(path):
-            return self._once(("program " + path, function), lambda: self._of_program(path, function))
-        key = ("program " + path, function, *map(str, words))
-        return self._once(key, lambda: self._of_program(path, function, words))
+            key = ("program " + path, function, *_words_of(chosen))
+            return self._once(key, lambda: self._of_program(path, function, None, chosen))
+        key = ("program " + path, function, *map(str, words), *_words_of(chosen))
+        return self._once(key, lambda: self._of_program(path, function, words, chosen))
 
     def _reads_words(self, path: str) -> bool:
         key = key_of(self._parts.programs_key, "reads its words", path)
@@ -127,9 +132,17 @@ class WorkspaceFacts:
         found = self._parts.index.programs.get(path)
         return _Reads(found is not None and reads_words(found), self._parts.programs.lasting)
 
-    def of_class(self, name: str, sources: Sequence[str] = ()) -> Sequence[NodeFacts]:
+    def of_class(self, name: str, sources: Sequence[str] = (), chosen: Chosen | None = None) -> Sequence[NodeFacts]:
         """Return the nodes that an object of a class becomes, of several of that name the one in these sources."""
-        return self._once(("class", name, *sources), lambda: self._of_class(name, sources))
+        key = ("class", name, *sources, *_words_of(chosen))
+        return self._once(key, lambda: self._of_class(name, sources, chosen))
+
+    @cached_property
+    def _plugin_names(self) -> dict[str, str]:
+        """Return the class of each plug-in that is described under another name."""
+        builds = self._parts.builds.builds.values()
+        plugins = (one for build in builds for one in build.targets if one.kind is TargetKind.PLUGIN)
+        return {one.name: one.entry for one in plugins if one.entry and one.entry != one.name}
 
     def scripts(self, package: str, name: str) -> Sequence[str]:
         """Return the scripts in Python of a package that have a name as their file name, sorted."""
@@ -161,9 +174,11 @@ class WorkspaceFacts:
         nodes = tuple(attempt(lambda: list(make()), where, 0, self.broken))
         return _Kept(nodes, self._parts.programs.lasting and not self.broken)
 
-    def _of_program(self, path: str, function: str, words: Sequence[Text] | None = None) -> tuple[NodeFacts, ...]:
+    def _of_program(
+        self, path: str, function: str, words: Sequence[Text] | None, chosen: Chosen | None
+    ) -> tuple[NodeFacts, ...]:
         from roslens.source.extract.assemble_program import classes_made, joined_facts
-        from roslens.source.extract.node_units import facts_of_main, facts_of_module, node_classes
+        from roslens.source.extract.node_units import NO_NAMES, facts_of_main, facts_of_module, node_classes
 
         index = self._parts.index
         program = index.programs.get(path)
@@ -171,18 +186,19 @@ class WorkspaceFacts:
             return ()
         if program.language == "python":
             return tuple(facts_of_module(index, path, function, words=words))
-        main = facts_of_main(index, path, words=words)
+        names = self._plugin_names if chosen is not None else NO_NAMES
+        main = facts_of_main(index, path, words=words, chosen=chosen, plugin_names=names)
         made = list(classes_made(index, path, [one for one, _, _ in node_classes(index)]))
         if len(made) != 1:
             # Which of several nodes is of which class nobody can tell from here; the main function tells of all.
-            return tuple(main) or tuple(one for name in made for one in self.of_class(name))
-        found = self.of_class(made[0])
+            return tuple(main) or tuple(one for name in made for one in self.of_class(name, (), chosen))
+        found = self.of_class(made[0], (), chosen)
         if not found or (len(main) > 1 and main[0].name != found[0].name):
             return tuple(main)
         return (joined_facts(main[0] if main else None, found[0]), *(main[1:] or found[1:]))
 
-    def _of_class(self, name: str, sources: Sequence[str]) -> tuple[NodeFacts, ...]:
-        from roslens.source.extract.node_units import facts_of_class, node_classes
+    def _of_class(self, name: str, sources: Sequence[str], chosen: Chosen | None) -> tuple[NodeFacts, ...]:
+        from roslens.source.extract.node_units import NO_NAMES, facts_of_class, node_classes
 
         index = self._parts.index
         found = list(node_classes(index))
@@ -190,4 +206,10 @@ class WorkspaceFacts:
         if not named:
             same = [one for one in found if one[0].what.qualified_name == name]
             named = same if len(same) == 1 else [one for one in same if one[0].path in sources]
-        return tuple(fact for one in named for fact in facts_of_class(index, *one))
+        names = self._plugin_names if chosen is not None else NO_NAMES
+        return tuple(fact for one in named for fact in facts_of_class(index, *one, chosen=chosen, plugin_names=names))
+
+
+def _words_of(chosen: Chosen | None) -> tuple[str, ...]:
+    """Return what tells results apart that depend on which plug-ins are loaded."""
+    return () if chosen is None else ("plug-ins", *(str(word) for one in chosen.values for word in one))

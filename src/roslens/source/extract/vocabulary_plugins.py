@@ -1,0 +1,78 @@
+"""The vocabulary of pluginlib and class_loader: classes that are loaded by name, and lists that hold them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.node_facts import PluginFact
+from roslens.source.extract.plugin_choice import deciding_node
+from roslens.source.extract.plugin_held import held_in, hold
+from roslens.source.extract.text import Text
+from roslens.source.extract.type_names import type_name
+from roslens.source.extract.vocabulary import Called, method, outer
+from roslens.source.extract.workspace_index import Defined
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_LOADER = "pluginlib.ClassLoader"
+_MOST = 64
+"""So many plug-ins one evaluation follows."""
+
+
+@outer(_LOADER, "class_loader.ClassLoader", "class_loader.MultiLibraryClassLoader", quiet=True)
+def loader(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A loader of classes."""
+    written = called.argument(1)
+    base = written.known if isinstance(written, Text) and called.name == _LOADER else None
+    return Obj(_LOADER, None, {"base": base or (called.templates[0] if called.templates else "")})
+
+
+@method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance")
+def instance(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """An object of a class is made by the name of the class."""
+    kind = as_text(called.argument(0))
+    base = called.templates[0] if called.templates else thing.fields.get("base", "")
+    node = deciding_node(engine, kind)
+    name = None if engine.chosen is None and kind.holes else kind.usual
+    defined = _class(engine, name) if name and len(engine.plugged) < _MOST else None
+    fact = PluginFact(
+        kind, called.evidence, base, "" if defined is None else defined.what.qualified_name,
+        tuple(dict.fromkeys(engine.conditions)),
+    )  # fmt: skip
+    if fact not in node.plugins:
+        node.plugins.append(fact)
+    if defined is None:
+        return Unknown(f"a plug-in of {base or 'some class'}")
+    engine.more_steps()
+    made = engine.construct(defined, [], {})
+    if isinstance(made, Obj):
+        engine.plugged.append((made, node))
+    return made
+
+
+def _class(engine: Evaluation, name: str) -> Defined | None:
+    """Return the class that a name of a plug-in means: as descriptions say, else the class of that name."""
+    whole = type_name(engine.plugin_names.get(name, name).replace("/", "::"))[0]
+    return engine.index.class_of(whole, engine.frame.path, "")
+
+
+@method("std.vector", "push_back", "emplace_back", quiet=True)
+def added(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """Something is put at the end of a list: plug-ins are remembered."""
+    for one in called.arguments:
+        engine.called_outer(one)
+    given = called.argument(0)
+    if isinstance(given, Obj) and any(one is given for one, _ in engine.plugged):
+        hold(engine, thing, sum(isinstance(key, int) for key in held_in(thing)), given)
+    return None
+
+
+@method("std.vector", "back", "front", "at", quiet=True)
+def end(_engine: Evaluation, thing: Any, called: Called) -> Any:
+    """One end of a list, or what is at a place of it."""
+    held = held_in(thing)
+    keys = sorted(key for key in held if isinstance(key, int))
+    place = called.argument(0) if called.name == "at" else keys[0 if called.name == "front" else -1] if keys else None
+    return held.get(place, Unknown(f"{called.name} of a list"))

@@ -1,0 +1,30 @@
+from roslens.source.extract.abstract_value import Building
+from roslens.source.extract.plugin_choice import Chosen, chosen_value, node_key
+from roslens.source.extract.text import Hole, Text, unknown
+
+HOST = Building("Host", "a.cpp", 3, "ros2", name=Text.of("host"))
+INNER = Building("Host", "b.hpp", 9, "ros2", name=Text.of("inner"), number=1)
+CHOSEN = Chosen((("", "list", "[a, b]"), ("", "one", "x"), ("b.hpp:9:inner", "list", None)))
+
+
+def test_the_first_node_needs_no_key():
+    assert node_key(HOST) == ""
+    assert node_key(INNER) == "b.hpp:9:inner"
+
+
+def test_what_is_set_is_known():
+    assert chosen_value(CHOSEN, HOST, "list", None) == [Text.of("a"), Text.of("b")]
+    assert chosen_value(CHOSEN, HOST, "one", Text.of("y")) == Text.of("x")
+
+
+def test_a_default_keeps_its_doubt():
+    found = chosen_value(CHOSEN, INNER, "list", Text.of("[c, d]"))
+    assert found == [Text((Hole("default of parameter list", default=one),)) for one in "cd"]
+    assert chosen_value(CHOSEN, INNER, "list", Text.of("c")).usual == "c"
+
+
+def test_of_what_is_no_question_nothing_is_said():
+    assert chosen_value(CHOSEN, HOST, "other", Text.of("x")) is None
+    assert chosen_value(CHOSEN, INNER, "one", Text.of("x")) is None
+    assert chosen_value(CHOSEN, INNER, "list", None) is None
+    assert chosen_value(CHOSEN, INNER, "list", unknown("why")) is None

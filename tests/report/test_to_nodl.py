@@ -1,5 +1,6 @@
 import yaml
 
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Proof
 from roslens.report.to_nodl import to_nodl
 
 
@@ -23,3 +24,10 @@ def test_what_nodl_has_no_word_for_is_left_in_comments(graph):
     text = to_nodl(graph)
     assert "# publishers: /in/* of unknown type (/in/*): unresolved" in text
     assert "# parameter list: its type is unknown" in text
+
+
+def test_a_parameter_of_any_type_has_none_in_nodl():
+    one = ConfiguredParameter("x", access="declared", type="int", dynamic=True)
+    text = to_nodl(Configuration("t", "ros2", (ConfiguredNode("/a", Proof("a.cpp", 1), parameters=(one,)),)))
+    assert "# parameter x: it may be of any type" in text
+    assert "parameters:" not in text

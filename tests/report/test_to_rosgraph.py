@@ -84,7 +84,7 @@ def test_values_match_their_parameters_one_to_one():
     assert dict(zip(names, slam["parameter_values"], strict=True)) == {
         "frame": {"type": 4, "string_value": "map"},
         "gain": {"type": 3, "double_value": 0.5},
-        "ids": {"type": 4, "string_value": "[1, 2]"},
+        "ids": {"type": 7, "integer_array_value": [1, 2]},
         "on": {"type": 1, "bool_value": True},
         "rate": {"type": 2, "integer_value": 10},
     }
@@ -113,3 +113,18 @@ def test_it_is_read_back(tmp_path_factory, ends, names):
 
 def key(end: Endpoint) -> tuple[str, ...]:
     return end.node, end.role.value, end.name, end.type
+
+
+def test_lists_are_arrays_as_far_as_their_items_say():
+    texts = {"a": "[]", "b": "[front, 'left']", "c": "[1, 2.5]", "d": "[true]", "e": "[1, a]", "f": "1e3", "g": "1e999"}
+    graph = Graph("ros2", (Node("/n"),), parameters={"/n": texts})
+    (node,) = yaml.safe_load(to_rosgraph(graph))["nodes"]
+    assert node["parameter_values"] == [
+        {"type": 9, "string_array_value": []},
+        {"type": 9, "string_array_value": ["front", "left"]},
+        {"type": 8, "double_array_value": [1.0, 2.5]},
+        {"type": 6, "bool_array_value": [True]},
+        {"type": 9, "string_array_value": ["1", "a"]},
+        {"type": 3, "double_value": 1000.0},
+        {"type": 4, "string_value": "1e999"},
+    ]

@@ -100,7 +100,8 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
         value: as text that it would have; None where it is unknown.
         type: of the value, or as declared.
         default: as declared; None where there is none or it is unknown.
-        range: as declared: ``least..greatest``.
+        range: as declared: ``least..greatest``; either may be missing, and ``>`` or ``<`` stands before one that is
+            outside of it.
         access: ``declared``, ``read``, ``written``; empty where code does not know it.
         proof: where code declares or reads it.
         set_type: of the value that is set.
@@ -108,6 +109,10 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
         conditions: of the code that reaches it.
         description: as declared.
         written_by: where code gives it its value, as sure as the value is; None where no code does.
+        read_only: whether it cannot be set while the node runs.
+        dynamic: whether it may be set to a value of any type.
+        allowed: the values that it may have, as text; empty where these are not counted.
+        constraints: what else its declaration asks, in words.
     """
 
     name: str
@@ -122,6 +127,10 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
     conditions: tuple[str, ...] = ()
     description: str = ""
     written_by: Proof | None = None
+    read_only: bool = False
+    dynamic: bool = False
+    allowed: tuple[str, ...] = ()
+    constraints: tuple[str, ...] = ()
 
 
 class ConfiguredRemap(msgspec.Struct, frozen=True, order=True, omit_defaults=True):

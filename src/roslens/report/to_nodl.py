@@ -10,9 +10,10 @@ import json
 import re
 from collections.abc import Iterator
 
-from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, ConfiguredParameter
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
+from roslens.report.nodl_parameter import TYPES, nodl_parameter
 
 _FIELDS = {
     Role.PUBLISHER: "publishers",
@@ -24,8 +25,6 @@ _FIELDS = {
 }
 _NAME = re.compile(r"[/~A-Za-z](?:[A-Za-z0-9_/]*[A-Za-z0-9_])?\Z")
 _TYPE = re.compile(r"[A-Za-z]\w*(?:/(?:msg|srv|action))?/[A-Z][A-Za-z0-9]*\Z")
-_SCALARS = ("bool", "int", "double", "string")
-_TYPES = frozenset((*_SCALARS, *(f"{one}_array" for one in _SCALARS)))
 
 
 def to_nodl(configuration: Configuration) -> str:
@@ -37,14 +36,15 @@ def _node(node: ConfiguredNode) -> Iterator[str]:
     yield "---"
     yield f"# {_comment(node.name)} ({_comment(node.package)}/{_comment(node.executable)})"
     yield "nodl_version: 2"
-    known = [one for one in node.parameters if one.type in _TYPES and one.access]
+    known = [one for one in node.parameters if one.type in TYPES and one.access and not one.dynamic]
     if known:
         yield "parameters:"
         for one in known:
-            yield from _parameter(one)
+            yield from nodl_parameter(one)
     for one in node.parameters:
-        if one.type not in _TYPES and one.access:
-            yield f"# parameter {_comment(one.name)}: its type is unknown"
+        if one.access and one not in known:
+            why = "it may be of any type" if one.dynamic else "its type is unknown"
+            yield f"# parameter {_comment(one.name)}: {why}"
     for role, field in _FIELDS.items():
         ends = {(one.endpoint.name, one.endpoint.type): one for one in node.endpoints if one.endpoint.role is role}
         valid = [one for _, one in sorted(ends.items()) if _valid(one)]
@@ -60,27 +60,6 @@ def _node(node: ConfiguredNode) -> Iterator[str]:
 
 def _valid(one: ConfiguredEndpoint) -> bool:
     return one.resolved and bool(_NAME.match(one.endpoint.name)) and bool(_TYPE.match(one.endpoint.type))
-
-
-def _parameter(one: ConfiguredParameter) -> Iterator[str]:
-    yield f"  {json.dumps(one.name)}:"
-    yield f"    type: {one.type}"
-    if (default := _default(one)) is not None:
-        yield f"    default_value: {default}"
-
-
-def _default(one: ConfiguredParameter) -> str | None:
-    """Return a default as YAML; None where its text does not fit its type."""
-    if one.default is None or one.type.endswith("_array"):
-        return None
-    if one.type == "string":
-        return json.dumps(one.default)
-    if one.type == "bool":
-        return one.default.lower() if one.default.lower() in ("true", "false") else None
-    try:
-        return str(int(one.default) if one.type == "int" else float(one.default))
-    except ValueError:
-        return None
 
 
 def _end(one: ConfiguredEndpoint) -> Iterator[str]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from math import isfinite
 
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.qos import Qos
@@ -21,6 +22,10 @@ _LIVELINESS = {"automatic": 1, "manual_by_topic": 3, "": 4}
 _HASH = re.compile(r"RIHS([0-9]{2})_([0-9a-f]{64})\Z")
 _HASH_BYTES = 32
 _BOOL, _INTEGER, _DOUBLE, _STRING = 1, 2, 3, 4
+_SCALARS = {_BOOL: "bool", _INTEGER: "integer", _DOUBLE: "double", _STRING: "string"}
+_TO_ARRAY = 5
+"""What the number of an array's type has more than that of its items (rcl_interfaces, ParameterType)."""
+_NUMBER = re.compile(r"-?(?:[0-9]+\.[0-9]*(?:e[+-]?[0-9]+)?|[0-9]+e[+-]?[0-9]+)\Z")
 _INTEGER_BITS = 63
 _PLAIN = frozenset(map(chr, range(0x20, 0x7F))) - {'"', "\\"}
 _FIELDS = {
@@ -90,18 +95,36 @@ def _duration(seconds: float) -> _Message:
 
 
 def _value(text: str) -> _Message:
-    """Return a value by what its text looks like; a text that looks like a number cannot be told from one."""
+    """Return a value by what its text looks like; a text that looks like a number or a list cannot be told from one."""
+    if text.startswith("[") and text.endswith("]"):
+        return _values([part.strip() for part in text[1:-1].split(",") if part.strip()])
+    kind, value = _scalar(text)
+    return {"type": kind, f"{_SCALARS[kind]}_value": value}
+
+
+def _values(items: list[str]) -> _Message:
+    """Return a list: of texts where its items differ, or there are none."""
+    found = [_scalar(one) for one in items]
+    kinds = {kind for kind, _ in found}
+    if kinds == {_INTEGER, _DOUBLE}:
+        found, kinds = [(_DOUBLE, float(one)) for one in items], {_DOUBLE}
+    kind = kinds.pop() if len(kinds) == 1 else _STRING
+    values = [value for _, value in found] if kind != _STRING else [one.strip("'\"") for one in items]
+    return {"type": kind + _TO_ARRAY, f"{_SCALARS[kind]}_array_value": values}
+
+
+def _scalar(text: str) -> tuple[int, object]:
     if text in ("true", "false"):
-        return {"type": _BOOL, "bool_value": text == "true"}
+        return _BOOL, text == "true"
     try:
-        number = int(text)
-        if abs(number) < 1 << _INTEGER_BITS:
-            return {"type": _INTEGER, "integer_value": number}
+        whole = int(text)
+        if abs(whole) < 1 << _INTEGER_BITS:
+            return _INTEGER, whole
     except ValueError:
         pass
-    if re.match(r"-?[0-9]+\.[0-9]*(e[+-]?[0-9]+)?\Z", text):
-        return {"type": _DOUBLE, "double_value": float(text)}
-    return {"type": _STRING, "string_value": text}
+    if _NUMBER.match(text) and isfinite(number := float(text)):
+        return _DOUBLE, number
+    return _STRING, text
 
 
 def _yaml(message: Mapping[str, object], indent: str) -> Iterator[str]:
@@ -116,7 +139,15 @@ def _yaml(message: Mapping[str, object], indent: str) -> Iterator[str]:
                 yield f"{indent}- {first.lstrip()}"
                 yield from others
         else:
-            yield f"{indent}{key}: {_text(value) if isinstance(value, str) else json.dumps(value)}"
+            yield f"{indent}{key}: {_inline(value)}"
+
+
+def _inline(value: object) -> str:
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, list):
+        return f"[{', '.join(_inline(one) for one in value)}]"
+    return json.dumps(value)
 
 
 def _text(value: str) -> str:

@@ -10,7 +10,7 @@ from roslens.dashboard.computation.endpoint_rows import endpoint_table
 from roslens.dashboard.computation.system import Element, Kind, System
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
-from roslens.model.configuration import ConfiguredNode, Proof
+from roslens.model.configuration import ConfiguredNode, ConfiguredParameter, Proof
 from roslens.model.graph import Role
 
 _SECTIONS = (
@@ -190,10 +190,12 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
         Column("type", "Type", "code"),
         Column("default", "Default", "code"),
         Column("range", "Range", "code", sparse=True),
+        Column("terms", "Terms", sparse=True),
         Column("access", "In code"),
         Column("place", "Declared or read at", "code"),
         Column("set_by", "Set at", "code", sparse=True),
         Column("conditions", "Only if", "code", optional=True, sparse=True),
+        Column("description", "Description", optional=True, sparse=True),
     )
     rows = tuple(
         (
@@ -202,14 +204,23 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
             Cell(one.type if one.set_type in {"", one.type} else f"{one.type}, set as {one.set_type}"),
             Cell(one.default),
             Cell(one.range),
+            Cell(_terms(one)),
             Cell(one.access),
             book.place(one.proof),
             book.place(one.set_by),
             Cell(" and ".join(one.conditions)),
+            Cell(one.description),
         )
         for one in node.parameters
     )
     return Table("parameters", "Parameters", columns, rows, total=len(rows), empty="None.")
+
+
+def _terms(one: ConfiguredParameter) -> str:
+    words = ["read only"] if one.read_only else []
+    words += ["of any type"] if one.dynamic else []
+    words += [f"one of {', '.join(one.allowed)}"] if one.allowed else []
+    return "; ".join((*words, *one.constraints))
 
 
 def _timers(book: Book, node: ConfiguredNode) -> Table:

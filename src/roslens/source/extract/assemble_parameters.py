@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 import msgspec
 
@@ -13,6 +14,7 @@ from roslens.source.extract.assemble_lists import each_of, items_among
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
+from roslens.source.extract.parameter_types import LIST
 from roslens.source.extract.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
 from roslens.source.extract.text import Choice, Hole, Text
 
@@ -204,7 +206,7 @@ def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[Confi
         found[name] = _with(
             ConfiguredParameter(
                 name, default, fact.type, default, fact.range, fact.access, proof_of(fact.evidence),
-                conditions=fact.conditions,
+                conditions=fact.conditions, **_terms_of(fact),
             ),
             setting,
         )  # fmt: skip
@@ -242,9 +244,15 @@ def _completed(known: ConfiguredParameter, fact: ParameterFact) -> ConfiguredPar
     """Return a parameter with what a further place of the code says of it."""
     default = known.default if known.default is not None or fact.default is None else fact.default.usual
     value = default if known.value is None and known.set_by is None else known.value
+    kind = fact.type if fact.type and known.type in ("", LIST) else known.type
+    more = {} if known.range or known.description else _terms_of(fact)
     return msgspec.structs.replace(
-        known, type=known.type or fact.type, default=default, value=value, range=known.range or fact.range
+        known, type=kind, default=default, value=value, range=known.range or fact.range, **more
     )
+
+
+def _terms_of(fact: ParameterFact) -> dict[str, Any]:
+    return {"description": fact.description, **msgspec.structs.asdict(fact.terms)}
 
 
 def _with(parameter: ConfiguredParameter, setting: Setting | None) -> ConfiguredParameter:

@@ -43,3 +43,20 @@ def test_ros1_converts_numbers_and_takes_the_default_otherwise():
     assert one.severity is Severity.WARNING
     assert "the default is used" in one.message
     assert not findings("bool", "string", access="read", path="src/a.py", generation="ros1")
+
+
+def test_an_empty_list_of_python_is_one_of_bytes():
+    one = parameter(
+        "names", type="byte_array", set_type="string_array", value="[a]", default="[]", access="declared",
+        proof=Proof("src/a.py", 5), set_by=launched(3, "a.yaml"),
+    )  # fmt: skip
+    (told,) = found(configuration(node("/a", parameters=(one,))), Surroundings())
+    assert told.message.endswith("declare it with `rclpy.Parameter.Type.STRING_ARRAY`.")
+
+
+def test_a_parameter_of_any_type_takes_any():
+    one = parameter(
+        "x", type="int", set_type="string", value="a", access="declared", dynamic=True,
+        proof=Proof("src/a.cpp", 5), set_by=launched(3, "a.yaml"),
+    )  # fmt: skip
+    assert not list(found(configuration(node("/a", parameters=(one,))), Surroundings()))

@@ -24,7 +24,7 @@ RULE = RuleInfo(
 )
 _NUMBERS = frozenset({"int", "double"})
 _KNOWN = frozenset(
-    {"bool", "int", "double", "string", "bool_array", "int_array", "double_array", "string_array", "map"}
+    {"bool", "int", "double", "string", "bool_array", "byte_array", "int_array", "double_array", "string_array", "map"}
 )
 
 
@@ -33,7 +33,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     ros1 = configuration.generation == "ros1"
     for node in configuration.nodes:
         for one in node.parameters:
-            if one.set_by is not None and one.proof is not None and _differs(one, ros1=ros1):
+            if one.set_by is not None and one.proof is not None and not one.dynamic and _differs(one, ros1=ros1):
                 yield _told(node, one, ros1=ros1)
 
 
@@ -70,4 +70,7 @@ def _advice(one: ConfiguredParameter) -> str:
         return f"Write `{one.value}.0`."
     if one.type == "string" and one.value is not None:
         return f'Write `"{one.value}"`.'
+    if one.type == "byte_array" and one.default == "[]" and one.set_type.endswith("_array"):
+        kind = one.set_type.removesuffix("_array").replace("int", "integer").upper()
+        return f"An empty list is one of bytes to rclpy: declare it with `rclpy.Parameter.Type.{kind}_ARRAY`."
     return f"Write a value of type {one.type}."

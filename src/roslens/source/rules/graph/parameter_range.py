@@ -1,0 +1,96 @@
+"""Rule ``graph.parameter_range``: a parameter with a value that its declaration does not allow."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.ends import listed
+from roslens.source.rules.graph.surroundings import Surroundings
+from roslens.source.rules.graph.told import TOOL, told
+
+RULE = RuleInfo(
+    "graph.parameter_range",
+    "Parameter outside of its range",
+    "A parameter is set, or declared by default, with a value outside of the range that its declaration gives "
+    "(`integer_range`, `floating_point_range`, `bounds<>`, a `.cfg` file), or with none of the values that it allows "
+    "(`one_of<>`). Choose a value that is allowed, or widen the range.",
+    Severity.ERROR,
+    ("ros", "graph", "parameters", "launch"),
+    "In ROS 2 the node ends at start with an exception that names no file; in ROS 1 dynamic_reconfigure takes the "
+    "nearest end of the range.",
+    tool=TOOL,
+    scope="configuration",
+)
+_RANGE = re.compile(r"(>?)([^<>]*?)\.\.(<?)([^<>]*)")
+_NUMBERS = frozenset({"int", "double"})
+
+
+def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+    """Yield a finding for each parameter whose value is not allowed."""
+    ros1 = configuration.generation == "ros1"
+    for node in configuration.nodes:
+        for one in node.parameters:
+            if one.proof is not None and one.value is not None and (one.range or one.allowed):
+                wanted = _broken(one)
+                if wanted:
+                    yield _told(node, one, wanted, ros1=ros1)
+
+
+def _broken(one: ConfiguredParameter) -> str:
+    """Return what is asked of a value in words; empty where it fits, or is of another type."""
+    given = one.set_type if one.set_by is not None else one.type
+    value = one.value or ""
+    if one.type not in {"string", *_NUMBERS} or (given and given != one.type):
+        return ""
+    if one.allowed and not any(_same(value, other, one.type) for other in one.allowed):
+        return f"one of {listed([f'`{other}`' for other in one.allowed])}"
+    return f"`{one.range}`" if one.type in _NUMBERS and _outside(value, one.range) else ""
+
+
+def _same(value: str, other: str, kind: str) -> bool:
+    if kind == "string":
+        return value == other
+    first, second = number_of(value), number_of(other)
+    # What is no number here may be one to ROS.
+    return first is None or second is None or first == second
+
+
+def _outside(value: str, written: str) -> bool:
+    match, number = _RANGE.fullmatch(written), number_of(value)
+    if match is None or number is None:
+        return False
+    above, least, under, greatest = match.groups()
+    low, high = number_of(least), number_of(greatest)
+    too_low = low is not None and (number < low or (bool(above) and number == low))
+    return too_low or (high is not None and (number > high or (bool(under) and number == high)))
+
+
+def number_of(text: str) -> float | None:
+    """Return a number as ROS reads it; None of a text that is none."""
+    try:
+        return float(int(text, 0))
+    except (ValueError, OverflowError):
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _told(node: ConfiguredNode, one: ConfiguredParameter, wanted: str, *, ros1: bool) -> Finding:
+    code = one.proof
+    assert code is not None  # noqa: S101 - only parameters that code declares are told
+    place = one.set_by or code
+    severity, doubt = weighed(
+        Severity.WARNING if ros1 else RULE.severity, (one.set_by, code), (*node.conditions, *one.conditions)
+    )
+    how = "set to" if one.set_by is not None else "by default"
+    where = f"{code.place} allows" if one.set_by is not None else "its declaration allows"
+    effect = "the nearest end is used" if ros1 else "the node does not start"
+    message = f"parameter `{one.name}` of {node.name} is {how} `{one.value}`; {where} {wanted}: {effect}.{doubt}"
+    entity = f"parameter:{node.name}:{one.name}"
+    return told(RULE, message, place, entity=entity, severity=severity, context=f"{one.value} {wanted}")

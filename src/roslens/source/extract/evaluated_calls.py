@@ -10,15 +10,10 @@ from roslens.source.extract.evaluated_expressions import Expressions
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
-from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.refined_values import refine
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, find_method, find_outer
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
-
-if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
-
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -38,6 +33,11 @@ _OWNERS = frozenset(
 _FROM_THIS = frozenset({"shared_from_this", "weak_from_this"})
 _BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.bind_front"})
 _TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
+_PLACES = (Name, Member)
+_FUNCTIONS = (Callable, Class)
+_HOLDERS = (Text, list, dict)
+_LISTS = (list, dict)
+_KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *_OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
 _WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
 
 
@@ -56,25 +56,27 @@ class Calls(Expressions):
         """Return the result of a call."""
         engine: Evaluation = self  # type: ignore[assignment]
         function = expression.function
-        templates = tuple(self.template(one) for one in expression.templates)
+        templates = tuple(map(self.template, expression.templates)) if expression.templates else ()
         if isinstance(function, Member):
             return self._method(expression, function, templates)
         name = function.name if isinstance(function, Name) else ""
-        if isinstance(function, Name) and name == "super" and not expression.arguments:
+        known = name in _KNOWN
+        if known and name == "super" and not expression.arguments:
             return engine.frame.self
-        if name in _BINDS or name.endswith((".bind", ".partial")):
+        if (known and name in _BINDS) or name.endswith((".bind", ".partial")):
             return self._bound(expression)
         arguments, keywords = self._arguments(expression)
         engine.at(expression)
-        if name in _FROM_THIS and isinstance(engine.frame.self, Obj):
-            return engine.frame.self
-        if name in _POINTERS and templates:
-            kind, inside = type_name(templates[0])
-            return engine.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
-        if (name in _CASTS and arguments) or (name in _OWNERS and len(arguments) == 1):
-            return arguments[0]
-        if name in _TEXTS and arguments:
-            return as_text(arguments[0])
+        if known:
+            if name in _FROM_THIS and isinstance(engine.frame.self, Obj):
+                return engine.frame.self
+            if name in _POINTERS and templates:
+                kind, inside = type_name(templates[0])
+                return engine.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
+            if (name in _CASTS and arguments) or (name in _OWNERS and len(arguments) == 1):
+                return arguments[0]
+            if name in _TEXTS and arguments:
+                return as_text(arguments[0])
         if name in engine.frame.names or not name:
             return self._apply(self.value(function), expression, arguments, keywords, templates)
         return self._called_name(name, expression, arguments, keywords, templates)
@@ -95,7 +97,7 @@ class Calls(Expressions):
             if known is not None:
                 return known(engine, thing, called)
         found = engine.function(name, len(arguments) + len(keywords)) or self.defined(name)
-        if isinstance(found, Callable | Class):
+        if isinstance(found, _FUNCTIONS):
             return self._apply(found, expression, arguments, keywords, templates)
         alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
         if "<" in alias:
@@ -120,10 +122,10 @@ class Calls(Expressions):
     def _may_set(self, expression: Call, arguments: list[Any], name: str) -> None:
         """Texts that are empty when they are given to what is not known may be what it sets."""
         engine: Evaluation = self  # type: ignore[assignment]
-        if engine.index.programs[engine.frame.path].language != "cpp":
-            return
         for written, value in zip(expression.arguments, arguments, strict=False):
-            if isinstance(written, Name | Member) and isinstance(value, Text) and not value:
+            if not isinstance(value, Text) or value.parts or not isinstance(written, _PLACES):
+                continue
+            if engine.index.programs[engine.frame.path].language == "cpp":
                 engine.assign(written, unknown(f"a text that {name}() may set"))
 
     def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
@@ -171,9 +173,9 @@ class Calls(Expressions):
             found = known(engine, of, called)
             return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
         found = plain_method(of, name, arguments)
-        if not isinstance(of, Text | list | dict):
+        if arguments and not isinstance(of, _HOLDERS):
             self._may_set(expression, arguments, name)
-        if isinstance(found, Unknown) and not isinstance(of, list | dict):
+        if arguments and isinstance(found, Unknown) and not isinstance(of, _LISTS):
             for one in arguments:
                 engine.called_outer(one)
         return found
@@ -245,13 +247,14 @@ class Calls(Expressions):
             return engine.construct(of.defined, arguments, keywords, templates)
         if isinstance(of, Named):
             return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
-        return of if isinstance(of, Unknown) else Unknown(f"result of {expression_text(expression.function)}()")
+        if isinstance(of, Unknown):
+            return of
+        return Unknown(f"result of {engine.index.lookups.text(expression.function)}()")
 
     def _arguments(self, expression: Call) -> tuple[list[Any], dict[str, Any]]:
-        return (
-            [self.value(one) for one in expression.arguments],
-            {name: self.value(one) for name, one in expression.keywords},
-        )
+        value = self.value
+        keywords = {name: value(one) for name, one in expression.keywords} if expression.keywords else {}
+        return [value(one) for one in expression.arguments], keywords
 
     def _bound(self, expression: Call) -> Any:
         """Return a function bound to its object: ``std::bind(&A::f, this, _1)``."""

@@ -6,6 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
+from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import Frame, either
 from roslens.source.extract.list_slices import is_slice, part_of
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
@@ -25,7 +26,6 @@ from roslens.source.extract.program import (
     Operation,
     Sequence,
 )
-from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.quality import one_of
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.unknown_lists import item_of
@@ -34,6 +34,7 @@ from roslens.source.extract.word_list import AtLeast, Words
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.workspace_index import Defined
 
 
 class Expressions:
@@ -52,7 +53,9 @@ class Expressions:
     def value(self, expression: Expression) -> Any:
         """Return the value of an expression."""
         engine: Evaluation = self  # type: ignore[assignment]
-        engine.step()
+        engine.steps += 1
+        if engine.steps > engine.most_steps:
+            raise SpentError
         return engine.kinds[type(expression)](engine, expression)
 
     def literal(self, expression: Literal) -> Any:
@@ -90,26 +93,19 @@ class Expressions:
         """Return what the workspace defines under a name; None where it does not."""
         engine: Evaluation = self  # type: ignore[assignment]
         frame = engine.frame
-        if isinstance(frame.self, Obj) and frame.self.defined is not None and "." not in name:
-            method = engine.method(frame.self, name)
-            if method is not None:
-                return method
-            for one in engine.index.chain(frame.self.defined):
-                constant = engine.index.member(one, name)
-                if constant is not None:
-                    return self._constant(f"{one.what.qualified_name}.{name}", constant)
-        constant = engine.index.constant(name, frame.path, frame.scope)
-        if constant is not None:
-            return self._constant(name, constant)
-        found = engine.index.class_of(name, frame.path, frame.scope)
-        if found is not None:
-            return Class(found)
-        functions = engine.index.functions_of(name, frame.path, frame.scope)
-        if functions and isinstance(functions[0].what, Function):
-            function = functions[0].what
-            bound = frame.self if function.class_name else None
-            return Callable(function, functions[0].path, bound)
-        return None
+        of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
+        known, key = engine.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
+        found = known.get(key)
+        if found is None:
+            found = known[key] = _defined(engine, of, name)
+        kind, one, other = found
+        if kind == "constant":
+            return self._constant(one, other)
+        if kind == "class":
+            return Class(one)
+        if kind == "method" or (kind == "function" and one.class_name):
+            return Callable(one, other, frame.self)
+        return Callable(one, other) if kind == "function" else None
 
     def _constant(self, name: str, found: tuple[str, Expression]) -> Any:
         engine: Evaluation = self  # type: ignore[assignment]
@@ -163,27 +159,28 @@ class Expressions:
 
     def item(self, expression: Item) -> Any:
         """Return an item."""
+        engine: Evaluation = self  # type: ignore[assignment]
         of = self.value(expression.of)
         if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
             return part_of(of, expression.key.text)
         key = self.value(expression.key)
         if isinstance(of, dict):
-            return of.get(hashable(key), Unknown(f"an item of {expression_text(expression.of)}"))
+            return of.get(hashable(key), Unknown(f"an item of {engine.index.lookups.text(expression.of)}"))
         if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
-            return of[key] if not isinstance(of, Words) or of.has(key) else Unknown(expression_text(expression))
+            return of[key] if not isinstance(of, Words) or of.has(key) else self._open(expression)
         inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
         if isinstance(of, Text) and key == 0 and of.parts and isinstance(first := of.parts[0], str):
             return Text.of(first[:1])
-        return of if isinstance(of, Unknown) else Unknown(expression_text(expression))
+        return of if isinstance(of, Unknown) else self._open(expression)
 
     def operation(self, expression: Operation) -> Any:
         """Return the result of an operator."""
         engine: Evaluation = self  # type: ignore[assignment]
         operator = expression.operator
         if operator in ("and", "or"):
-            return self._boolean(operator, expression.operands)
+            return self._boolean(expression)
         if operator == "?:":
             decides = self.value(expression.operands[0])
             holds = engine.truth(decides)
@@ -204,28 +201,34 @@ class Expressions:
             return whole
         if operator == "not" and values:
             holds = engine.truth(values[0])
-            return _not(expression, values[0]) if holds is None else not holds
+            if holds is not None:
+                return not holds
+            test = test_of(values[0])
+            return self._open(expression, None if test is None else test.opposite)
         return self._computed(operator, values, expression)
 
     def _either(self, expression: Operation, decides: Any) -> Any:
+        engine: Evaluation = self  # type: ignore[assignment]
         one, other = self.value(expression.operands[1]), self.value(expression.operands[2])
+        condition = engine.index.lookups.condition(expression.operands[0])
         if isinstance(one, Text) and isinstance(other, Text):
             if (one.known, other.known) == ("true", "false") and isinstance(decides, Text):
                 return decides
-            return either(one, other, _plain(expression.operands[0]), test_of(decides))
+            return either(one, other, condition, test_of(decides))
         texts = isinstance(one, Text | Unknown) and isinstance(other, Text | Unknown)
         if texts and isinstance(one, Text) is not isinstance(other, Text):
-            return either(as_text(one), as_text(other), _plain(expression.operands[0]), test_of(decides))
-        quality = one_of(one, other, _plain(expression.operands[0]))
+            return either(as_text(one), as_text(other), condition, test_of(decides))
+        quality = one_of(one, other, condition)
         if quality is not None:
             return quality
         return one if not isinstance(one, Unknown) else other
 
-    def _boolean(self, operator: str, operands: tuple[Expression, ...]) -> Any:
+    def _boolean(self, expression: Operation) -> Any:
         """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
         engine: Evaluation = self  # type: ignore[assignment]
         python = engine.index.programs[engine.frame.path].language == "python"
-        stops, whole = operator == "or", Operation(operator, operands)
+        operator, operands = expression.operator, expression.operands
+        stops = operator == "or"
         open_: list[Any] = []
         value: Any = not stops
         for number, one in enumerate(operands):
@@ -241,38 +244,43 @@ class Expressions:
             holds = engine.truth(value)
             return value if python or holds is None else holds
         if engine.truth(value) is stops:
-            return stops if not python or isinstance(value, bool) else Unknown(expression_text(whole))
+            return stops if not python or isinstance(value, bool) else self._open(expression)
         tests = [test for one in open_ if (test := test_of(one)) is not None]
         test = tests[0] if len(tests) == 1 else Asked(operator, (), tuple(tests))
-        return Unknown(expression_text(whole), test if len(tests) == len(open_) else None)
+        return self._open(expression, test if len(tests) == len(open_) else None)
+
+    def _open(self, expression: Expression, test: Asked | None = None) -> Unknown:
+        engine: Evaluation = self  # type: ignore[assignment]
+        return Unknown(engine.index.lookups.text(expression), test)
 
     def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Any:
         """Return a text, or where it is empty what comes after ``or``."""
+        engine: Evaluation = self  # type: ignore[assignment]
         rest = self.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
         other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
-        return either(value, other, _plain(operands[0]), test_of(value))
+        return either(value, other, engine.index.lookups.condition(operands[0]), test_of(value))
 
     def _computed(self, operator: str, values: list[Any], expression: Operation) -> Any:
         if len(values) == 2 and operator in ("==", "!="):
             one, other = (_comparable(value) for value in values)
-            plain = isinstance(one, str | int | float | bool) and isinstance(other, str | int | float | bool)
+            plain = isinstance(one, _PLAIN) and isinstance(other, _PLAIN)
             if plain and not any(isinstance(value, Text) and value.known is None for value in values):
                 return (one == other) is (operator == "==")
-            return _compared(operator, values, expression)
+            return self._open(expression, _compared(operator, values))
         if len(values) == 2 and isinstance(values[0], AtLeast):
             found = values[0].compared(operator, values[1])
-            return Unknown(expression_text(expression)) if found is None else found
+            return self._open(expression) if found is None else found
         if len(values) == 2 and operator == "%" and isinstance(values[0], Text):
             return formatted(values[0], values[1] if isinstance(values[1], list) else [values[1]])
-        if all(isinstance(value, int | float) for value in values) and len(values) == 2:
+        if len(values) == 2 and isinstance(values[0], _NUMBER) and isinstance(values[1], _NUMBER):
             function = _NUMBERS.get(operator)
             try:
-                return function(*values) if function else Unknown(expression_text(expression))
+                return function(*values) if function else self._open(expression)
             except (ArithmeticError, ValueError):
-                return Unknown(expression_text(expression))
-        if operator == "-" and len(values) == 1 and isinstance(values[0], int | float):
+                return self._open(expression)
+        if operator == "-" and len(values) == 1 and isinstance(values[0], _NUMBER):
             return -values[0]
-        return Unknown(expression_text(expression))
+        return self._open(expression)
 
     def sum(self, one: Any, other: Any) -> Any:
         """Return two values added: texts one after the other."""
@@ -280,7 +288,7 @@ class Expressions:
             return Text.of(as_text(one), as_text(other))
         if isinstance(one, list) and isinstance(other, list):
             return [*one, *other]
-        if isinstance(one, int | float) and isinstance(other, int | float):
+        if isinstance(one, _NUMBER) and isinstance(other, _NUMBER):
             return one + other
         return one if isinstance(one, Unknown) else Unknown("a sum")
 
@@ -311,11 +319,13 @@ class Expressions:
         """Return whether a value is true; None where that is unknown."""
         if isinstance(value, Text):
             return None if value.known is None else bool(value.known)
-        if value is None or isinstance(value, bool | int | float | list | dict):
+        if isinstance(value, Unknown):
+            return None
+        if value is None or isinstance(value, _DECIDED):
             return bool(value)
         if isinstance(value, Made):
             return True if value.certain else None
-        return True if isinstance(value, Callable | Class) else None
+        return True if isinstance(value, _FUNCTIONS) else None
 
     def items(self, value: Any) -> list[Any] | None:
         """Return what a loop goes through; None where it is unknown."""
@@ -324,24 +334,36 @@ class Expressions:
         return list(value) if isinstance(value, dict) else None
 
 
-def _plain(condition: Expression) -> str:
-    """Return a condition as people write it."""
-    written = expression_text(condition).strip("`")
-    return written[1:-1] if written.startswith("(") and written.endswith(")") else written
+def _defined(engine: Evaluation, of: Defined | None, name: str) -> tuple[str, Any, Any]:
+    """Return what the workspace defines under a name in an object of a class, or outside, and its kind."""
+    frame, index = engine.frame, engine.index
+    if of is not None:
+        method = engine.method_of(of, name)
+        if method is not None:
+            return "method", *method
+        for one in index.chain(of):
+            constant = index.member(one, name)
+            if constant is not None:
+                return "constant", f"{one.what.qualified_name}.{name}", constant
+    constant = index.constant(name, frame.path, frame.scope)
+    if constant is not None:
+        return "constant", name, constant
+    found = index.class_of(name, frame.path, frame.scope)
+    if found is not None:
+        return "class", found, None
+    functions = index.functions_of(name, frame.path, frame.scope)
+    if functions and isinstance(functions[0].what, Function):
+        return "function", functions[0].what, functions[0].path
+    return "", None, None
 
 
-def _not(expression: Operation, value: Any) -> Unknown:
-    test = test_of(value)
-    return Unknown(expression_text(expression), None if test is None else test.opposite)
-
-
-def _compared(operator: str, values: list[Any], expression: Operation) -> Unknown:
-    """Return a comparison that is open, with what decides it where texts are compared."""
-    texts = [as_text(one) for one in values if isinstance(one, Text | str | int | float)]
+def _compared(operator: str, values: list[Any]) -> Asked | None:
+    """Return what decides a comparison that is open, where texts are compared."""
+    texts = [as_text(one) for one in values if isinstance(one, _COMPARED)]
     if len(texts) < len(values) or not any(one.holes for one in texts):
-        return Unknown(expression_text(expression))
+        return None
     test = Asked("equal", tuple(texts))
-    return Unknown(expression_text(expression), test if operator == "==" else test.opposite)
+    return test if operator == "==" else test.opposite
 
 
 def _comparable(value: Any) -> Any:
@@ -355,6 +377,12 @@ def _shown(value: Any) -> str:
     return type(value).__name__.lower()
 
 
+# Written once: a union that is written in a call is made in each call.
+_NUMBER = (int, float)
+_PLAIN = (str, int, float, bool)
+_COMPARED = (Text, str, int, float)
+_DECIDED = (bool, int, float, list, dict)
+_FUNCTIONS = (Callable, Class)
 _NUMBERS: dict[str, Function1[[Any, Any], Any]] = {
     "-": lambda one, other: one - other,
     "*": lambda one, other: one * other,

@@ -109,7 +109,7 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
     frame.restore(before)
     frame.returned = False
     if not returned:
-        frame.join(after, _written(statement))
+        frame.join(after, _written(engine, statement))
         _keep_filled(frame.names, after[0])
 
 
@@ -131,8 +131,8 @@ def _keep_filled(names: dict[str, Any], after: dict[str, Any]) -> None:
             names[name] = value
 
 
-def _written(statement: Loop) -> str:
-    text = expression_text(statement.over).strip("`") if statement.over is not None else "a loop"
+def _written(engine: Evaluation, statement: Loop) -> str:
+    text = engine.index.lookups.text(statement.over).strip("`") if statement.over is not None else "a loop"
     return text if statement.target is None else f"there is any of {text}"
 
 

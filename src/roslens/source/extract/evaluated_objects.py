@@ -86,15 +86,19 @@ class Objects(Calls):
                 finally:
                     engine.frame = outer
 
-    def _initialised(self, defined: Defined) -> set[str]:
+    def _initialised(self, defined: Defined) -> frozenset[str]:
         """Return the members that constructors of a class of C++ initialise: they are not made twice."""
         engine: Evaluation = self  # type: ignore[assignment]
-        return {
-            statement.target.name
-            for method in engine.index.methods(defined, defined.what.name)
-            for statement in getattr(method.what, "initialisers", ())
-            if isinstance(statement, Assign) and isinstance(statement.target, Member)
-        }
+        known = engine.index.lookups.initialised
+        found = known.get(id(defined.what))
+        if found is None:
+            found = known[id(defined.what)] = frozenset(
+                statement.target.name
+                for method in engine.index.methods(defined, defined.what.name)
+                for statement in getattr(method.what, "initialisers", ())
+                if isinstance(statement, Assign) and isinstance(statement.target, Member)
+            )
+        return found
 
     def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
         """Evaluate the constructor of one class of an object."""
@@ -128,19 +132,22 @@ class Objects(Calls):
     def typed(self, declared: str, value: Any) -> Any:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         engine: Evaluation = self  # type: ignore[assignment]
-        name, inside = type_name(declared)
-        braced = isinstance(value, list) and not isinstance(value, Words | TypedList)
-        if braced and not is_list(declared) and not declared.startswith("std::map"):
-            return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
-        if name in ("rclcpp.QoS", "rmw_qos_profile_t") and isinstance(value, int):
-            return engine.of_type(name, [value], {})
+        if isinstance(value, list):
+            if (
+                not isinstance(value, Words | TypedList)
+                and not is_list(declared)
+                and not declared.startswith("std::map")
+            ):
+                name, inside = type_name(declared)
+                return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
+        elif isinstance(value, int) and type_name(declared)[0] in ("rclcpp.QoS", "rmw_qos_profile_t"):
+            return engine.of_type(type_name(declared)[0], [value], {})
         return value
 
     def converted(self, declared: str, value: Any) -> Any:
         """Return a value as a declaration makes it."""
         engine: Evaluation = self  # type: ignore[assignment]
-        name, _ = type_name(declared)
-        if isinstance(value, int | float) and name in ("std.string", "string"):
+        if isinstance(value, _NUMBER) and type_name(declared)[0] in ("std.string", "string"):
             return value
         return engine.typed(declared, value)
 
@@ -175,6 +182,7 @@ class Objects(Calls):
         return arguments[0]
 
 
+_NUMBER = (int, float)
 _LISTS = ("std::vector", "std::array", "std::set", "std::list", "std::deque", "std::unordered_set")
 
 

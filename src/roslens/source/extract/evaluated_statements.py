@@ -9,6 +9,7 @@ from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
+from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
@@ -28,7 +29,6 @@ from roslens.source.extract.program import (
     Sequence,
     Statement,
 )
-from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.quality import changed, quality_of
 from roslens.source.extract.refined_values import refine
 from roslens.source.extract.text import Text, unknown
@@ -112,7 +112,9 @@ def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
     frame, before = engine.frame, len(engine.conditions)
     try:
         for statement in body:
-            engine.step()
+            engine.steps += 1
+            if engine.steps > engine.most_steps:
+                raise SpentError
             _STATEMENTS[type(statement)](engine, statement)
             if frame.returned or frame.stopped:
                 return
@@ -212,10 +214,7 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     if holds is not None:
         block(engine, statement.then if holds else statement.otherwise)
         return
-    written = expression_text(statement.condition).strip("`")
-    if written.startswith("(") and written.endswith(")"):
-        written = written[1:-1]
-    frame = engine.frame
+    written, frame = engine.index.lookups.condition(statement.condition), engine.frame
     before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
     otherwise = negated(written)
     frame.know(written, otherwise, test_of(decides))

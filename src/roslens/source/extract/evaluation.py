@@ -24,7 +24,9 @@ from roslens.source.extract.abstract_value import (
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_objects import Objects, overload
 from roslens.source.extract.evaluated_statements import assign, block, initialise
+from roslens.source.extract.evaluation_bounds import MOST_DEPTH, MOST_OF_PLUGIN, MOST_STEPS, SpentError
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.lookups import Found
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.plugin_choice import Chosen
@@ -32,20 +34,13 @@ from roslens.source.extract.program import Call, Expression, Function, Parameter
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
 from roslens.source.extract.word_list import Words
-from roslens.source.extract.workspace_index import Index, type_name
+from roslens.source.extract.workspace_index import Defined, Index, type_name
 
-MOST_STEPS = 60_000
-MOST_DEPTH = 14
-MOST_OF_PLUGIN = 15_000
 _STOPPED = object()
 _NONE = Text()
 
 KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
 """Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
-
-
-class SpentError(Exception):
-    """The bounds of evaluation are spent."""
 
 
 class Evaluation(Objects):
@@ -64,6 +59,8 @@ class Evaluation(Objects):
         asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
         words: of the command line, where they are known.
+        steps: that were made so far.
+        most_steps: that may be made.
     """
 
     def __init__(
@@ -88,7 +85,7 @@ class Evaluation(Objects):
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
-        self._steps, self._most = 0, MOST_STEPS
+        self.steps, self.most_steps = 0, MOST_STEPS
         self._again = Again()
         self._stack: list[tuple[str, int]] = []
         self.constants: dict[tuple[str, str], Any] = {}
@@ -111,19 +108,9 @@ class Evaluation(Objects):
         """Note that a word of the vocabulary is said, or a callback given away."""
         self._again.touched += 1
 
-    def step(self) -> None:
-        """Count a step.
-
-        Raises:
-            SpentError: there were too many.
-        """
-        self._steps += 1
-        if self._steps > self._most:
-            raise SpentError
-
     def more_steps(self) -> None:
         """Let a plug-in that is followed take steps of its own."""
-        self._most += MOST_OF_PLUGIN
+        self.most_steps += MOST_OF_PLUGIN
 
     def run_later(self) -> None:
         """Run the callbacks that were given away, once each, with arguments that are unknown."""
@@ -212,12 +199,13 @@ class Evaluation(Objects):
         frame = Frame(function.path, what.qualified_name, thing, dict(function.names or {}))
         if isinstance(thing, Obj):
             frame.templates.update(thing.templates_of(what.class_name))
-        frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
+        if templates and what.templates:
+            frame.templates.update(zip(what.templates[self._of_class_templates(function) :], templates, strict=False))
         frame.depth = len(self.conditions)
         site = self.site
         self._bind(what, arguments, keywords, frame)
         around, again.cuts = again.cuts, set()
-        steps, touched = self._steps, again.touched
+        steps, touched = self.steps, again.touched
         before = dict(thing.fields) if isinstance(thing, Obj) else {}
         self._stack.append(key)
         self.calls.append((site, what, written))
@@ -231,7 +219,7 @@ class Evaluation(Objects):
             self._stack.pop()
             self.calls.pop()
         again.cuts.discard(key)
-        if self._steps - steps > HEAVY and again.touched == touched and not keywords and not function.names:
+        if self.steps - steps > HEAVY and again.touched == touched and not keywords and not function.names:
             given = (arguments, templates)
             again.keep(key, Done(what, thing, given, len(self._stack), frame, before, again.cuts, self.site))
         around |= again.cuts
@@ -255,34 +243,50 @@ class Evaluation(Objects):
 
     def method(self, thing: Obj, name: str) -> Callable | None:
         """Return a method of an object by name, of its class or the nearest base that has it."""
-        if thing.defined is None:
+        defined = thing.defined
+        if defined is None:
             return None
-        for one in self.index.chain(thing.defined):
+        known, key = self.index.lookups.method, (id(defined.what), name)
+        found = known[key] if key in known else known.setdefault(key, self.method_of(defined, name))
+        return None if found is None else Callable(found[0], found[1], thing)
+
+    def method_of(self, defined: Defined, name: str) -> Found:
+        """Return the method that a class or its nearest base has by a name, one with a body where there is any."""
+        for one in self.index.chain(defined):
             found = self.index.methods(one, name)
             if found and isinstance(found[0].what, Function):
                 functions = [(f.what, f.path) for f in found if isinstance(f.what, Function)]
-                what, path = next((one for one in functions if one[0].body), functions[0])
-                return Callable(what, path, thing)
+                return next((one for one in functions if one[0].body), functions[0])
         return None
 
     def methods(self, thing: Obj, name: str, count: int) -> Callable | None:
         """Return the method of an object that takes so many arguments."""
-        if thing.defined is None or (thing.node is not None and name in KNOWN_BETTER):
+        defined = thing.defined
+        if defined is None or (thing.node is not None and name in KNOWN_BETTER):
             return None
-        for one in self.index.chain(thing.defined):
-            found = self.index.methods(one, name)
-            chosen = overload(found, count)
+        known, key = self.index.lookups.overloads, (id(defined.what), name, count)
+        found = known[key] if key in known else known.setdefault(key, self._overload_of(defined, name, count))
+        return None if found is None else Callable(found[0], found[1], thing)
+
+    def _overload_of(self, defined: Defined, name: str, count: int) -> Found:
+        for one in self.index.chain(defined):
+            chosen = overload(self.index.methods(one, name), count)
             if chosen is not None and isinstance(chosen.what, Function):
-                return Callable(chosen.what, chosen.path, thing)
+                return chosen.what, chosen.path
         return None
 
     def function(self, name: str, count: int) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
-        found = self.index.functions_of(name, self.frame.path, self.frame.scope)
-        chosen = overload(found, count)
+        frame, known = self.frame, self.index.lookups.functions
+        key = (name, frame.path, frame.scope, count)
+        found = known[key] if key in known else known.setdefault(key, self._function(name, count))
+        return None if found is None else Callable(found[0], found[1])
+
+    def _function(self, name: str, count: int) -> Found:
+        chosen = overload(self.index.functions_of(name, self.frame.path, self.frame.scope), count)
         if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
             return None
-        return Callable(chosen.what, chosen.path)
+        return chosen.what, chosen.path
 
     def written_at(self, line: int) -> None:
         """Note the line at which something is made next that no call makes."""

@@ -16,6 +16,9 @@ Held = tuple[dict[str, Any], dict[str, Any]]
 """What names and members of the object hold."""
 
 
+_PLAIN = (Unknown, Text, bool, int, float)
+
+
 class WayOut(msgspec.Struct, frozen=True):
     """A place at which a loop or a turn of it is left.
 
@@ -151,15 +154,13 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Ask
     """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
     for name, value in other.items():
         before = names.get(name)
-        if value == before:
+        if value is before or value == before:
             continue
         if before is None:
             names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value
         elif (both := one_of(value, before, condition)) is not None:
             names[name] = both
-        elif isinstance(value, Unknown | Text | bool | int | float) and isinstance(
-            before, Unknown | Text | bool | int | float
-        ):
+        elif isinstance(value, _PLAIN) and isinstance(before, _PLAIN):
             names[name] = _one_of(value, before, condition, test)
         elif isinstance(before, Unknown):
             names[name] = value

@@ -53,6 +53,8 @@ Word = Function1[["Evaluation", Any, Called], Any]
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
+_NAMES: set[str] = set()
+"""Of methods that are known of any kind of object."""
 _QUIET: set[Word] = set()
 _BETTER = {"tf2_ros.Buffer": ("tf2_ros.Buffer", ""), "Buffer": ("tf2_ros.Buffer", "/tf2_ros/buffer.py")}
 """By the qualified name of a class of a library its whole name, and the end of the path of the file that has it."""
@@ -110,6 +112,7 @@ def method(kind: str, *names: str, anywhere: bool = False, quiet: bool = False) 
 
     def keep(word: Word) -> Word:
         _METHODS.update({(kind, name): word for name in names})
+        _NAMES.update(names)
         if anywhere:
             _ANYWHERE.update(dict.fromkeys(names, word))
         _QUIET.update({word} if quiet else ())
@@ -157,29 +160,34 @@ def _said(engine: Evaluation, word: Word | None) -> Word | None:
 def find_method(engine: Evaluation, receiver: Any, called: Called) -> Word | None:
     """Return what a method of an object does; None where it is not known."""
     _load()
-    for kind in kinds_of(engine, receiver):
-        word = _METHODS.get((kind, called.name))
+    name = called.name
+    for kind in kinds_of(engine, receiver) if name in _NAMES else ():
+        word = _METHODS.get((kind, name))
         if word is not None:
             return _said(engine, word)
-    if isinstance(receiver, Unknown | None) or (isinstance(receiver, Obj) and receiver.defined is None):
-        return _said(engine, _ANYWHERE.get(called.name))
+    if receiver is None or isinstance(receiver, Unknown) or (isinstance(receiver, Obj) and receiver.defined is None):
+        return _said(engine, _ANYWHERE.get(name))
     return None
 
 
-def kinds_of(engine: Evaluation, receiver: Any) -> list[str]:
+def kinds_of(engine: Evaluation, receiver: Any) -> tuple[str, ...]:
     """Return what an object is, to find its methods."""
     if isinstance(receiver, Obj):
-        kinds = [receiver.type]
-        if receiver.defined is not None:
-            kinds += engine.index.outer_bases(receiver.defined)
-        if receiver.node is not None:
-            kinds.append("node")
-        return [*kinds, *(kind.rpartition(".")[2] for kind in kinds)]
+        defined = receiver.defined
+        key = (receiver.type, 0 if defined is None else id(defined.what), receiver.node is not None)
+        known = engine.index.lookups.kinds
+        found = known.get(key)
+        if found is None:
+            kinds = [receiver.type, *(engine.index.outer_bases(defined) if defined is not None else ())]
+            if receiver.node is not None:
+                kinds.append("node")
+            found = known[key] = (*kinds, *(kind.rpartition(".")[2] for kind in kinds))
+        return found
     if isinstance(receiver, Handle):
-        return ["handle", "node"]
+        return ("handle", "node")
     if isinstance(receiver, QosValue):
-        return ["qos"]
-    return ["made"] if isinstance(receiver, Made) else []
+        return ("qos",)
+    return ("made",) if isinstance(receiver, Made) else ()
 
 
 def node_of(engine: Evaluation, value: Any) -> Building:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.source.extract.lookups import Lookups
 from roslens.source.extract.own_names import own_names
 from roslens.source.extract.program import (
     Assign,
@@ -53,6 +54,7 @@ class Index:
         # What the vocabulary knows is meant by it too where its source is in the workspace.
         from roslens.source.extract.vocabulary import known_names
 
+        self.lookups = Lookups()
         self._outer = known_names()
         self.programs = dict(programs)
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
@@ -71,6 +73,7 @@ class Index:
         self._globals: set[str] = set()
         self._changed: dict[str, frozenset[str]] = {}
         self._chains: dict[str, list[Defined]] = {}
+        self._chains_of: dict[int, list[Defined]] = {}
         self._outer_bases: dict[str, list[str]] = {}
         self._found_classes: dict[tuple[str, str, str], Defined | None] = {}
         self._found_functions: dict[tuple[str, str, str], list[Defined]] = {}
@@ -78,6 +81,8 @@ class Index:
         self._adapted: dict[str, str] = {}
         self._included: dict[str, set[str]] = {}
         self._found_aliases: dict[tuple[str, str, str], str] = {}
+        self._found_meanings: dict[tuple[str, str, str], str] = {}
+        self._last_aliases: set[str] = set()
         # By identity, which is a lot cheaper than by value; what is kept beside it keeps it from being given again.
         self._keys: dict[int, tuple[Class | Function, str]] = {}
         self._found_constants: dict[tuple[str, str, str], tuple[str, Expression] | None] = {}
@@ -108,6 +113,7 @@ class Index:
                 self._globals.add(whole)
             if statement.value is not None:
                 self._constants.setdefault(whole, (path, statement.value))
+        self._last_aliases.update(alias.rpartition(".")[2] for alias in program.imports)
         for alias, meaning in program.imports.items() if not before else ():
             if "." not in alias and path.endswith((".h", ".hpp", ".hh", ".hxx")):
                 self._header_aliases.setdefault((self.package(path), alias), set()).add(meaning)
@@ -173,22 +179,22 @@ class Index:
             yield one
 
     def _named_in_cpp(self, name: str, scope: str, program: Program | None) -> Iterator[str]:
-        for prefix in _prefixes(scope):
-            yield f"{prefix}.{name}" if prefix else name
+        around = _scopes(scope)
+        for before in around:
+            yield before + name
         if program is None:
             return
         head, dot, rest = name.partition(".")
-        for prefix in _prefixes(scope):
-            full = f"{prefix}.{head}" if prefix else head
-            meaning = program.imports.get(full) or self._aliases.get(full)
+        for before in around if head in self._last_aliases else ():
+            meaning = program.imports.get(before + head) or self._aliases.get(before + head)
             if meaning is not None:
                 yield dotted(meaning) + dot + rest
         for using in program.using:
             yield f"{using}.{name}"
 
     def _named_in_python(self, name: str, path: str, scope: str, program: Program) -> Iterator[str]:
-        for prefix in _prefixes(scope):
-            yield f"{path}:{prefix}.{name}" if prefix else f"{path}:{name}"
+        for before in _scopes(scope):
+            yield f"{path}:{before}{name}"
         head, dot, rest = name.partition(".")
         meanings = [program.imports[head] + dot + rest] if head in program.imports else []
         for meaning in [*meanings, *(f"{using}.{name}" for using in program.using)]:
@@ -255,6 +261,13 @@ class Index:
 
     def meaning(self, name: str, path: str, scope: str) -> str:
         """Return a name with its aliases of the file resolved, as far as they go."""
+        key = (name, path, scope)
+        known = self._found_meanings.get(key)
+        if known is None:
+            known = self._found_meanings[key] = self._meaning(name, path, scope)
+        return known
+
+    def _meaning(self, name: str, path: str, scope: str) -> str:
         whole = self.alias(name, path, scope)
         if whole:
             return dotted(whole)
@@ -272,14 +285,14 @@ class Index:
 
     def _alias(self, name: str, path: str, scope: str) -> str:
         program = self.programs.get(path)
-        for prefix in _prefixes(scope) if program else ():
-            full = f"{prefix}.{name}" if prefix else name
-            found = (program.imports.get(full) if program else None) or self._aliases.get(full)
-            if found is not None and dotted(found) != name:
-                return found
-        inherited = self._inherited_alias(name, path, scope) if program else ""
-        if inherited:
-            return inherited
+        if program is not None and name.rpartition(".")[2] in self._last_aliases:
+            for before in _scopes(scope):
+                found = program.imports.get(before + name) or self._aliases.get(before + name)
+                if found is not None and dotted(found) != name:
+                    return found
+            inherited = self._inherited_alias(name, path, scope)
+            if inherited:
+                return inherited
         # Headers of a package are included by its files, as a rule.
         meanings = self._header_aliases.get((self.package(path), name), set())
         return next(iter(meanings)) if len(meanings) == 1 else ""
@@ -288,8 +301,8 @@ class Index:
         """Return what a base of the classes around calls by a name."""
         if "." in name or self._is_python(path):
             return ""
-        for prefix in _prefixes(scope):
-            around = self.class_of(prefix, path, "") if prefix else None
+        for before in _scopes(scope)[:-1]:
+            around = self.class_of(before[:-1], path, "")
             for one in self.chain(around)[1:] if around is not None else ():
                 found = self._aliases.get(f"{one.what.qualified_name}.{name}")
                 if found is not None:
@@ -392,6 +405,12 @@ class Index:
 
     def chain(self, defined: Defined) -> list[Defined]:
         """Return a class and its bases in the workspace, nearest first, each once."""
+        known = self._chains_of.get(id(defined.what))
+        if known is None:
+            known = self._chains_of[id(defined.what)] = self._chain(defined)
+        return known
+
+    def _chain(self, defined: Defined) -> list[Defined]:
         first = self.key(defined)
         if first in self._chains:
             return self._chains[first]
@@ -465,8 +484,11 @@ def _fits(name: str, defined: Defined) -> bool:
     return not scope or around == scope or around.endswith(f".{scope}")
 
 
-def _prefixes(scope: str) -> Iterator[str]:
+@lru_cache(maxsize=20_000)
+def _scopes(scope: str) -> tuple[str, ...]:
+    """Return what may stand before a name in a scope, the innermost first: ``a.b.``, ``a.`` and nothing."""
+    found = []
     while scope:
-        yield scope
+        found.append(f"{scope}.")
         scope = scope.rpartition(".")[0]
-    yield ""
+    return (*found, "")

@@ -1,0 +1,51 @@
+"""What was looked up before: of the names in a class or at a place, and of expressions as text.
+
+An evaluation asks the same again and again, as functions are followed from many places; what an index says never
+changes. Classes and expressions are known by identity here, which is a lot cheaper than by value: the programs of the
+index, or what is kept beside it, hold each of them, so that no other gets its number.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from roslens.source.extract.program import Expression, Function
+from roslens.source.extract.program_text import expression_text
+
+Found = tuple[Function, str] | None
+"""A function and the path of its file."""
+
+
+class Lookups:
+    """What an index said.
+
+    Attributes:
+        method: of a class, by identity and name.
+        overloads: of a class, by identity, name and how many arguments are given.
+        functions: outside of classes, by name, path, scope and how many arguments are given.
+        defined: what a name stands for in a class (0 outside), by name, path and scope.
+        kinds: what objects are, by their type, class and whether they are nodes.
+        initialised: members that constructors of a class initialise, by its identity.
+    """
+
+    def __init__(self) -> None:
+        """Begin with nothing."""
+        self.method: dict[tuple[int, str], Found] = {}
+        self.overloads: dict[tuple[int, str, int], Found] = {}
+        self.functions: dict[tuple[str, str, str, int], Found] = {}
+        self.defined: dict[tuple[int, str, str, str], tuple[str, Any, Any]] = {}
+        self.kinds: dict[tuple[str, int, bool], tuple[str, ...]] = {}
+        self.initialised: dict[int, frozenset[str]] = {}
+        self._texts: dict[int, tuple[Expression, str]] = {}
+
+    def text(self, expression: Expression) -> str:
+        """Return an expression of a program as text."""
+        known = self._texts.get(id(expression))
+        if known is None or known[0] is not expression:
+            known = self._texts[id(expression)] = (expression, expression_text(expression))
+        return known[1]
+
+    def condition(self, expression: Expression) -> str:
+        """Return a condition as people write it."""
+        written = self.text(expression).strip("`")
+        return written[1:-1] if written.startswith("(") and written.endswith(")") else written

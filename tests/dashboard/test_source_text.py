@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from hypothesis import given
-from hypothesis import strategies as st
-
-from roslens.dashboard.source_text import LONGEST_LINE, Sources, blob_id, colour, lines_of
+from roslens.dashboard.source_text import LONGEST_LINE, Sources, blob_id, lines_of
 from roslens.model.source import Language, SourceFile
 
 CODE = b"int a;\r\n// \xc3\xa9\nint b = 1;\n\nreturn b;\n"
@@ -55,19 +52,3 @@ def test_a_file_that_is_no_longer_what_the_run_saw_is_told() -> None:
     text = sources(CODE + b"int c;\n").text("a.cpp")
     assert text is not None
     assert text.changed
-
-
-def test_words_of_the_language_are_coloured() -> None:
-    (line,) = colour(["return 42; // done"], "cpp")
-    assert ("k", "return") in line
-    assert ("m", "42") in line
-    assert ("c", "// done") in line
-    assert colour(["return 42;"], "msg") == [(("", "return 42;"),)]
-
-
-@given(
-    st.text(alphabet="ab\"'/*#\\\n\t{}<>\x0c\u2028", max_size=80), st.sampled_from(["cpp", "python", "cmake", "yaml"])
-)
-def test_colours_change_no_character(text: str, language: str) -> None:
-    lines = text.split("\n")
-    assert ["".join(piece for _, piece in line) for line in colour(lines, language)] == lines

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import posixpath
 import re
 from hashlib import blake2b
 from typing import Protocol
@@ -80,12 +79,17 @@ class FolderLinks:
 
     def __init__(self, here: PageRef) -> None:
         """``here`` is the page on which the links will stand."""
-        self._folder = posixpath.dirname(folder_path(here, "html"))
+        self._folders = folder_path(here, "html").split("/")[:-1]
+        self._known: dict[tuple[str, str], str] = {}
 
     def to(self, ref: PageRef) -> str:
         """Return a relative path, the query (scripts read it) and the fragment."""
-        ref = written(ref)
-        return self._relative(folder_path(ref, "html")) + _query(ref.query) + _fragment(ref.anchor)
+        if ref.page == "findings":
+            ref = written(ref)
+        place = self._known.get((ref.page, ref.key))
+        if place is None:
+            place = self._known[ref.page, ref.key] = self._relative(folder_path(ref, "html"))
+        return place + _query(ref.query) + _fragment(ref.anchor)
 
     def twin(self, ref: PageRef, suffix: str) -> str:
         """Return the relative path of the twin; it holds everything, so no query."""
@@ -96,7 +100,13 @@ class FolderLinks:
         return self._relative(f"web/{name}")
 
     def _relative(self, path: str) -> str:
-        return quote(posixpath.relpath(path, self._folder or "."), safe="/@+")
+        parts = path.split("/")
+        shared = 0
+        for own, other in zip(self._folders, parts[:-1], strict=False):
+            if own != other:
+                break
+            shared += 1
+        return quote("/".join([".."] * (len(self._folders) - shared) + parts[shared:]), safe="/@+")
 
 
 class FileLinks:
@@ -177,7 +187,7 @@ def _safe_name(part: str) -> str:
 
 
 def _query(query: tuple[tuple[str, str], ...]) -> str:
-    given = [(key, value) for key, value in query if value]
+    given = [(key, value) for key, value in query if value] if query else None
     return "?" + urlencode(given) if given else ""
 
 

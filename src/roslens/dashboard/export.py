@@ -15,8 +15,9 @@ from roslens.dashboard.pages.search import everything
 from roslens.dashboard.render import WEB, Renderer, embedded
 from roslens.dashboard.routes import PAGES
 from roslens.dashboard.script_bundle import bundle
+from roslens.dashboard.side_by_side import each
 from roslens.dashboard.site import Site
-from roslens.dashboard.table import to_csv
+from roslens.dashboard.table import Table, to_csv
 from roslens.dashboard.view import FOLDER, Limits, Request
 from roslens.model.errors import UsageError
 
@@ -37,11 +38,17 @@ class Progress(Protocol):
         """Say that ``count`` more items are done, the last of them ``item``."""
 
 
-def export_folder(site: Site, out: Path, progress: Progress) -> None:
+def export_folder(site: Site, out: Path, progress: Progress, jobs: int = 1) -> None:
     """Write every page, its twins and what they need below ``out``.
 
     The folder is written beside ``out`` and takes its place when it is whole, so an interrupt leaves the old report.
     What others put into an old report (a ``.git``, say) is kept.
+
+    Args:
+        site: what is shown. With more than one job its run must be in a file.
+        out: the folder.
+        progress: is told each page.
+        jobs: how many processes write pages; 0 is one per processor.
 
     Raises:
         UsageError: ``out`` holds something that roslens did not write, or cannot be written.
@@ -53,7 +60,7 @@ def export_folder(site: Site, out: Path, progress: Progress) -> None:
         target.parent.mkdir(parents=True, exist_ok=True)
         partial.mkdir()
         try:
-            _write_pages(site, partial, progress)
+            _write_pages(site, partial, progress, jobs)
             _write_web(site, partial)
             names = sorted(entry.name for entry in partial.iterdir())
             _write(partial / MARKER, f"Written by roslens {roslens.__version__}\n" + "".join(f"{n}\n" for n in names))
@@ -95,27 +102,33 @@ def _refuse_foreign(target: Path, out: Path) -> None:
         )
 
 
-def _write_pages(site: Site, folder: Path, progress: Progress) -> None:
+def _write_pages(site: Site, folder: Path, progress: Progress, jobs: int) -> None:
     renderer = Renderer(site, "folder")
     refs = list(pages_of(site))
-    progress.step("Writing pages", len(refs))
     run = site.run_facts()
-    for ref in refs:
+
+    def write(ref: PageRef) -> None:
         view = PAGES[ref.page](site, Request(ref.key, limits=FOLDER, medium="folder"))
         if view is not None:
             _write(folder / folder_path(ref, "html"), renderer.page(view, FolderLinks(ref)))
             _write(folder / folder_path(ref, "json"), view.to_json(run))
-            for name, text in _csv_twins(site, ref):
+            for name, text in _csv_twins(site, ref, view.whole):
                 _write(folder / folder_path(ref, name), text)
+
+    progress.step("Writing pages", len(refs))
+    for ref in each(write, refs, jobs):
         progress.advance(1, ref.key or ref.page)
 
 
-def _csv_twins(site: Site, ref: PageRef) -> Iterator[tuple[str, str]]:
-    """Yield (suffix, text) of each table; the only table of a page needs no name."""
-    view = PAGES[ref.page](site, Request(ref.key, limits=_TABLES_ONLY, medium="folder", complete=True))
-    tables = view.tables if view else ()
-    for table in tables:
-        yield ("csv" if len(tables) == 1 else f"{table.name}.csv"), to_csv(table)
+def _csv_twins(site: Site, ref: PageRef, tables: tuple[Table, ...]) -> Iterator[tuple[str, str]]:
+    """Yield (suffix, text) of each table with rows; the only table of a page needs no name and is there without."""
+    if not tables:
+        view = PAGES[ref.page](site, Request(ref.key, limits=_TABLES_ONLY, medium="folder", complete=True))
+        tables = view.tables if view else ()
+    if len(tables) == 1:
+        yield "csv", to_csv(tables[0])
+        return
+    yield from ((f"{table.name}.csv", to_csv(table)) for table in tables if table.rows)
 
 
 def _write_web(site: Site, folder: Path) -> None:

@@ -13,6 +13,7 @@ from roslens.dashboard.address import FileLinks, Links, PageRef
 from roslens.dashboard.figures import number, plural, share
 from roslens.dashboard.pages.help import KEYS
 from roslens.dashboard.site import Site
+from roslens.dashboard.source_rows import excerpt_html, source_html
 from roslens.dashboard.table import next_sort
 from roslens.dashboard.table_rows import rows_html, ticks
 from roslens.dashboard.view import Query, View
@@ -92,6 +93,8 @@ def environment(medium: str, **known: object) -> Environment:
         requery=requery,
         embedded=embedded,
         rows_html=rows_html,
+        source_html=source_html,
+        excerpt_html=excerpt_html,
         version=roslens.__version__,
         **known,
     )

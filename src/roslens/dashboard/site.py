@@ -12,6 +12,7 @@ import msgspec
 
 from roslens.dashboard.source_text import ReadSource, Sources
 from roslens.judge.constraint import Constraint
+from roslens.judge.range import Range
 from roslens.judge.rate import Rating, rate
 from roslens.judge.select import EVERY
 from roslens.model.entity import EntityKind
@@ -280,16 +281,19 @@ class Site:
 
     def rating(self, kind: EntityKind, quantity: str, value: float | None) -> str:
         """Return how the value stands to the run's own models: ``high``, ``low``, ``ok`` or nothing without a bound."""
-        own = {model.name for model in self.run_models}
-        ratings = [
-            rate(value, constraint.range)
-            for model, constraint in self.constraints_on(kind, quantity)
-            if model.name in own and constraint.name == EVERY
-        ]
+        ratings = [rate(value, own) for own in self._own_ranges.get((kind, quantity), ())]
         for rating in (Rating.HIGH, Rating.LOW, Rating.OK):
             if rating in ratings:
                 return str(rating.value)
         return ""
+
+    @cached_property
+    def _own_ranges(self) -> dict[tuple[EntityKind, str], list[Range]]:
+        own = {model.name for model in self.run_models}
+        return {
+            about: [constraint.range for model, constraint in said if model.name in own and constraint.name == EVERY]
+            for about, said in self._constraints.items()
+        }
 
     def run_facts(self) -> dict[str, object]:
         """Return what every JSON twin says of the run."""

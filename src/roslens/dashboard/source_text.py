@@ -1,19 +1,15 @@
-"""Files as lines to show: read once, checked against the run, coloured, cut into excerpts."""
+"""Files as lines to show: read once, checked against the run, cut into excerpts."""
 
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable, Sequence
-from functools import lru_cache
+from collections.abc import Callable
 from hashlib import sha1
-from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.dashboard.colours import Piece, colour
 from roslens.model.source import SourceFile
-
-if TYPE_CHECKING:
-    from pygments.lexer import Lexer
 
 ReadSource = Callable[[str], bytes | None]
 """Gives the content of a file by its path below the workspace root; None where it cannot."""
@@ -21,38 +17,6 @@ ReadSource = Callable[[str], bytes | None]
 AROUND = 2
 LONGEST_LINE = 400
 _KEPT = 256
-_LEXERS = {
-    "c": "c",
-    "cpp": "cpp",
-    "python": "python",
-    "launch_python": "python",
-    "cmake": "cmake",
-    "manifest": "xml",
-    "launch_xml": "xml",
-    "launch_yaml": "yaml",
-    "yaml": "yaml",
-    "xml": "xml",
-    "urdf": "xml",
-    "xacro": "xml",
-}
-_CLASSES = (
-    ("Comment.Preproc", "p"),
-    ("Comment", "c"),
-    ("Keyword.Type", "t"),
-    ("Keyword", "k"),
-    ("Literal.String", "s"),
-    ("Literal.Number", "m"),
-    ("Name.Function", "f"),
-    ("Name.Class", "f"),
-    ("Name.Decorator", "p"),
-    ("Name.Tag", "k"),
-    ("Name.Attribute", "t"),
-    ("Name.Builtin", "t"),
-    ("Operator.Word", "k"),
-)
-
-Piece = tuple[str, str]
-"""Class of a piece of source (empty for none) and its text, not yet escaped."""
 
 
 class SourceText(msgspec.Struct, frozen=True):
@@ -131,44 +95,3 @@ def _shortened(line: str) -> str:
 def blob_id(content: bytes) -> str:
     """Return git's id of a file with this content, as runs keep it."""
     return sha1(b"blob %d\0" % len(content) + content, usedforsecurity=False).hexdigest()
-
-
-def colour(lines: Sequence[str], language: str) -> list[tuple[Piece, ...]]:
-    """Return each line as coloured pieces; plain where the language has no lexer."""
-    lexer = _lexer(_LEXERS.get(language, ""))
-    if lexer is None:
-        return [(("", line),) for line in lines]
-    coloured: list[list[Piece]] = [[]]
-    # Some lexers know the end of a comment only by the end of its line, so the last line gets one too.
-    for kind, text in lexer.get_tokens("\n".join(lines) + "\n"):
-        name = _class_of(str(kind))
-        first, *others = text.split("\n")
-        _append(coloured[-1], name, first)
-        for other in others:
-            coloured.append([])
-            _append(coloured[-1], name, other)
-    return [tuple(coloured[place]) if place < len(coloured) else () for place in range(len(lines))]
-
-
-def _append(line: list[Piece], name: str, text: str) -> None:
-    if not text:
-        return
-    if line and line[-1][0] == name:
-        line[-1] = (name, line[-1][1] + text)
-    else:
-        line.append((name, text))
-
-
-@lru_cache(maxsize=256)
-def _class_of(kind: str) -> str:
-    name = kind.removeprefix("Token.")
-    return next((css for prefix, css in _CLASSES if name.startswith(prefix)), "")
-
-
-@lru_cache(maxsize=16)
-def _lexer(name: str) -> Lexer | None:
-    if not name:
-        return None
-    from pygments.lexers import get_lexer_by_name
-
-    return get_lexer_by_name(name, stripnl=False, ensurenl=False)

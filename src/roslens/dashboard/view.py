@@ -85,6 +85,7 @@ class View(msgspec.Struct, frozen=True):
         facts: what its JSON twin holds besides the tables; builtins only.
         tables: by whose names the template finds them.
         shown: what only the template needs.
+        whole: the tables of the CSV twins, where they come with the page; else they are asked for on their own.
     """
 
     ref: PageRef
@@ -92,6 +93,7 @@ class View(msgspec.Struct, frozen=True):
     facts: Mapping[str, object]
     tables: tuple[Table, ...] = ()
     shown: Mapping[str, object] = {}
+    whole: tuple[Table, ...] = ()
 
     def table(self, name: str) -> Table:
         """Return the table of that name."""

@@ -57,6 +57,8 @@ class Readers:
         self._idle: list[sqlite3.Connection] = []
         self._lock = Lock()
         self._closed = False
+        self._process = os.getpid()
+        self._of_parent: list[sqlite3.Connection] = []
 
     @contextmanager
     def one(self) -> Iterator[sqlite3.Connection]:
@@ -71,6 +73,9 @@ class Readers:
         with self._lock:
             if self._closed:
                 raise sqlite3.ProgrammingError("the store was closed")
+            if self._process != os.getpid():
+                # A copy of the process that opened them must neither use nor close its connections.
+                self._of_parent, self._idle, self._process = self._idle, [], os.getpid()
             connection = self._idle.pop() if self._idle else None
         if connection is None:
             connection = connect(self._path, wait_s=self._wait_s, writable=False)

@@ -19,7 +19,7 @@ from roslens.model.result import PackageResult, PackageSummary, RunHeader, Works
 from roslens.model.source import SourceFile
 from roslens.model.tags import TagFilter, tag_filter
 from roslens.store import rows
-from roslens.store.columns import columns_of
+from roslens.store.columns import Columns, columns_of
 from roslens.store.question import Conditions, Run
 from roslens.store.values import (
     PackageValues,
@@ -50,6 +50,7 @@ class RunView:
         self._run = run
         self.id = run.number
         self.header = header
+        self._read_last: tuple[tuple[int, str | None], Columns] | None = None
 
     @cached_property
     def workspace(self) -> WorkspaceResult:
@@ -145,11 +146,18 @@ class RunView:
     def _entities(self, where: Conditions, kind: EntityKind | None) -> Iterator[Entity]:
         found = self._run.rows(f"run_unit.unit, entity.position, {rows.ENTITY}", "entity", where)
         for unit, group in groupby(found, key=itemgetter(0)):
-            with self._run.reading() as connection:
-                columns = columns_of(connection, unit, kind.value if kind else None)
+            columns = self._columns(unit, kind.value if kind else None)
             for row in group:
                 values = with_package_values(row[2], columns.values(row[3], row[1]), self._package_values)
                 yield rows.to_entity(row[2:], values)
+
+    def _columns(self, unit: int, kind: str | None) -> Columns:
+        # Who asks for one file of a package after the other needs the same columns each time.
+        last = self._read_last
+        if last is None or last[0] != (unit, kind):
+            with self._run.reading() as connection:
+                last = self._read_last = ((unit, kind), columns_of(connection, unit, kind))
+        return last[1]
 
     def findings(
         self,

@@ -16,7 +16,6 @@ EXAMPLES = """\
 LIBRARIES = (
     "jinja2",
     "msgspec",
-    "pygments",
     "starlette",
     "tree-sitter",
     "tree-sitter-cpp",

@@ -8,6 +8,7 @@ from pathlib import Path
 from roslens.cli.shown_graphs import add_shown_argument
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace import add_workspace_argument
+from roslens.model.errors import UsageError
 
 TEXT = "Write the pages of the last run as a folder or as one HTML file."
 EXAMPLES = """\
@@ -21,6 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     where = parser.add_mutually_exclusive_group()
     where.add_argument("-o", "--output", metavar="DIR", default="roslens-report", help="folder (default: %(default)s)")
     where.add_argument("--single-file", metavar="FILE", help="one self-contained HTML file")
+    parser.add_argument("--jobs", type=int, metavar="N", help="processes that write pages (default: one per processor)")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
     add_shown_argument(parser)
     add_stream_arguments(parser)
@@ -30,12 +32,14 @@ def run(options: argparse.Namespace) -> int:
     """Write the files and say where they are.
 
     Raises:
-        UsageError: there is no run, or the folder holds something else.
+        UsageError: there is no run, the number of processes is none, or the folder holds something else.
         StoreError: the store cannot be read.
     """
     from roslens.cli.shown_graphs import site_with_graphs
     from roslens.cli.workplace import open_store
 
+    if options.jobs is not None and options.jobs < 0:
+        raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
     progress = progress_for(options)
     with open_store(options.path) as store:
         site = site_with_graphs(store.view(options.number), options, progress)
@@ -48,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
             else:
                 from roslens.dashboard.export import export_folder
 
-                export_folder(site, Path(options.output), progress)
+                export_folder(site, Path(options.output), progress, options.jobs or 0)
                 written = str(Path(options.output, "index.html"))
         finally:
             progress.finish()

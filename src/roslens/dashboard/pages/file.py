@@ -7,22 +7,15 @@ from collections import defaultdict
 import msgspec
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.colours import colour
 from roslens.dashboard.entity_tables import classes_table, functions_table
 from roslens.dashboard.finding_list import filter_of, findings_table, select
 from roslens.dashboard.site import Site
-from roslens.dashboard.source_text import Piece, colour
-from roslens.dashboard.table import sort_rows
+from roslens.dashboard.source_rows import CodeLine
+from roslens.dashboard.table import Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding
-
-
-class CodeLine(msgspec.Struct, frozen=True):
-    """A line of source with the findings that start on it."""
-
-    number: int
-    pieces: tuple[Piece, ...]
-    findings: tuple[Finding, ...] = ()
 
 
 def build(site: Site, request: Request) -> View | None:
@@ -41,8 +34,11 @@ def build(site: Site, request: Request) -> View | None:
             classes_table(site, [entity for entity in entities if entity.kind is EntityKind.CLASS]),
         )
     ]
+    whole: tuple[Table, ...] = ()
     if request.complete:
         tables.append(findings_table(site, found, len(found)))
+    elif request.medium == "folder" and not any(table.cut for table in tables):
+        whole = (*tables, findings_table(site, found, len(found)))
     text = site.sources.text(path)
     lines, first = _lines(site, request, path, found)
     own = next((entity for entity in entities if entity.kind is EntityKind.FILE), None)
@@ -70,6 +66,7 @@ def build(site: Site, request: Request) -> View | None:
             "filter": wanted,
             "failures": [failure for failure in site.failures if failure.location and failure.location.path == path],
         },
+        whole=whole,
     )
 
 

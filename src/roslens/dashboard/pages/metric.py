@@ -38,6 +38,8 @@ def build(site: Site, request: Request) -> View | None:
     figures = figures_of(values)
     bounds = _bounds(site, kind, request.key, values) if kind else None
     worst = _worst(site, quantity, kind, found, digits, None if request.complete else WORST) if kind else None
+    beside = request.medium == "folder" and not request.complete
+    every = _worst(site, quantity, kind, found, digits, None) if kind and beside else None
     return View(
         ref=PageRef("metric", request.key, query=request.query.pairs),
         title=f"{quantity.title} ({fold})" if fold else quantity.title,
@@ -58,6 +60,7 @@ def build(site: Site, request: Request) -> View | None:
             "folds": [fold.value for fold in quantity.folds],
             "key": key,
         },
+        whole=(bounds, every) if bounds and every else (),
     )
 
 
@@ -128,6 +131,10 @@ def _worst_row(
 ) -> tuple[Cell, ...]:
     entity, package, value = row
     path, _, inside = entity.partition(":")[2].partition("#")
+    if not linked:
+        own = () if kind is EntityKind.PACKAGE else (path,) if kind is EntityKind.FILE else (inside,)
+        more = (path,) if kind in {EntityKind.FUNCTION, EntityKind.CLASS} else ()
+        return tuple(Cell(one) for one in (*own, package, *more, value))
     rating = site.rating(kind, quantity.key, value)
     marked = Cell(value, rating="" if rating == "ok" else rating)
     owner = Cell(package, ref=PageRef("package", package))

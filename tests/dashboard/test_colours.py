@@ -64,7 +64,7 @@ def test_python(text: str, expected: list[tuple[str, str]]) -> None:
         ("cmake", 'set(A "x ${B}")', [("t", "set"), ("s", "A"), ("s", '"x ${B}"')]),
         ("cmake", "#[[ all\nof it ]]\nif (A)", [("c", "#[[ all"), ("c", "of it ]]"), ("t", "if"), ("s", "A")]),
         ("launch_xml", '<n p="a"/><!--b-->', [("k", "<n"), ("t", "p="), ("s", '"a"'), ("k", "/>"), ("c", "<!--b-->")]),
-        ("manifest", '<?xml?>\n<name>a</name>', [("p", '<?xml?>'), ("k", "<name>"), ("k", "</name>")]),
+        ("manifest", "<?xml?>\n<name>a</name>", [("p", "<?xml?>"), ("k", "<name>"), ("k", "</name>")]),
         ("yaml", "a_b: 'c' # d\n- e: http://f", [("k", "a_b"), ("s", "'c'"), ("c", "# d"), ("k", "e")]),
         ("yaml", "a: don't", [("k", "a")]),
         ("msg", "int32 a # b", []),

@@ -141,10 +141,10 @@ def _parameters(parameters: Iterable[ConfiguredParameter], of: ConfiguredNode | 
     for one in parameters:
         if one.name in UNLISTED:
             continue
-        there = one.set_by is not None or one.access == "written" if ros1 else one.access == "declared"
+        there = one.set_by is not None or one.written_by is not None if ros1 else one.access == "declared"
         if not there:
             continue
-        proof = one.set_by or one.proof
+        proof = one.written_by or one.set_by or one.proof
         known = {} if one.value is None else {"value": one.value}
         sure = proof.sure if proof else "likely"
         if one.set_by is None and one.default is not None:

@@ -52,7 +52,7 @@ def test_parameters_of_ros1_are_those_of_the_server_and_not_what_is_only_read():
     parameters = (
         ConfiguredParameter("/n/set", "1", set_by=HERE),
         ConfiguredParameter("/n/read", "2", access="read", proof=HERE),
-        ConfiguredParameter("/n/written", access="written", proof=HERE),
+        ConfiguredParameter("/n/written", access="written", proof=HERE, written_by=HERE),
     )
     told = said(Configuration("x", "ros1", (ConfiguredNode("/n", HERE, parameters=parameters),)))
     assert keys(told) == [("node", "/n", ""), (PARAMETER, OUTSIDE, "/n/set"), (PARAMETER, OUTSIDE, "/n/written")]

@@ -1,5 +1,6 @@
 import msgspec
 
+from roslens.model.configuration import ConfiguredParameter, Proof
 from roslens.report.graph_text import to_graph_text
 
 
@@ -25,6 +26,24 @@ def test_parameters_say_what_sets_them(graph):
     assert "set in pkg/launch/a.launch.py:7, default 1" in text
     assert "set, but no code is known to take it" in text
     assert "chater to /never" in text
+
+
+def test_parameters_say_what_code_writes_them(graph):
+    server = Proof("pkg/src/a.cpp", 9, sure="likely")
+    by_code = Proof("pkg/src/a.cpp", 12, how="while the node runs", sure="likely")
+    declared = Proof("pkg/cfg/A.cfg", 4)
+    launch = Proof("pkg/launch/a.launch", 7)
+    changed = msgspec.structs.replace(by_code, how="`12` is above the most")
+    parameters = (
+        ConfiguredParameter("/n/a", "1", "int", "1", access="declared", proof=declared, written_by=server),
+        ConfiguredParameter("/n/b", "9", "int", "1", proof=declared, set_by=launch, written_by=changed),
+        ConfiguredParameter("/n/c", "2", "int", access="written", proof=by_code, written_by=by_code),
+    )
+    node = msgspec.structs.replace(graph.nodes[0], parameters=parameters)
+    text = to_graph_text(msgspec.structs.replace(graph, nodes=(node,)))
+    assert "pkg/cfg/A.cfg:4 by pkg/src/a.cpp:9" in text
+    assert "set in pkg/launch/a.launch:7, written in pkg/src/a.cpp:12: `12` is above the most, default 1" in text
+    assert "int, likely: while the node runs" in text
 
 
 def test_what_is_unresolved_is_always_listed(graph):

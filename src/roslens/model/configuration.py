@@ -109,6 +109,7 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
         conditions: of the code that reaches it.
         description: as declared.
         written_by: where code gives it its value, as sure as the value is; None where no code does.
+        set_value: that is set, where code gives it another one; None elsewhere.
         read_only: whether it cannot be set while the node runs.
         dynamic: whether it may be set to a value of any type.
         allowed: the values that it may have, as text; empty where these are not counted.
@@ -127,6 +128,7 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
     conditions: tuple[str, ...] = ()
     description: str = ""
     written_by: Proof | None = None
+    set_value: str | None = None
     read_only: bool = False
     dynamic: bool = False
     allowed: tuple[str, ...] = ()

@@ -122,8 +122,18 @@ def _parameter(one: ConfiguredParameter) -> tuple[str, ...]:
         notes.append("set, but no code is known to take it")
     if one.set_by is not None:
         default = "" if one.default is None else f", default {_short(one.default)}"
-        return one.name, f"= {value}", ", ".join(n for n in notes if n), f"set in {one.set_by.place}{default}"
+        place = f"set in {one.set_by.place}{_also(one.written_by)}{default}"
+        return one.name, f"= {value}", ", ".join(n for n in notes if n), place
+    if one.written_by is not None and one.access == "declared":
+        place = f"{_from(one.proof)} by {one.written_by.place}" if one.proof else one.written_by.place
+        return one.name, f"= {value}", ", ".join(n for n in notes if n), place
+    if one.written_by is not None and one.written_by.how:
+        notes.append(f"{one.written_by.sure}: {one.written_by.how}")
     return one.name, f"= {value}", ", ".join(n for n in notes if n), _from(one.proof) if one.proof else ""
+
+
+def _also(written: Proof | None) -> str:
+    return "" if written is None else f", written in {written.place}{': ' * bool(written.how)}{written.how}"
 
 
 def _short(text: str) -> str:

@@ -15,7 +15,7 @@ def index_of(**files):
     programs = {}
     for name, text in files.items():
         stem, _, ending = name.rpartition("_")
-        lowered = program_of_python(text.encode()) if ending == "py" else program_of_cpp(text.encode(), MACROS)
+        lowered = program_of_python(text.encode()) if ending in ("py", "cfg") else program_of_cpp(text.encode(), MACROS)
         programs[f"pkg/{stem}.{ending}"] = lowered
     return Index(programs)
 

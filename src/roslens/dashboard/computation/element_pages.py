@@ -194,6 +194,7 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
         Column("access", "In code"),
         Column("place", "Declared or read at", "code"),
         Column("set_by", "Set at", "code", sparse=True),
+        Column("written_by", "Written at", "code", optional=True, sparse=True),
         Column("conditions", "Only if", "code", optional=True, sparse=True),
         Column("description", "Description", optional=True, sparse=True),
     )
@@ -208,6 +209,7 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
             Cell(one.access),
             book.place(one.proof),
             book.place(one.set_by),
+            book.place(one.written_by),
             Cell(" and ".join(one.conditions)),
             Cell(one.description),
         )

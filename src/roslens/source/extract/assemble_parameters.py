@@ -12,6 +12,7 @@ from roslens.source.extract.abstract_value import MAKER
 from roslens.source.extract.assemble_choices import decided_by, doubt
 from roslens.source.extract.assemble_lists import each_of, items_among
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
+from roslens.source.extract.assemble_written import Write, after_writes
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
 from roslens.source.extract.parameter_types import LIST
@@ -213,7 +214,23 @@ def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[Confi
     for name, setting in values.set.items():
         if name not in found:
             found[name] = _with(ConfiguredParameter(name, None, setting.type), setting)
+    for name, writes in _writes(every, values).items():
+        found[name] = after_writes(found[name], writes)
     return tuple(found[name] for name in sorted(found))
+
+
+def _writes(facts: Iterable[ParameterFact], values: Values) -> dict[str, list[Write]]:
+    """Return what code writes, in the order in which it does, by the names of parameters."""
+    found: dict[str, list[Write]] = {}
+    for fact in facts:
+        if fact.writer is None:
+            continue
+        value = fact.default if fact.access == "declared" else fact.value
+        filled = Filled(Text(), Sure.CERTAIN) if value is None else values.fill(value)
+        name = values.fill(fact.name)
+        write = Write(fact, None if value is None else filled.text, doubt(filled.sure, name.sure))
+        found.setdefault(values.key(name.text), []).append(write)
+    return found
 
 
 def _each(fact: ParameterFact, values: Values) -> Iterator[ParameterFact]:
@@ -244,7 +261,8 @@ def _completed(known: ConfiguredParameter, fact: ParameterFact) -> ConfiguredPar
     """Return a parameter with what a further place of the code says of it."""
     default = known.default if known.default is not None or fact.default is None else fact.default.usual
     value = default if known.value is None and known.set_by is None else known.value
-    kind = fact.type if fact.type and known.type in ("", LIST) else known.type
+    # The type of what is written says nothing of what is read.
+    kind = fact.type if fact.type and fact.access != "written" and known.type in ("", LIST) else known.type
     more = {} if known.range or known.description else _terms_of(fact)
     return msgspec.structs.replace(
         known, type=kind, default=default, value=value, range=known.range or fact.range, **more

@@ -61,6 +61,7 @@ class Evaluation(Objects):
         words: of the command line, where they are known.
         steps: that were made so far.
         most_steps: that may be made.
+        running: whether the node runs already: what is evaluated is called back, or comes when it has spun.
     """
 
     def __init__(
@@ -81,6 +82,7 @@ class Evaluation(Objects):
         self.asked: dict[int, tuple[str, Asked | None]] = {}
         self.frame = Frame(node.path, "")
         self.words: Words | None = None
+        self.running = False
         self.made: list[Obj] = []
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
@@ -120,7 +122,9 @@ class Evaluation(Objects):
             if key not in self.reached:
                 with_note = [note] if note else []
                 self.conditions += with_note
+                before, self.running = self.running, True
                 self.call(callback, [], {})
+                self.running = before
                 del self.conditions[len(self.conditions) - len(with_note) :]
 
     def assign(self, target: Expression, value: Any) -> None:

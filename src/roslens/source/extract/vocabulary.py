@@ -77,6 +77,8 @@ _MODULES = (
     "vocabulary_numbers",
     "vocabulary_argparse",
     "vocabulary_shared",
+    "vocabulary_reconfigure",
+    "reconfigure_file",
     "vocabulary_transforms",
     "vocabulary_images",
     "vocabulary_trees",

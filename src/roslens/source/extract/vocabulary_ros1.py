@@ -10,6 +10,7 @@ from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
 from roslens.source.extract.command_words import given_to_ros
 from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
+from roslens.source.extract.record_write import write_parameter
 from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, below, method, node_of, outer
 from roslens.source.extract.vocabulary_shared import follow_visitors
@@ -209,8 +210,21 @@ def read_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
 @method("handle", "setParam")
 def write(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A parameter is written."""
-    parameter(engine, thing, called, "written", called.argument(0))
+    write_parameter(engine, thing, called, called.argument(0), called.argument(1))
     return None
+
+
+@outer("ros.param.set")
+def write_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """A parameter is written by its name."""
+    return write(engine, Handle(engine.node), called)
+
+
+@outer("ros.spin", "rospy.spin", "ros.waitForShutdown")
+def spin(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The node runs until it is shut down; what is written after it is no part of that."""
+    engine.running = True
+    return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "searchParam")
@@ -333,7 +347,8 @@ def py_read(engine: Evaluation, _thing: Any, called: Called) -> Any:
 @outer("rospy.set_param")
 def py_write(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A parameter is written by rospy."""
-    parameter(engine, _here(engine), called, "written", called.argument(0, "param_name"))
+    value = called.argument(1, "param_value")
+    write_parameter(engine, _here(engine), called, called.argument(0, "param_name"), value)
     return None
 
 

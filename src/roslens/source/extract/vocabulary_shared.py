@@ -134,27 +134,6 @@ def _action(engine: Evaluation, called: Called, role: Role) -> Any:
     return endpoint(engine, handle_of(engine, called), called, role, name, kind, callback=callback)
 
 
-@outer("dynamic_reconfigure.Server", "dynamic_reconfigure.server.Server")
-def reconfigure(engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """A server that lets parameters of a node be changed while it runs."""
-    given = [one for one in called.arguments if isinstance(one, Handle)]
-    handle = given[0] if given else Handle(engine.node, Text.of("~"))
-    for name, kind, role in (
-        ("parameter_descriptions", "dynamic_reconfigure::ConfigDescription", Role.PUBLISHER),
-        ("parameter_updates", "dynamic_reconfigure::Config", Role.PUBLISHER),
-        ("set_parameters", "dynamic_reconfigure::Reconfigure", Role.SERVICE_SERVER),
-    ):
-        endpoint(engine, handle, called, role, Text.of(name), kind, latched=role is Role.PUBLISHER)
-    return Obj("dynamic_reconfigure.Server")
-
-
-@method("dynamic_reconfigure.Server", "setCallback")
-def reconfigured(engine: Evaluation, _thing: Any, called: Called) -> Any:
-    """What is called when parameters are changed."""
-    engine.called_outer(called.argument(0))
-    return None
-
-
 @outer("diagnostic_updater.Updater")
 def updater(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A publisher of diagnostics."""

@@ -74,6 +74,11 @@ def test_dynamic_reconfigure_takes_the_nearest_end():
     assert (one.severity, "the nearest end is used" in one.message) == (Severity.WARNING, True)
 
 
+def test_what_is_set_is_told_though_a_server_makes_another_number_of_it():
+    (told,) = findings("0.0..9.0", value="9.0", given="int", set_value="12", generation="ros1")
+    assert "is set to `12`; src/a.cpp:5 allows `0.0..9.0`: the nearest end is used." in told.message
+
+
 def test_what_is_not_certain_weighs_less():
     (one,) = findings("0..1", value="5", kind="int", proof={"sure": "likely", "how": "a default"})
     assert (one.severity, "In doubt: likely only: a default" in one.message) == (Severity.WARNING, True)

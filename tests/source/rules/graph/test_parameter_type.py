@@ -7,7 +7,7 @@ from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, launched, node, parameter
 
 
-def findings(wanted, given, *, value="1", access="declared", path="src/a.cpp", generation="ros2"):
+def findings(wanted, given, *, value="1", access="declared", path="src/a.cpp", generation="ros2", **more):
     one = parameter(
         "rate",
         type=wanted,
@@ -16,6 +16,7 @@ def findings(wanted, given, *, value="1", access="declared", path="src/a.cpp", g
         access=access,
         proof=Proof(path, 5),
         set_by=launched(3, "a.yaml"),
+        **more,
     )
     return list(found(configuration(node("/a", parameters=(one,)), generation=generation), Surroundings()))
 
@@ -60,3 +61,22 @@ def test_a_parameter_of_any_type_takes_any():
         proof=Proof("src/a.cpp", 5), set_by=launched(3, "a.yaml"),
     )  # fmt: skip
     assert not list(found(configuration(node("/a", parameters=(one,))), Surroundings()))
+
+
+TAKEN = {"set_value": "fast", "written_by": Proof("src/a.cpp", 9, sure="likely")}
+
+
+def test_a_server_of_roscpp_takes_its_default_for_what_does_not_fit():
+    (one,) = findings("double", "string", value="7.0", path="cfg/A.cfg", generation="ros1", **TAKEN)
+    assert one.message == (
+        "parameter `rate` of /a is set as string (`fast`); cfg/A.cfg:5 declared it as double: the default is used. "
+        "Write a value of type double."
+    )
+
+
+def test_a_server_of_rospy_takes_what_is_set():
+    assert not findings("double", "string", path="cfg/A.cfg", generation="ros1")
+
+
+def test_code_that_writes_a_parameter_does_not_mind_its_type():
+    assert not findings("double", "string", access="written", generation="ros1")

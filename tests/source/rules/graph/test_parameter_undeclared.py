@@ -72,6 +72,22 @@ def test_ros1_asks_for_its_own_parameters_that_no_node_reads():
     assert "which never reads it" in one.message
 
 
-def test_parameters_of_dynamic_reconfigure_are_in_another_file():
-    server = end("serve", "/a/set_parameters", "dynamic_reconfigure/Reconfigure")
-    assert not findings(node("/a", server, parameters=(parameter("/a/rate", set_by=FILE),)), generation="ros1")
+SERVER = end("serve", "/a/set_parameters", "dynamic_reconfigure/Reconfigure")
+RATE = parameter("/a/rate", access="declared", proof=CODE)
+
+
+def test_a_server_of_dynamic_reconfigure_whose_file_is_not_there_may_have_any():
+    unknown = parameter("/a/*", access="declared", proof=CODE)
+    one = node("/a", SERVER, parameters=(unknown, parameter("/a/rate", set_by=FILE)))
+    assert not findings(one, generation="ros1")
+
+
+def test_one_whose_file_is_there_has_those_and_no_others():
+    one = node("/a", SERVER, parameters=(RATE, parameter("/a/ratte", set_by=FILE)))
+    (found,) = findings(one, generation="ros1")
+    assert "Did you mean `/a/rate`?" in found.message
+
+
+def test_what_is_below_may_be_that_of_a_plugin():
+    one = node("/a", SERVER, parameters=(RATE, parameter("/a/planner/rate", set_by=FILE)))
+    assert not findings(one, generation="ros1")

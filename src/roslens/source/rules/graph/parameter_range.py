@@ -43,12 +43,19 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
 def _broken(one: ConfiguredParameter) -> str:
     """Return what is asked of a value in words; empty where it fits, or is of another type."""
     given = one.set_type if one.set_by is not None else one.type
-    value = one.value or ""
-    if one.type not in {"string", *_NUMBERS} or (given and given != one.type):
+    value = _given(one) or ""
+    # Where a server makes another number of it, it converts.
+    fits = given in ("", one.type) or (one.set_value is not None and {given, one.type} <= _NUMBERS)
+    if one.type not in {"string", *_NUMBERS} or not fits:
         return ""
     if one.allowed and not any(_same(value, other, one.type) for other in one.allowed):
         return f"one of {listed([f'`{other}`' for other in one.allowed])}"
     return f"`{one.range}`" if one.type in _NUMBERS and _outside(value, one.range) else ""
+
+
+def _given(one: ConfiguredParameter) -> str | None:
+    """Return the value that is set, though code may take another one."""
+    return one.value if one.set_value is None else one.set_value
 
 
 def _same(value: str, other: str, kind: str) -> bool:
@@ -84,13 +91,13 @@ def number_of(text: str) -> float | None:
 def _told(node: ConfiguredNode, one: ConfiguredParameter, wanted: str, *, ros1: bool) -> Finding:
     code = one.proof
     assert code is not None  # noqa: S101 - only parameters that code declares are told
-    place = one.set_by or code
+    place, value = one.set_by or code, _given(one)
     severity, doubt = weighed(
         Severity.WARNING if ros1 else RULE.severity, (one.set_by, code), (*node.conditions, *one.conditions)
     )
     how = "set to" if one.set_by is not None else "by default"
     where = f"{code.place} allows" if one.set_by is not None else "its declaration allows"
     effect = "the nearest end is used" if ros1 else "the node does not start"
-    message = f"parameter `{one.name}` of {node.name} is {how} `{one.value}`; {where} {wanted}: {effect}.{doubt}"
+    message = f"parameter `{one.name}` of {node.name} is {how} `{value}`; {where} {wanted}: {effect}.{doubt}"
     entity = f"parameter:{node.name}:{one.name}"
-    return told(RULE, message, place, entity=entity, severity=severity, context=f"{one.value} {wanted}")
+    return told(RULE, message, place, entity=entity, severity=severity, context=f"{value} {wanted}")

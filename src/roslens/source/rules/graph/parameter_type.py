@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Proof
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -33,7 +33,8 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     ros1 = configuration.generation == "ros1"
     for node in configuration.nodes:
         for one in node.parameters:
-            if one.set_by is not None and one.proof is not None and not one.dynamic and _differs(one, ros1=ros1):
+            taken = one.set_by is not None and one.proof is not None and one.access != "written" and not one.dynamic
+            if taken and _differs(one, ros1=ros1):
                 yield _told(node, one, ros1=ros1)
 
 
@@ -43,9 +44,14 @@ def _differs(one: ConfiguredParameter, *, ros1: bool) -> bool:
         return False
     if ros1:
         # What Python reads has the type of the value; roscpp converts numbers.
-        python = one.proof is not None and one.proof.path.endswith(".py")
+        python = one.proof is not None and (one.proof.path.endswith(".py") or _is_kept(one, one.proof))
         return not python and not {wanted, given} <= _NUMBERS and "array" not in wanted + given
     return one.access == "declared"
+
+
+def _is_kept(one: ConfiguredParameter, declared: Proof) -> bool:
+    """Whether a server of dynamic_reconfigure leaves what is set as it is, as that of rospy does."""
+    return declared.path.endswith(".cfg") and one.written_by is None
 
 
 def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Finding:
@@ -55,21 +61,28 @@ def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Find
     severity, doubt = weighed(
         Severity.WARNING if ros1 else RULE.severity, (proof, code), (*node.conditions, *one.conditions)
     )
-    value = f" (`{one.value}`)" if one.value is not None else ""
+    value = _set_value(one)
+    shown = f" (`{value}`)" if value is not None else ""
     effect = "the default is used" if ros1 else "the node does not start"
     message = (
-        f"parameter `{one.name}` of {node.name} is set as {one.set_type}{value}; {code.place} "
+        f"parameter `{one.name}` of {node.name} is set as {one.set_type}{shown}; {code.place} "
         f"{one.access or 'reads'} it as {one.type}: {effect}. {_advice(one)}{doubt}"
     )
     entity = f"parameter:{node.name}:{one.name}"
     return told(RULE, message, proof, entity=entity, severity=severity, context=f"{one.set_type} {one.type}")
 
 
+def _set_value(one: ConfiguredParameter) -> str | None:
+    """Return the value that is set, though code may write another one."""
+    return one.value if one.set_value is None else one.set_value
+
+
 def _advice(one: ConfiguredParameter) -> str:
-    if one.type == "double" and one.set_type == "int" and one.value is not None:
-        return f"Write `{one.value}.0`."
-    if one.type == "string" and one.value is not None:
-        return f'Write `"{one.value}"`.'
+    value = _set_value(one)
+    if one.type == "double" and one.set_type == "int" and value is not None:
+        return f"Write `{value}.0`."
+    if one.type == "string" and value is not None:
+        return f'Write `"{value}"`.'
     if one.type == "byte_array" and one.default == "[]" and one.set_type.endswith("_array"):
         kind = one.set_type.removesuffix("_array").replace("int", "integer").upper()
         return f"An empty list is one of bytes to rclpy: declare it with `rclpy.Parameter.Type.{kind}_ARRAY`."

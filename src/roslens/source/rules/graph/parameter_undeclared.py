@@ -36,12 +36,31 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
         if not _is_understood(node):
             continue
         known = [one.name for one in node.parameters if one.access]
-        unknown = [one for one in node.parameters if _is_unknown(one, node, known, read, ros1=ros1)]
+        spaces = _spaces(node) if ros1 else None
+        unknown = [
+            one
+            for one in node.parameters
+            if (spaces is None or _above(one.name) in spaces) and _is_unknown(one, node, known, read, ros1=ros1)
+        ]
         # Where the code is not known to have any, all of them are one problem.
         for one in unknown if known else unknown[:1]:
             yield _told(
                 node, one, known, ros1=ros1, is_open=node.name in open_nodes, more=0 if known else len(unknown) - 1
             )
+
+
+def _spaces(node: ConfiguredNode) -> set[str] | None:
+    """Return the namespaces of which servers of dynamic_reconfigure say all parameters; None of a node without any.
+
+    Such nodes load plug-ins as a rule, which may read what is in other namespaces.
+    """
+    if not any(one.endpoint.type.startswith("dynamic_reconfigure/") for one in node.endpoints):
+        return None
+    return {_above(one.name) for one in node.parameters if one.access == "declared"}
+
+
+def _above(name: str) -> str:
+    return name.rpartition("/")[0]
 
 
 def _is_unknown(
@@ -55,10 +74,8 @@ def _is_unknown(
 
 
 def _is_understood(node: ConfiguredNode) -> bool:
-    """Whether its code says all parameters that it has; with dynamic_reconfigure a .cfg file says more."""
-    if is_unknown(node) or node.defined is None or node.defined.origin is not Origin.CODE or not node.resolved:
-        return False
-    return not any(end.endpoint.type.startswith("dynamic_reconfigure/") for end in node.endpoints)
+    """Whether its code says all parameters that it has."""
+    return not is_unknown(node) and node.defined is not None and node.defined.origin is Origin.CODE and node.resolved
 
 
 def _is_of_every_node(name: str) -> bool:

@@ -1,0 +1,46 @@
+"""How the vocabulary records that a node writes parameters of ROS 1, and which values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.node_facts import ParameterFact, Sure
+from roslens.source.extract.parameter_types import type_of_value
+from roslens.source.extract.record import value_text
+from roslens.source.extract.text import Text
+from roslens.source.extract.vocabulary import Called, below, node_of
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+
+def write_parameter(engine: Evaluation, receiver: Any, called: Called, name: Any, value: Any) -> None:
+    """Record that a parameter is written; of a dictionary each item is a parameter of its own.
+
+    What is written while the node runs is only likely to be there, as nobody knows when that is.
+    """
+    written = below(receiver, as_text(name))
+    if isinstance(value, dict) and value and all(isinstance(key, Text | str) for key in value):
+        for key, item in value.items():
+            inner = key if isinstance(key, Text) else Text.of(key)
+            write_parameter(engine, receiver, called, Text.of(as_text(name), "/", inner), item)
+        return
+    text = value_text(value) if not isinstance(value, dict | Obj | None) else as_text(Unknown("a value of many parts"))
+    writer = called.evidence
+    if engine.running:
+        writer = msgspec.structs.replace(writer, how="while the node runs", sure=Sure.LIKELY)
+    fact = ParameterFact(
+        written,
+        called.evidence,
+        "written",
+        "" if text.holes else type_of_value(value),
+        conditions=tuple(dict.fromkeys(engine.conditions)),
+        value=text,
+        writer=writer,
+    )
+    node = node_of(engine, receiver)
+    if fact not in node.parameters:
+        node.parameters.append(fact)

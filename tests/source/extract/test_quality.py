@@ -48,7 +48,7 @@ def published(node_of, lines, given="q", **more):
             ("reliable", "transient_local", "keep_last", 3),
         ),
         (
-            "rclcpp::QoSInitialization h(RMW_QOS_POLICY_HISTORY_KEEP_LAST, 7); rclcpp::QoS q(h, rmw_qos_profile_sensor_data);",
+            "auto last = RMW_QOS_POLICY_HISTORY_KEEP_LAST; rclcpp::QoS q({last, 7}, rmw_qos_profile_sensor_data);",
             ("best_effort", "volatile", "keep_last", 7),
         ),
         (

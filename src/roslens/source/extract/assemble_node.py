@@ -25,6 +25,7 @@ from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.catalogue_items import each_item
 from roslens.source.extract.catalogue_plugins import plugged_by_parameters
+from roslens.source.extract.condition import under_either
 from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
@@ -357,5 +358,8 @@ def _distinct(endpoints: Sequence[ConfiguredEndpoint]) -> list[ConfiguredEndpoin
         same = (end.role.value, end.name, end.type)
         if one.implicit and any(other[:3] == same for other in kept):
             continue
-        kept.setdefault(key, one)
+        before = kept.setdefault(key, one)
+        if before.conditions != one.conditions:
+            either = under_either(before.conditions, one.conditions)
+            kept[key] = msgspec.structs.replace(before, conditions=either)
     return sorted(kept.values(), key=lambda one: (one.endpoint.role.value, one.endpoint.name, one.proof.place))

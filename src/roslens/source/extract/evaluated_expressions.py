@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
 from roslens.source.extract.evaluation_bounds import SpentError
-from roslens.source.extract.evaluation_frame import Frame, either
+from roslens.source.extract.evaluation_frame import Frame, either, one_of
 from roslens.source.extract.list_slices import is_slice, part_of
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
 from roslens.source.extract.plugin_held import item_held
@@ -26,7 +26,6 @@ from roslens.source.extract.program import (
     Operation,
     Sequence,
 )
-from roslens.source.extract.quality import one_of
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.unknown_lists import item_of
 from roslens.source.extract.vocabulary_streams import HELD, written_to
@@ -218,9 +217,9 @@ class Expressions:
         texts = isinstance(one, Text | Unknown) and isinstance(other, Text | Unknown)
         if texts and isinstance(one, Text) is not isinstance(other, Text):
             return either(as_text(one), as_text(other), condition, test_of(decides))
-        quality = one_of(one, other, condition)
-        if quality is not None:
-            return quality
+        both = one_of(one, other, condition, test_of(decides))
+        if both is not None:
+            return both
         return one if not isinstance(one, Unknown) else other
 
     def _boolean(self, expression: Operation) -> Any:

@@ -7,9 +7,9 @@ from typing import Any
 
 import msgspec
 
-from roslens.source.extract.abstract_value import Made, Obj, Unknown, as_text
+from roslens.source.extract.abstract_value import Class, Made, Named, Obj, Unknown, as_text
 from roslens.source.extract.plain_methods import is_namespace
-from roslens.source.extract.quality import one_of
+from roslens.source.extract.quality import one_of as one_quality
 from roslens.source.extract.text import Asked, Choice, Hole, Text, unknown
 
 Held = tuple[dict[str, Any], dict[str, Any]]
@@ -122,7 +122,7 @@ class Frame:
         if isinstance(one, Text) and isinstance(other, Text):
             known = isinstance(before, Text) or isinstance(value, Text)
             return either(one, other, self._given, self._given_test) if known else before
-        both = one_of(before, value, self._given)
+        both = one_of(before, value, self._given, self._given_test)
         if both is not None:
             return both
         if before is None or isinstance(before, Unknown):
@@ -158,7 +158,7 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Ask
             continue
         if before is None:
             names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value
-        elif (both := one_of(value, before, condition)) is not None:
+        elif (both := one_of(value, before, condition, test)) is not None:
             names[name] = both
         elif isinstance(value, _PLAIN) and isinstance(before, _PLAIN):
             names[name] = _one_of(value, before, condition, test)
@@ -166,6 +166,37 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Ask
             names[name] = value
         elif isinstance(before, Text) and value is not None:
             names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
+
+
+def one_of(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
+    """Return what is known of two values that are no texts, of which a condition chooses; None where either may stand.
+
+    Which object of the workspace or of ROS it is makes no difference in most code: the first one stands for both.
+    """
+    quality = one_quality(value, other, condition)
+    if quality is not None:
+        return quality
+    if isinstance(value, list) and isinstance(other, list):
+        return _one_list(value, other, condition, test)
+    if isinstance(value, Named | Class) and isinstance(other, Named | Class) and value != other:
+        names = [one.name if isinstance(one, Named) else one.defined.what.qualified_name for one in (value, other)]
+        return None if names[0] == names[1] else Unknown(f"one of {names[0]} and {names[1]}, by {condition}"[:200])
+    for one, two in ((value, other), (other, value)):
+        if isinstance(one, Unknown) and isinstance(two, list) and any(isinstance(item, Text) for item in two):
+            return one
+    return None
+
+
+def _one_list(value: list[Any], other: list[Any], condition: str, test: Asked | None) -> Any:
+    """Return the longer list where one goes on where the other ends, as one that is filled does."""
+    less, more = sorted((value, other), key=len)
+    if more[: len(less)] == less:
+        return more
+    if not any(isinstance(one, Text) for one in (*less, *more)):
+        return None
+    if len(less) < len(more) or not all(isinstance(one, Text) for one in (*less, *more)):
+        return Unknown(f"one of two lists, by {condition}"[:200])
+    return [either(one, two, condition, test) for one, two in zip(value, other, strict=True)]
 
 
 def _one_of(value: Any, before: Any, condition: str, test: Asked | None) -> Any:

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable as Callable1
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
+from typing import Any
+
+import msgspec
 
 from roslens.source.extract.abstract_value import Building, Callable, Named, Obj, Unknown
 from roslens.source.extract.evaluated_statements import block
 from roslens.source.extract.evaluation import Evaluation, SpentError
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES, generation_of
-from roslens.source.extract.node_facts import Evidence, NodeFacts
+from roslens.source.extract.node_facts import Evidence, NodeFacts, Sure
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import (
     Assign,
@@ -304,12 +307,24 @@ def _finished(engine: Evaluation, run: Callable1[[], None], reached: Reached | N
     except (SpentError, RecursionError):
         place = Evidence(engine.node.path, engine.node.line)
         engine.node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
+        for one in (engine.node, *engine.others):
+            _doubt_conditions(one)
     except _ODD as error:
         reason = f"what is written at {engine.site.path}:{engine.site.line} is evaluated to nonsense ({error})"
         engine.node.unresolved.append((engine.site, f"{reason}; what was found until then is here"))
     if reached is not None:
         reached |= engine.reached
     return [one.facts() for one in (engine.node, *engine.others)]
+
+
+def _doubt_conditions(node: Building) -> None:
+    """Doubt what is made under conditions: what was not followed may make it under others."""
+    facts: Any
+    for facts in (node.endpoints, node.parameters):
+        for place, fact in enumerate(facts):
+            if fact.conditions and fact.evidence.sure is Sure.CERTAIN:
+                evidence = msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY, how="one of the ways to it")
+                facts[place] = msgspec.structs.replace(fact, evidence=evidence)
 
 
 def _building(unit: str, path: str, line: int, generation: str, kind: str) -> Building:

@@ -19,7 +19,7 @@ from roslens.source.extract.abstract_value import (
     Unknown,
     as_text,
 )
-from roslens.source.extract.condition import negated
+from roslens.source.extract.condition import under_either
 from roslens.source.extract.interface_name import (
     included_interface,
     interface_name,
@@ -47,7 +47,6 @@ from roslens.source.extract.workspace_index import dotted, type_arguments, type_
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
-_LONG = 300
 KINDS = {
     Role.PUBLISHER: "msg",
     Role.SUBSCRIPTION: "msg",
@@ -109,18 +108,10 @@ def endpoint(
 
 def _under_either(known: EndpointFact, other: EndpointFact) -> EndpointFact:
     """Return an endpoint that is made at one place under these conditions or those."""
-    first, second = (tuple(one for one in fact.conditions) for fact in (known, other))
-    if set(first) <= set(second):
+    if set(known.conditions) <= set(other.conditions):
         return known
-    common = tuple(one for one in first if one in second)
     asked = tuple(one for one in known.asked if one in other.asked)
-    rests = [" and ".join(one for one in whole if one not in common) for whole in (first, second)]
-    if rests[1] and negated(rests[0]) != rests[1] and negated(rests[1]) != rests[0]:
-        either = " or ".join(rests)
-        if len(either) > _LONG:
-            return msgspec.structs.replace(known, asked=asked)
-        common = (*common, either)
-    return msgspec.structs.replace(known, conditions=common, asked=asked)
+    return msgspec.structs.replace(known, conditions=under_either(known.conditions, other.conditions), asked=asked)
 
 
 def _beyond(overrides: Overrides | None, conditions: list[str]) -> Overrides | None:

@@ -80,3 +80,25 @@ def test_a_namespace_is_never_empty_and_begins_with_a_separator():
     assert (of("empty"), of("front")) == (False, Text.of("/"))
     place = of("rfind", "/")
     assert of("substr", 0, place) == Text((Hole("namespace above the node", default=""),))
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "result"),
+    [
+        ("lower", [], Text.of("a/b")),
+        ("strip", [Text.of("A")], Text.of("/B")),
+        ("replace", [Text.of("/"), Text.of("_")], Text.of("A_B")),
+        ("split", [Text.of("/")], [Text.of("A"), Text.of("B")]),
+        ("partition", [Text.of("/")], [Text.of("A"), Text.of("/"), Text.of("B")]),
+    ],
+)
+def test_methods_of_python_are_applied(name, arguments, result):
+    assert plain_method(Text.of("A/B"), name, arguments) == result
+
+
+def test_what_is_unknown_is_not_stripped_of_signs():
+    namespace = Text((Hole("parameter ns", "ns"),))
+    assert plain_method(namespace, "strip", []) == namespace
+    (hole,) = plain_method(namespace, "strip", [Text.of("/")]).holes
+    assert (hole.reason, hole.parameter) == ("strip of {parameter ns}", "ns")
+    assert plain_method(Text.of("a" * 9_000), "replace", [Text.of("a"), Text.of("b" * 9_000)]).holes

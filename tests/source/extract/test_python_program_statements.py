@@ -36,7 +36,7 @@ def text_of(written: str) -> list[str]:
         ("with f(): g()", ["f()", "g()"]),
         ("with (f() as a, b): g()", ["a = f()", "g()"]),
         ("del a\npass", []),
-        ("del a[f()]", ["a[f()]"]),
+        ("del a[f()]", ["a->pop(f())"]),
         ("type X = int", []),
         ("match f():\n case 1 | A.B: g()\n case x if x: h()\n case _: i()",
          ["#1 = f()", "if ((#1 == 1) or (#1 == A->B)):", "  g()", "else:", "  x = #1", "  if x:", "    h()", "  else:",

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, QosValue, Unknown, as_text
+from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, QosValue, Unknown
+from roslens.source.extract.changed_values import CHANGING, changed_by
 from roslens.source.extract.evaluated_expressions import Expressions
+from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
@@ -76,7 +78,7 @@ class Calls(Expressions):
             if (name in _CASTS and arguments) or (name in _OWNERS and len(arguments) == 1):
                 return arguments[0]
             if name in _TEXTS and arguments:
-                return as_text(arguments[0])
+                return text_made(name, arguments)
         if name in engine.frame.names or not name:
             return self._apply(self.value(function), expression, arguments, keywords, templates)
         return self._called_name(name, expression, arguments, keywords, templates)
@@ -172,6 +174,16 @@ class Calls(Expressions):
         if known is not None:
             found = known(engine, of, called)
             return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
+        return self._plain_method(expression, function, of, arguments, keywords)
+
+    def _plain_method(
+        self, expression: Call, function: Member, of: Any, arguments: list[Any], keywords: dict[str, Any]
+    ) -> Any:
+        engine: Evaluation = self  # type: ignore[assignment]
+        name = function.name
+        change = changed_by(engine, function.of, of, name, arguments, keywords) if name in CHANGING else None
+        if change is not None:
+            return change[0]
         found = plain_method(of, name, arguments)
         if arguments and not isinstance(of, _HOLDERS):
             self._may_set(expression, arguments, name)

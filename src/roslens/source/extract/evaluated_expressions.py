@@ -193,7 +193,7 @@ class Expressions:
         values = [self.value(one) for one in expression.operands]
         if operator == "<<" and isinstance(values[0], Obj) and HELD in values[0].fields:
             return written_to(values[0], values[1:])
-        if operator in ("+", "<<"):
+        if operator in ("+", "<<") and not (operator == "<<" and all(type(one) is int for one in values)):
             whole = values[0]
             for one in values[1:]:
                 whole = self.sum(whole, one)

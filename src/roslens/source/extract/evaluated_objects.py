@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Callable, Obj, Unknown, as_text
+from roslens.source.extract.abstract_value import Callable, Obj, Unknown
 from roslens.source.extract.base_templates import bind_bases
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Assign, Function, Member
 from roslens.source.extract.text import Text, unknown
@@ -176,7 +177,7 @@ class Objects(Calls):
     def plain(self, name: str, arguments: list[Any]) -> Any:
         """Return a value of a fundamental type."""
         if name in ("std.string", "string", "QString", "std.string_view"):
-            return as_text(arguments[0]) if arguments else Text()
+            return text_made(name, arguments) if arguments else Text()
         if not arguments:
             return Unknown("a value that is not set")
         return arguments[0]

@@ -6,11 +6,13 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue, Remappings, Unknown, as_text, test_of
+from roslens.source.extract.changed_values import put_item
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
 from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import join
+from roslens.source.extract.made_texts import with_sign
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
 from roslens.source.extract.program import (
@@ -170,8 +172,12 @@ def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
     if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
         # It may hold, or not: nobody knows what the name becomes.
         value = unknown(f"{as_text(value)} if {engine.conditions[-1]}")
-    if isinstance(of, dict):
+    if isinstance(of, Remappings):
         of[hashable(key)] = value
+    elif isinstance(of, dict | list):
+        put_item(engine, of, key, value)
+    elif isinstance(of, Text) and isinstance(target.of, Name | Member):
+        assign(engine, target.of, with_sign(of, key, value))
     elif isinstance(of, Obj) and of.type == "std.vector":
         hold(engine, of, key, value)
 

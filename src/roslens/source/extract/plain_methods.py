@@ -11,11 +11,17 @@ from roslens.source.extract.text import Asked, Hole, Text, unknown
 from roslens.source.extract.word_list import Words
 
 SAME = frozenset(
-    {"c_str", "get", "lock", "value", "str", "data", "as_string", "get_value", "strip", "encode", "decode",
+    {"c_str", "get", "lock", "value", "str", "data", "as_string", "get_value", "encode", "decode",
      "get_parameter_value", "string_value", "as_string_array", "to_string", "copy", "load", "shared_from_this",
      "toStdString"}
 )  # fmt: skip
 """Methods that give what they are called on, as far as names are concerned."""
+_OF_PYTHON = frozenset(
+    {"strip", "lstrip", "rstrip", "lower", "upper", "title", "capitalize", "replace", "split", "rsplit", "partition",
+     "rpartition", "removeprefix", "removesuffix", "swapcase", "splitlines"}
+)  # fmt: skip
+_MOST_LENGTH = 10_000
+_MOST_ITEMS = 1_000
 _EDGES = frozenset({"front", "back"})
 _PARTS = frozenset(
     {"find", "rfind", "find_first_of", "find_last_of", "substr", "compare", "startswith", "starts_with", "endswith",
@@ -57,7 +63,27 @@ def _of_text(of: Text, name: str, arguments: list[Any]) -> Any:
         return of
     if name == "join" and arguments and isinstance(arguments[0], list):
         return _joined(of, arguments[0])
+    if name in _OF_PYTHON:
+        return _of_python(of, name, arguments)
     return Unknown(f"{name} of a text")
+
+
+def _of_python(of: Text, name: str, arguments: list[Any]) -> Any:
+    """Return the result of a method of a text of Python that says the same wherever it runs."""
+    given = [one.known if isinstance(one, Text) else one if type(one) is int else None for one in arguments]
+    parameter = next((hole.parameter for hole in of.holes), "")
+    longest = max((len(one) for one in given if isinstance(one, str)), default=1)
+    if of.known is None or None in given or len(of.known) * longest > _MOST_LENGTH:
+        if name in ("strip", "lstrip", "rstrip") and not arguments:
+            return of
+        return unknown(f"{name} of {of}"[:200], parameter=parameter)
+    try:
+        found = getattr(of.known, name)(*given)
+    except (TypeError, ValueError):
+        return Unknown(f"{name} of a text")
+    if isinstance(found, list | tuple):
+        return [Text.of(one) for one in found[:_MOST_ITEMS]]
+    return Text.of(found[:_MOST_LENGTH])
 
 
 def _of_edge(of: Text, name: str) -> Any:
@@ -150,7 +176,10 @@ def formatted(pattern: Text, values: list[Any]) -> Text:
         for place, piece in enumerate(pieces):
             parts.append(piece)
             if place < len(pieces) - 1:
-                parts.append(as_text(waiting.pop(0)) if waiting else Text((Hole("a value that is missing"),)))
+                one = waiting.pop(0) if waiting else None
+                # A truth value is written ``True`` in Python, ``1`` in C++.
+                shown = Text((Hole("a truth value"),)) if isinstance(one, bool) else as_text(one)
+                parts.append(Text((Hole("a value that is missing"),)) if one is None else shown)
     return Text.of(*parts)
 
 

@@ -28,6 +28,7 @@ from roslens.source.extract.program import (
     Expression,
     Field,
     Function,
+    Item,
     Lambda,
     Leave,
     Loop,
@@ -68,7 +69,7 @@ _HANDLERS = {
     "assert_statement": "parts_alone",
     "print_statement": "parts_alone",
     "exec_statement": "parts_alone",
-    "delete_statement": "parts_alone",
+    "delete_statement": "delete",
     "chevron": "parts_alone",
     "keyword_argument": "parts_alone",
     "global_statement": "global",
@@ -148,6 +149,15 @@ class Statements(Patterns):
                 self._run.get(child.kind_id, self.evaluate)(child)
 
     _on_parts_alone = _on_alone
+
+    def _on_delete(self, node: Node) -> None:
+        """Lower ``del of[key]`` as ``of.pop(key)``; names are forgotten by whoever reads them no more."""
+        parts = self.parts(node)
+        for part in self.parts(parts[0]) if parts and parts[0].type == "expression_list" else parts:
+            item = self.expression(part)
+            if isinstance(item, Item):
+                line = self.line(node)
+                self.pending.append(Evaluate(Call(Member(item.of, "pop"), (item.key,), line=line), line))
 
     def _on_assignment(self, node: Node) -> None:
         line = self.line(node)

@@ -75,6 +75,7 @@ _MODULES = (
     "vocabulary_durations",
     "vocabulary_lists",
     "vocabulary_numbers",
+    "vocabulary_texts",
     "vocabulary_argparse",
     "vocabulary_shared",
     "vocabulary_reconfigure",

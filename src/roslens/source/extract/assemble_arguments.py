@@ -10,6 +10,7 @@ from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.parameter_file import type_of_text
 from roslens.source.extract.resolve_name import Rule, rule
+from roslens.source.extract.ros2_values import type_on_line
 from roslens.source.extract.text import Text
 
 _REMAP = frozenset({"-r", "--remap"})
@@ -75,7 +76,7 @@ def _ros2(words: Sequence[Text], evidence: Evidence) -> CommandLine:
             if pair and flag in _REMAP:
                 rules.append(rule(*pair, evidence))
             elif pair:
-                settings.append(_of_node(*pair, evidence))
+                settings.append(_typed(_of_node(*pair, evidence)))
             flag = ""
         elif flag:
             files += [word] if flag == "--params-file" else []
@@ -92,6 +93,12 @@ def _of_node(name: Text, value: Text, evidence: Evidence) -> Setting:
         return _setting(name, value, evidence)
     pattern = node if node.startswith("/") else f"/**/{node}"
     return msgspec.structs.replace(_setting(Text.of(own, *name.parts[1:]), value, evidence), node=pattern)
+
+
+def _typed(setting: Setting) -> Setting:
+    """Return a parameter of ROS 2 as rcl types it."""
+    known = setting.value.known
+    return setting if known is None else msgspec.structs.replace(setting, type=type_on_line(known))
 
 
 def _setting(name: Text, value: Text, evidence: Evidence) -> Setting:

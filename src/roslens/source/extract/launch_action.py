@@ -19,10 +19,31 @@ class Condition(msgspec.Struct, frozen=True):
     written: str = ""
 
 
+class FileChange(msgspec.Struct, frozen=True):
+    """What is done to a file of parameters before a node reads it.
+
+    Attributes:
+        kind: ``substitutes`` (substitutions in it), ``replace`` (texts in it by others), ``names`` (values of
+            parameters by their name or path), ``values`` (values by others) or ``root`` (all is put below a key).
+        pairs: what is replaced, and by what.
+        value: of ``root``.
+        numbers: whether what is put in is made a number where it looks like one.
+        condition: of ``replace``.
+        wanted: what the condition must be.
+    """
+
+    kind: str
+    pairs: tuple[tuple[str, Value], ...] = ()
+    value: Value = ""
+    numbers: bool = False
+    condition: Value = "true"
+    wanted: bool = True
+
+
 class Parameter(msgspec.Struct, frozen=True):
     """Parameters given to a node: one by name, or all of a file where ``file`` is set.
 
-    ``rewrites`` are what takes the place of values in the file, by name or path joined with ``.``; ``type`` is forced.
+    ``changes`` are made to the file in their order; ``type`` is forced.
     """
 
     evidence: Evidence
@@ -30,7 +51,7 @@ class Parameter(msgspec.Struct, frozen=True):
     value: Value = ""
     type: str = ""
     file: Value | None = None
-    rewrites: tuple[tuple[str, Value], ...] = ()
+    changes: tuple[FileChange, ...] = ()
 
 
 class Action(msgspec.Struct, frozen=True):
@@ -78,4 +99,4 @@ def unknown_value(reason: str) -> Deferred:
     return Deferred("unknown", (reason,))
 
 
-__all__ = ["Action", "Condition", "Parameter", "Text", "text", "unknown_value"]
+__all__ = ["Action", "Condition", "FileChange", "Parameter", "Text", "text", "unknown_value"]

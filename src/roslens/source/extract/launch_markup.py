@@ -13,7 +13,7 @@ from roslens.judge.yaml_tree import Items, Node, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.model.source import Location
 from roslens.source.extract.deferred import Value
-from roslens.source.extract.launch_action import Action, Condition, Parameter
+from roslens.source.extract.launch_action import Action, Condition, FileChange, Parameter
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.parameter_file import written as yaml_written
 from roslens.source.extract.substitution_text import parse, words
@@ -206,7 +206,8 @@ def _node(kind: str) -> Callable[[Entity], Action]:
 
 def _parameters(entity: Entity, above: str) -> list[Parameter]:
     if "from" in entity.attributes:
-        return [Parameter(entity.evidence, file=entity.value("from"))]
+        allowed = entity.attributes.get("allow_substs", "").lower() in ("true", "1", "yes", "on")
+        return [Parameter(entity.evidence, file=entity.value("from"), changes=(FileChange("substitutes"),) * allowed)]
     name = f"{above}.{entity.attributes.get('name', '')}" if above else entity.attributes.get("name", "")
     if entity.children:
         return [one for child in entity.all("param") for one in _parameters(child, name)]

@@ -12,10 +12,11 @@ import msgspec
 from roslens.model.errors import DocumentError
 from roslens.model.source import Location
 from roslens.source.extract.deferred import Deferred, Scope, Value
-from roslens.source.extract.launch_action import Action, Condition, Parameter
+from roslens.source.extract.launch_action import Action, Condition, FileChange, Parameter
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_interpreter import Interpreter, TooLongError
 from roslens.source.extract.python_value import PARAMETER_FILES, Closure, Either, Made, Unknown, as_value, shown
+from roslens.source.extract.ros2_values import type_of_list
 from roslens.source.extract.text import Text
 
 _ENTRY = "generate_launch_description"
@@ -236,13 +237,9 @@ class _Conversion:
 
     def _file(self, made: Made, evidence: Evidence) -> Parameter:
         source = made.argument(0, "param_file", "source_file")
-        if isinstance(source, Made):
-            return self._file(source, evidence)
-        rewrites = made.named.get("param_rewrites")
-        pairs = rewrites.items() if isinstance(rewrites, dict) else ()
-        return Parameter(
-            evidence, file=as_value(source), rewrites=tuple((str(name), as_value(value)) for name, value in pairs)
-        )
+        inner = self._file(source, evidence) if isinstance(source, Made) and source.name in PARAMETER_FILES else None
+        file = as_value(source) if inner is None else inner.file
+        return Parameter(evidence, file=file, changes=(*(inner.changes if inner else ()), *_changes(made)))
 
     def _parameter(self, name: Any, value: Any, evidence: Evidence) -> Iterator[Parameter]:
         if isinstance(value, dict):
@@ -253,8 +250,9 @@ class _Conversion:
         if isinstance(value, Made) and value.name == "ParameterValue":
             kind = _TYPES.get(shown_type(value.named.get("value_type")), "")
             value = value.argument(0, "value")
-        if isinstance(value, list) and not any(isinstance(one, Deferred | Text) for one in value):
-            yield Parameter(evidence, as_value(name), f"[{', '.join(shown(one) for one in value)}]", kind or "list")
+        if isinstance(value, list) and not any(isinstance(one, Deferred | Text | Made) for one in value):
+            kind = kind or type_of_list([_TYPES.get(type(one).__name__, "") for one in value])
+            yield Parameter(evidence, as_value(name), f"[{', '.join(shown(one) for one in value)}]", kind)
             return
         if isinstance(value, bool | int | float | str):
             kind = kind or _TYPES[type(value).__name__]
@@ -264,6 +262,28 @@ class _Conversion:
 def shown_type(found: Any) -> str:
     """Return the name of a type that is given to a parameter."""
     return getattr(found, "last", "") or (found.reason.rpartition(" ")[2] if isinstance(found, Unknown) else "")
+
+
+def _changes(made: Made) -> Iterator[FileChange]:
+    """Yield what is done to a file of parameters, in the order in which it is done."""
+    if made.name == "ReplaceString":
+        given = made.named.get("condition")
+        held = Condition("true") if given is None else _condition(given)
+        pairs = _texts(made.argument(1, "replacements"))
+        yield FileChange("replace", pairs, condition=held.value, wanted=held.wanted)
+    elif made.name == "RewrittenYaml":
+        numbers = made.argument(5, "convert_types") is True
+        yield FileChange("names", _texts(made.argument(1, "param_rewrites")), numbers=numbers)
+        yield FileChange("values", _texts(made.argument(4, "value_rewrites")), numbers=numbers)
+        root = made.argument(2, "root_key")
+        if root is not None:
+            yield FileChange("root", value=as_value(root))
+    elif made.named.get("allow_substs") not in (None, False):
+        yield FileChange("substitutes")
+
+
+def _texts(found: Any) -> tuple[tuple[str, Value], ...]:
+    return tuple((shown(key), as_value(value)) for key, value in found.items()) if isinstance(found, dict) else ()
 
 
 def _condition(found: Any) -> Condition:

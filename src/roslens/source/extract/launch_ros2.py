@@ -15,9 +15,10 @@ from roslens.model.errors import DocumentError
 from roslens.source.extract.deferred import Scope, Value, resolve, truth
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launch_action import Action, Condition, Parameter
+from roslens.source.extract.launch_parameter_files import ParameterFiles
 from roslens.source.extract.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.parameter_file import ros2_parameters, type_of_text
+from roslens.source.extract.ros2_values import type_in_launch
 from roslens.source.extract.text import Text, unknown
 
 MOST_FILES = 200
@@ -81,7 +82,7 @@ class _Whole:
         self._environment = environment
         self._open: list[str] = []
         self._read = self._visited = 0
-        self._files_read: dict[str, list[Setting] | None] = {}
+        self._parameter_files = ParameterFiles(files)
 
     def file(
         self, path: str, configurations: dict[str, Text], space: _Space, evidence: Evidence, *, outer: bool = False
@@ -283,46 +284,28 @@ class _Whole:
         for one in parameters:
             if one.file is None:
                 value = resolve(one.value, scope)
-                kind = one.type or (type_of_text(value.known) if value.known is not None else "")
+                kind = one.type or (type_in_launch(value.known) if value.known is not None else "")
                 found.append(Setting(resolve(one.name, scope), value, one.evidence, kind))
                 continue
             file = resolve(one.file, scope)
             if file.known is None:
                 self.miss(str(file), one.evidence, file.holes[0].reason)
                 continue
-            found += _rewritten(self._parameters(joined("", file.known), one.evidence), one, scope)
-        return found
-
-    def _parameters(self, path: str, evidence: Evidence) -> list[Setting]:
-        """Read a file of parameters, once."""
-        if path not in self._files_read:
-            content = self.files.content(path)
+            path = joined("", file.known)
             try:
-                self._files_read[path] = None if content is None else ros2_parameters(content, path)
+                settings = self._parameter_files.settings(path, one.changes, scope)
             except DocumentError as error:
-                self.miss(error.what, evidence, f"{error.where}: expected {error.expected}")
-                self._files_read[path] = []
-        found = self._files_read[path]
-        if found is None:
-            self.miss(path, evidence, "there is no such file in the workspace")
-        return found or []
+                self.miss(error.what, one.evidence, f"{error.where}: expected {error.expected}")
+                continue
+            if settings is None:
+                self.miss(path, one.evidence, "there is no such file in the workspace")
+            found += settings or []
+        return found
 
 
 def _keep(inner: _Space, space: _Space) -> None:
     """Let what was set within hold after it."""
     space.namespace, space.settings, space.remaps = inner.namespace, inner.settings, inner.remaps
-
-
-def _rewritten(settings: list[Setting], parameter: Parameter, scope: Scope) -> list[Setting]:
-    rewrites = {name: resolve(value, scope) for name, value in parameter.rewrites}
-    if not rewrites:
-        return settings
-    found = []
-    for one in settings:
-        name = one.name.known or ""
-        value = rewrites.get(name, rewrites.get(name.rpartition(".")[2]))
-        found.append(one if value is None else msgspec.structs.replace(one, value=value))
-    return found
 
 
 def _remaps(action: Action, scope: Scope) -> list[Remap]:

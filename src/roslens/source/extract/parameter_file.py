@@ -11,6 +11,7 @@ from roslens.model.errors import DocumentError
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.ros1_values import angle, type_in_yaml
+from roslens.source.extract.ros2_values import is_mixed, type_in_file
 from roslens.source.extract.text import Text
 
 _ROS2 = "ros__parameters"
@@ -51,17 +52,36 @@ def ros2_parameters(content: bytes, path: str) -> list[Setting]:
     """Return the parameters of a file of ROS 2, names joined by ``.``, each with the pattern of nodes it is for.
 
     Raises:
-        DocumentError: it is no YAML that can be read, or a table that is not ``node: {ros__parameters: …}``.
+        DocumentError: it is no YAML that can be read, a table that is not ``node: {ros__parameters: …}``, or has a list
+            of values of several types.
     """
-    tree = read_tree(content, path)
+    # rcl sets one after the other, so that the last of two of one name holds.
+    tree = read_tree(content, path, last_counts=True)
     if tree.root is None:
         return []
     found = []
     for nodes, table in _of_nodes(tree.root, (), tree):
         pattern = "/" + "/".join(piece.strip("/") for piece in nodes if piece.strip("/"))
         for names, node in _leaves(table, ()):
-            found.append(_setting(names, ".", node, tree, 0, pattern))
+            if isinstance(node, Table):
+                # What is empty sets nothing.
+                continue
+            if not names or is_mixed(node):
+                raise _refused(node, tree, "a list of values of several types" if names else "no table of parameters")
+            setting = _setting(names, ".", node, tree, 0, pattern)
+            found.append(msgspec.structs.replace(setting, type=type_in_file(node)))
     return found
+
+
+def _refused(node: Node, tree: Tree, what: str) -> DocumentError:
+    return DocumentError(
+        f"{what}: {written(node)}" if written(node) else what,
+        where=tree.location(node.place),
+        expected="values of one type, such as [1.0, 2.5] or ['1', 'a']"
+        if isinstance(node, Items)
+        else "ros__parameters: {name: value}",
+        advice="ROS 2 refuses the whole file, and the node does not start",
+    )
 
 
 def _of_nodes(node: Node, above: tuple[str, ...], tree: Tree) -> Iterator[tuple[tuple[str, ...], Node]]:

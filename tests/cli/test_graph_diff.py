@@ -174,3 +174,20 @@ def test_a_submodule_that_is_missing_is_told(history, capsys):
     assert 'submodule vendor/driver of "HEAD" is missing' in told
     assert "git -C vendor/driver fetch origin 1234567890" in told
     assert '"before"' not in told
+
+
+def test_a_finding_in_a_file_of_another_name_has_moved(history, capsys):
+    nodes = history / "talk/talk/nodes.py"
+    nodes.write_text(nodes.read_text().replace('"gossip"', '"/gossip"'))
+    git(history, "commit", "-qam", "a global name")
+    said = compared(history, capsys, "--diff", "HEAD~1", "HEAD").out
+    assert "[graph.global_name]" in said
+    git(history, "mv", "talk/talk/nodes.py", "talk/talk/knots.py")
+    setup = history / "talk/setup.py"
+    setup.write_text(setup.read_text().replace("talk.nodes", "talk.knots"))
+    git(history, "commit", "-qam", "another name of the file")
+    text = compared(history, capsys, "--diff", "HEAD~1", "HEAD", code=0).out
+    assert "no difference" in text
+    assert "= talk/talk/nodes.py:" in text
+    found = json.loads(compared(history, capsys, "--diff", "HEAD~1", "HEAD", "--format", "json", code=0).out)
+    assert found["findings"]["moved"][0]["after"]["path"] == "talk/talk/knots.py"

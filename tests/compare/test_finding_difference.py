@@ -52,3 +52,30 @@ def test_findings_about_nodes():
     ]
     kept = about([finding(one, entity=one) for one in entities], shown)
     assert [one.entity for one in kept] == ["node:/n", "parameter:/n:rate", "service:/set"]
+
+
+def moved_finding(path: str, line: int, more: str = "") -> Finding:
+    message = f"/n ({path}:{line}) publishes /a, but {path.split('/')[0]}/package.xml does not say so{more}"
+    return Finding("dep", Severity.NOTE, message, path, line, entity="topic:/a", fingerprint=f"{path}{more}")
+
+
+def test_what_is_said_in_another_file_has_moved():
+    before, after = moved_finding("p/old.py", 3), moved_finding("p/new.py", 9)
+    found = finding_difference([before], [after])
+    assert [(one.before, one.after) for one in found.moved] == [(before, after)]
+    assert not found
+    assert (found.new, found.gone) == ((), ())
+
+
+def test_files_that_are_named_in_words_are_those_of_the_later_side():
+    before, after = moved_finding("p/old.py", 3), moved_finding("q/old.py", 3)
+    assert len(finding_difference([before], [after]).new) == 1
+    assert len(finding_difference([before], [after], {"p/package.xml": "q/package.xml"}).moved) == 1
+
+
+def test_each_moves_once():
+    before = [moved_finding("p/old.py", 3)]
+    after = [moved_finding("p/new.py", 3), moved_finding("p/other.py", 3), moved_finding("p/third.py", 3, " at all")]
+    found = finding_difference(before, after)
+    assert [one.after.path for one in found.moved] == ["p/new.py"]
+    assert [one.path for one in found.new] == ["p/other.py", "p/third.py"]

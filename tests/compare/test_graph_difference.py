@@ -67,3 +67,18 @@ def test_turned_around_added_is_removed(value, name, other_value, other_name):
     there = {(d.node, d.what, d.name, d.how, d.before, d.after) for d in differences(one, two)}
     back = {(d.node, d.what, d.name, turned[d.how], d.after, d.before) for d in differences(two, one)}
     assert there == back
+
+
+def test_an_override_that_nobody_sets_is_told_with_its_endpoint():
+    name = "qos_overrides./x.publisher.depth"
+    node = configuration().nodes[0]
+    declared = ConfiguredParameter(name, "10", "int", access="declared")
+    given = msgspec.structs.replace(declared, set_by=Proof("a.yaml", 1))
+    with_, set_ = (
+        msgspec.structs.replace(
+            configuration(), nodes=(msgspec.structs.replace(node, parameters=(*node.parameters, one)),)
+        )
+        for one in (declared, given)
+    )
+    assert differences(configuration(), with_) == ()
+    assert [(one.what, one.name) for one in differences(with_, set_)] == [("parameter", name)]

@@ -1,4 +1,6 @@
-from roslens.compare.finding_difference import FindingDifference
+import msgspec
+
+from roslens.compare.finding_difference import FindingDifference, MovedFinding
 from roslens.compare.graph_difference import Difference
 from roslens.model.finding import Finding, Severity
 from roslens.report.difference_text import FOLDED_FROM, MOST_ROWS, to_markdown, to_text
@@ -56,3 +58,17 @@ def test_a_back_tick_alone_opens_no_code():
     table = to_markdown([], "A", "B", FindingDifference(gone=(finding("a ` b *c*"),)))
     assert r"| a ' b \*c\* |" in table
     assert "no difference; findings: 1 gone" in table
+
+
+def test_findings_that_moved_are_told_but_make_no_difference():
+    before, after = finding("lost"), msgspec.structs.replace(finding("lost"), path="a/c.cpp", line=9)
+    found = FindingDifference(moved=(MovedFinding(before, after),))
+    assert to_text([], "A", "B", found).splitlines()[2:] == [
+        "no difference",
+        "findings: 1 moved",
+        "= a/b.cpp:7 is now a/c.cpp:9: error: lost [graph.qos]",
+    ]
+    assert to_markdown([], "A", "B", found) == "**Computation graph**: `A` to `B`: no difference; findings: 1 moved\n"
+    both = FindingDifference(new=(finding("found"),), moved=found.moved)
+    table = to_markdown([], "A", "B", both).splitlines()
+    assert table[-1] == "| moved | error | `graph.qos` | `a/c.cpp:9` | was at `a/b.cpp:7`: lost |"

@@ -56,3 +56,24 @@ def test_nothing_that_a_terminal_would_obey_is_written(graph):
     text = to_graph_text(msgspec.structs.replace(graph, title="a\x1b[31m\u202eb"))
     assert "\x1b" not in text
     assert "\u202e" not in text
+
+
+def test_overrides_that_nobody_sets_are_counted(graph):
+    launch = Proof("pkg/launch/a.launch.py", 7)
+    names = [f"qos_overrides./chatter.publisher.{one}" for one in ("depth", "history", "reliability")]
+    parameters = tuple(ConfiguredParameter(name, "1", access="declared", proof=launch) for name in names)
+    given = msgspec.structs.replace(parameters[0], set_by=launch)
+    node = msgspec.structs.replace(graph.nodes[0], parameters=(given, *parameters[1:]))
+    text = to_graph_text(msgspec.structs.replace(graph, nodes=(node,)))
+    assert names[0] in text
+    assert names[1] not in text
+    assert "qos_overrides.* (2)" in text
+
+
+def test_a_long_reason_is_cut(graph):
+    end = graph.nodes[0].endpoints[0]
+    long = msgspec.structs.replace(end, proof=msgspec.structs.replace(end.proof, how="why " * 100))
+    node = msgspec.structs.replace(graph.nodes[0], endpoints=(long,))
+    lines = to_graph_text(msgspec.structs.replace(graph, nodes=(node,))).splitlines()
+    assert any("why why" in line and line.endswith("…)") for line in lines)
+    assert max(map(len, lines)) < 300

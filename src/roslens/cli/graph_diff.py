@@ -36,11 +36,13 @@ class Side(msgspec.Struct, frozen=True):
         title: how it is called.
         configurations: by generation or launch file.
         findings: of all of them; None of a document, which has no source to look for any.
+        renamed: files with another path than on the side before, by that one.
     """
 
     title: str
     configurations: dict[str, Configuration]
     findings: tuple[Finding, ...] | None = ()
+    renamed: Mapping[str, str] = {}
 
 
 def diff(options: argparse.Namespace) -> int:
@@ -85,7 +87,7 @@ def findings_between(before: Side, after: Side, nodes: Sequence[str] = ()) -> Fi
             return None
         shown = [chosen(one, nodes, implicit=True) for one in side.configurations.values()]
         found.append(tuple(one for part in shown for one in about(side.findings, part)) if nodes else side.findings)
-    return finding_difference(*found)
+    return finding_difference(found[0], found[1], after.renamed)
 
 
 def differences_of(
@@ -158,6 +160,7 @@ def _side(
 
 
 def _revisions(options: argparse.Namespace) -> tuple[Side, Side]:
+    from roslens.cli.git_renames import renamed_files
     from roslens.cli.git_repository import commit_of_revision, repository_of
 
     repository = repository_of(options.path)
@@ -179,7 +182,10 @@ def _revisions(options: argparse.Namespace) -> tuple[Side, Side]:
                 print(f'roslens: in "{name}": {error}', file=sys.stderr)
     if len(lacking) == len(sides):
         raise lacking[-1]
-    return sides[0], sides[1]
+    before, after = (commits[name] for name in options.diff)
+    # Of files that are in no commit git could only tell by running filters that the repository names.
+    renamed = renamed_files(repository, before, after) if before and after else {}
+    return sides[0], msgspec.structs.replace(sides[1], renamed=renamed)
 
 
 @contextmanager

@@ -1,8 +1,9 @@
-"""Which findings are new and which are gone, by their fingerprints."""
+"""Which findings are new, gone or only in another file, by their fingerprints and by what they say."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 
 import msgspec
 
@@ -20,26 +21,67 @@ _KINDS = {
 }
 
 
+_PLACE = re.compile(r"[^\s()\[\]\"'`,;]+:\d+(?::\d+)?")
+
+
+class MovedFinding(msgspec.Struct, frozen=True):
+    """A finding that both sides have, each in another file: of what it says only places differ."""
+
+    before: Finding
+    after: Finding
+
+
 class FindingDifference(msgspec.Struct, frozen=True):
     """Findings of one of two sides only; what both have is in neither.
 
     Attributes:
         new: as the later side has them, with its places.
         gone: as the earlier side had them, with its places.
+        moved: those that only went to another file; they make no difference.
     """
 
     new: tuple[Finding, ...] = ()
     gone: tuple[Finding, ...] = ()
+    moved: tuple[MovedFinding, ...] = ()
 
     def __bool__(self) -> bool:
-        """Return whether there is any."""
+        """Return whether any is new or gone."""
         return bool(self.new or self.gone)
 
 
-def finding_difference(before: Sequence[Finding], after: Sequence[Finding]) -> FindingDifference:
-    """Return what only one side has, in its order; lines that moved and words that changed are no difference."""
+def finding_difference(
+    before: Sequence[Finding], after: Sequence[Finding], renamed: Mapping[str, str] | None = None
+) -> FindingDifference:
+    """Return what only one side has, in its order; lines that moved and words that changed are no difference.
+
+    Args:
+        before: findings of the earlier side.
+        after: findings of the later side.
+        renamed: files that have another path on the later side, by the earlier one.
+    """
     old, new = ({one.fingerprint: one for one in reversed(side)} for side in (before, after))
-    return FindingDifference(_without(after, new, old), _without(before, old, new))
+    came, gone = _without(after, new, old), _without(before, old, new)
+    waiting: dict[tuple[str, str, str], list[Finding]] = {}
+    for one in gone:
+        waiting.setdefault(_said(one, renamed or {}), []).append(one)
+    moved = []
+    for one in came:
+        alike = waiting.get(_said(one, {}), [])
+        place = next((place for place, other in enumerate(alike) if other.path != one.path), None)
+        if place is not None:
+            moved.append(MovedFinding(alike.pop(place), one))
+    there = {id(one) for pair in moved for one in (pair.before, pair.after)}
+    came, gone = (tuple(one for one in side if id(one) not in there) for side in (came, gone))
+    return FindingDifference(came, gone, tuple(moved))
+
+
+def _said(finding: Finding, renamed: Mapping[str, str]) -> tuple[str, str, str]:
+    """Return what a finding says without places in files, names of files as the later side has them."""
+    message = _PLACE.sub("", finding.message)
+    for before, after in renamed.items():
+        if before in message:
+            message = message.replace(before, after)
+    return finding.rule, finding.entity, message
 
 
 def _without(findings: Sequence[Finding], own: dict[str, Finding], other: dict[str, Finding]) -> tuple[Finding, ...]:

@@ -86,7 +86,7 @@ def _facts(nodes: Sequence[ConfiguredNode]) -> _Facts:
             key = (one.endpoint.role.value.replace("_", " "), one.endpoint.name)
             found.setdefault(key, {}).setdefault(_end(one), set()).add(one.conditions)
         for parameter in node.parameters:
-            if parameter.access or parameter.set_by is not None:
+            if (parameter.access or parameter.set_by is not None) and not parameter.repeats_an_endpoint:
                 value = "unknown" if parameter.value is None else f'"{parameter.value}"'
                 found.setdefault(("parameter", parameter.name), {}).setdefault(value, set()).add(())
         for remap in node.remaps:

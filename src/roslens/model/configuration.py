@@ -134,6 +134,11 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
     allowed: tuple[str, ...] = ()
     constraints: tuple[str, ...] = ()
 
+    @property
+    def repeats_an_endpoint(self) -> bool:
+        """Whether it only says once more what an endpoint's quality of service says: an override that nobody sets."""
+        return self.name.startswith("qos_overrides.") and self.set_by is None and self.written_by is None
+
 
 class ConfiguredRemap(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     """A remapping as written, and whether any name of the node matched it; ``uncertain`` where that cannot be known."""

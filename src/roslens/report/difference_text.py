@@ -17,7 +17,7 @@ _SIGNS = {"added": "+", "removed": "-", "changed": "~"}
 
 
 def to_text(found: Sequence[Difference], before: str, after: str, findings: FindingDifference | None = None) -> str:
-    """Return differences as lines, by node, and which findings are new and gone; None where nobody looked for any."""
+    """Return differences as lines, by node, and what became of findings; None where nobody looked for any."""
     lines = [f"--- {before}", f"+++ {after}"]
     node = None
     for one in found:
@@ -31,9 +31,10 @@ def to_text(found: Sequence[Difference], before: str, after: str, findings: Find
         lines.append(f"{_SIGNS[one.how]}   {one.what} {one.name}: {_change(one)}")
     if not found:
         lines.append("no difference in the graph" if findings else "no difference")
-    if findings:
+    if findings is not None and (findings or findings.moved):
         lines.append(f"findings: {_count(findings)}")
         lines += [f"{sign} {_told(one)}" for sign, side in _sides(findings) for one in side]
+        lines += [f"= {_place(one.before)} is now {_told(one.after)}" for one in findings.moved]
     return "".join(f"{printable(line)}\n" for line in lines)
 
 
@@ -50,7 +51,7 @@ def _sides(findings: FindingDifference) -> tuple[tuple[str, tuple[Finding, ...]]
 
 
 def _count(findings: FindingDifference) -> str:
-    counts = {"new": len(findings.new), "gone": len(findings.gone)}
+    counts = {"new": len(findings.new), "gone": len(findings.gone), "moved": len(findings.moved)}
     return ", ".join(f"{number} {how}" for how, number in counts.items() if number)
 
 
@@ -68,9 +69,10 @@ def to_markdown(found: Sequence[Difference], before: str, after: str, findings: 
     Findings come first: they are what a reviewer has to decide about.
     """
     head = f"**Computation graph**: `{_cell(before)}` to `{_cell(after)}`"
-    if not found and not findings:
+    told = findings if findings is not None and (findings or findings.moved) else None
+    if not found and told is None:
         return f"{head}: no difference\n"
-    parts = [f"{head}: {_summary(found, findings)}"]
+    parts = [f"{head}: {_summary(found, told)}"]
     if findings:
         parts.append(_finding_table(findings))
     if found:
@@ -81,7 +83,7 @@ def to_markdown(found: Sequence[Difference], before: str, after: str, findings: 
 def _summary(found: Sequence[Difference], findings: FindingDifference | None) -> str:
     count = {how: sum(one.how == how for one in found) for how in _SIGNS}
     told = ", ".join(f"{number} {how}" for how, number in count.items() if number) or "no difference"
-    return f"{told}; findings: {_count(findings)}" if findings else told
+    return told if findings is None else f"{told}; findings: {_count(findings)}"
 
 
 def _finding_table(findings: FindingDifference) -> str:
@@ -90,6 +92,9 @@ def _finding_table(findings: FindingDifference) -> str:
         for one in side:
             where = f"{how} | {one.severity.value} | {_code(one.rule)} | {_code(_place(one))}"
             rows.append(f"| {where} | {_prose(one.message)} |")
+    for pair in findings.moved:
+        where = f"moved | {pair.after.severity.value} | {_code(pair.after.rule)} | {_code(_place(pair.after))}"
+        rows.append(f"| {where} | was at {_code(_place(pair.before))}: {_prose(pair.after.message)} |")
     return _table("| finding | severity | rule | where | what |", rows, f"Findings: {_count(findings)}")
 
 

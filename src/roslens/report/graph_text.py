@@ -24,6 +24,7 @@ _HEADS = (
     (Role.ACTION_CLIENT, "calls actions"),
 )
 _LONGEST = 60
+_LONGEST_REASON = 120
 
 
 def to_graph_text(configuration: Configuration) -> str:
@@ -89,7 +90,7 @@ def _end(one: ConfiguredEndpoint) -> tuple[str, ...]:
     if one.remapped is not None:
         notes.append(f'remapped from "{one.given}" in {one.remapped.place}')
     if one.proof.how and one.proof.origin is not Origin.IMPLICIT:
-        notes.append(one.proof.how)
+        notes.append(_short(one.proof.how, _LONGEST_REASON))
     note = f"  ({'; '.join(notes)})" if notes else ""
     quality = quality_text(one.endpoint.qos) if one.endpoint.qos else _queue(one)
     return mark + one.endpoint.name, one.endpoint.type or "type unknown", quality, _from(one.proof) + note
@@ -111,8 +112,12 @@ def _from(proof: Proof) -> str:
 def _parameters(head: str, parameters: Sequence[ConfiguredParameter]) -> Iterator[str]:
     if not parameters:
         return
+    told = [one for one in parameters if not one.repeats_an_endpoint]
+    rows = [_parameter(one) for one in told]
+    if len(told) < len(parameters):
+        rows.append((f"qos_overrides.* ({len(parameters) - len(told)})", "", "", "as the endpoints above say"))
     yield f"  {head}"
-    yield from _aligned([_parameter(one) for one in parameters])
+    yield from _aligned(rows)
 
 
 def _parameter(one: ConfiguredParameter) -> tuple[str, ...]:
@@ -136,9 +141,9 @@ def _also(written: Proof | None) -> str:
     return "" if written is None else f", written in {written.place}{': ' * bool(written.how)}{written.how}"
 
 
-def _short(text: str) -> str:
+def _short(text: str, longest: int = _LONGEST) -> str:
     line = " ".join(text.split())
-    return line if len(line) <= _LONGEST else line[: _LONGEST - 1] + "…"
+    return line if len(line) <= longest else line[: longest - 1] + "…"
 
 
 def _aligned(rows: Iterable[tuple[str, ...]]) -> Iterator[str]:

@@ -40,6 +40,25 @@ def test_what_rclcpp_declares(node_of, body, type_, default):
     assert told(node_of(text(body)).parameters) == [("declared", "x", type_, default)]
 
 
+@pytest.mark.parametrize(
+    ("body", "types"),
+    [
+        ('double d = 10; declare_parameter("x", d);', ["double"]),
+        ('const float d{10}; declare_parameter("x", d);', ["double"]),
+        ('declare_parameter("x", rate_);', ["double"]),
+        ('int d = 10; declare_parameter("x", d);', ["int"]),
+        # A variable that a parameter was read into has its type, whatever that is.
+        ('double d = 0.5; declare_parameter("w", d); d = get_parameter("w").as_double(); declare_parameter("x", d);',
+         ["double", "", "double"]),
+        ('auto d = get_parameter("w").get_value<T>(); declare_parameter("x", d);', ["", ""]),
+        ('declare_parameter("x", "a" + get_parameter("w").as_string());', ["", "string"]),
+        ('declare_parameter("x", compute());', [""]),
+    ],
+)  # fmt: skip
+def test_variables_tell_their_type(node_of, body, types):
+    assert [one.type for one in node_of(body, "double rate_ = 1;").parameters] == types
+
+
 def test_several_at_once(node_of):
     body = 'declare_parameters<double>("ns", {{"a", 1}, {"b", 2.5}});'
     assert told(node_of(body).parameters) == [

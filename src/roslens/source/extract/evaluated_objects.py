@@ -141,8 +141,12 @@ class Objects(Calls):
             ):
                 name, inside = type_name(declared)
                 return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
-        elif isinstance(value, int) and type_name(declared)[0] in ("rclcpp.QoS", "rmw_qos_profile_t"):
-            return engine.of_type(type_name(declared)[0], [value], {})
+        elif isinstance(value, int):
+            name = type_name(declared)[0]
+            if name == "double" or name == "float":
+                return float(value)
+            if name in ("rclcpp.QoS", "rmw_qos_profile_t"):
+                return engine.of_type(name, [value], {})
         return value
 
     def converted(self, declared: str, value: Any) -> Any:

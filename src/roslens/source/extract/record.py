@@ -261,7 +261,7 @@ def parameter(
         written,
         evidence or origin(engine, called, name)[0],
         access,
-        kind or type_of_value(default, python=node.generation == "ros2" and called.evidence.path.endswith(".py")),
+        kind or _type_by_default(node, default, python=called.evidence.path.endswith(".py")),
         text,
         described.range,
         tuple(dict.fromkeys(engine.conditions)),
@@ -282,6 +282,20 @@ def parameter(
     usual = None if stated is None else stated.usual
     named = (written, *(() if stated is None else (stated,))) if written.holes else ()
     return Text((Hole(node.said(f"parameter {written}"), known, usual, named=named),))
+
+
+def _type_by_default(node: Building, default: Any, *, python: bool) -> str:
+    """Return the type of a parameter by its default; what another parameter decides has the type of that one."""
+    if isinstance(default, Text) and default.holes:
+        first = default.parts[0]
+        if len(default.parts) == 1 and isinstance(first, Hole):
+            # It may be a number, too.
+            named = (
+                one for one in node.parameters if one.type and first.parameter in (one.name.known, one.name.pattern)
+            )
+            return next((one.type for one in named), "") if first.parameter else ""
+        return "string"
+    return type_of_value(default, python=python and node.generation == "ros2")
 
 
 def is_set(value: Any) -> Asked | None:

@@ -126,6 +126,12 @@ def test_what_cannot_be_loaded_is_said(kind, reason):
     assert [(one.reason, one.node) for one in found.unresolved] == [(whole, "/host")]
 
 
+def test_a_name_that_is_written_is_followed_at_once():
+    units = Units(lambda chosen: facts(Text.of("p::Talks")) if chosen is None else known(chosen))
+    assert endpoints(configured(units)) == [("/said", "certain")]
+    assert units.asked == [None, ()]
+
+
 def test_without_plugins_nothing_is_evaluated_twice():
     units = Units(lambda chosen: facts())
     configured(units)

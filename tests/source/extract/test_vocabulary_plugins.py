@@ -46,8 +46,8 @@ SET = Chosen((("", "plugins", "[x, y]"), ("", "x.plugin", "p::Talks"), ("", "y.p
 
 @pytest.fixture(name="host")
 def host_(index_of):
-    def make(body, chosen=None, names=None, before=""):
-        index = index_of(a_cpp=PLUGINS + before + HOST.format(body=body))
+    def make(body, chosen=None, names=None):
+        index = index_of(a_cpp=PLUGINS + HOST.format(body=body))
         (one,) = (found for found in node_classes(index) if found[0].what.name == "Host")
         (facts,) = facts_of_class(index, *one, chosen=chosen, plugin_names=names or {})
         return facts
@@ -82,21 +82,22 @@ def test_defaults_are_holes_with_what_they_say(host):
     assert all(one.name.holes for one in facts.endpoints)
 
 
-def test_a_class_that_is_written_is_loaded_at_once(host):
-    facts = host('loader_.createUniqueInstance("p::Talks")->configure(shared_from_this(), "fixed");')
-    assert made(facts) == ["fixed/said"]
+def test_a_class_that_is_written_needs_no_parameter(host):
+    body = 'loader_.createUniqueInstance("p::Talks")->configure(shared_from_this(), "fixed");'
+    assert made(host(body, Chosen())) == ["fixed/said"]
+    assert made(host(body)) == []
 
 
 @pytest.mark.parametrize("name", ["p/Talks", "other"])
 def test_a_name_of_a_description_is_known(host, name):
     facts = host(
-        f'loader_.createSharedInstance("{name}")->configure(shared_from_this(), "n");', names={"other": "p::Talks"}
+        f'loader_.createSharedInstance("{name}")->configure(shared_from_this(), "n");', Chosen(), {"other": "p::Talks"}
     )
     assert made(facts) == ["n/said"]
 
 
 def test_a_class_elsewhere_is_not_made_up(host):
-    facts = host('loader_.createSharedInstance("far::Away")->configure(shared_from_this(), "n");')
+    facts = host('loader_.createSharedInstance("far::Away")->configure(shared_from_this(), "n");', Chosen())
     assert made(facts) == []
     assert [(one.type.known, one.made) for one in facts.plugins] == [("far::Away", "")]
 
@@ -109,11 +110,11 @@ def test_a_class_elsewhere_is_not_made_up(host):
     ],
 )
 def test_a_list_gives_what_was_put_in_it(host, use):
-    assert made(host('loaded_.push_back(loader_.createSharedInstance("p::Talks"));\n' + use)) == ["n/said"]
+    assert made(host('loaded_.push_back(loader_.createSharedInstance("p::Talks"));\n' + use, Chosen())) == ["n/said"]
 
 
 def test_what_nobody_was_seen_to_call_runs_nevertheless(host):
-    facts = host('keep(loader_.createSharedInstance("p::Hears"));')
+    facts = host('keep(loader_.createSharedInstance("p::Hears"));', Chosen())
     assert made(facts) == ["heard"]
 
 
@@ -123,7 +124,7 @@ def test_a_loader_may_be_made_later(host):
         'std::unique_ptr<core::Base> one(loader->createUnmanagedInstance("p::Talks"));\n'
         'one->configure(shared_from_this(), "n");'
     )
-    assert made(host(body)) == ["n/said"]
+    assert made(host(body, Chosen())) == ["n/said"]
 
 
 def test_class_loader_says_the_base_where_it_loads(host):
@@ -131,7 +132,7 @@ def test_class_loader_says_the_base_where_it_loads(host):
         'class_loader::ClassLoader loader("libp.so");\n'
         'loader.createInstance<core::Base>("p::Talks")->configure(shared_from_this(), "n");'
     )
-    facts = host(body)
+    facts = host(body, Chosen())
     assert made(facts) == ["n/said"]
     assert facts.plugins[0].base == "core::Base"
 

@@ -22,3 +22,11 @@ def test_the_tree_decides_what_a_port_gives(units):
 def test_what_no_port_decides_is_known(units):
     (facts,) = units(a_cpp=TREE.format(name='"fixed"'))
     assert facts.endpoints[0].name.known == "fixed"
+
+
+def test_what_the_nodes_of_a_tree_make_is_said_to_be_unknown(node_of):
+    members = "BT::BehaviorTreeFactory factory_;"
+    body = 'auto tree = factory_.createTreeFromFile(declare_parameter("tree", std::string("a.xml")));'
+    ((evidence, reason),) = node_of(body, members).unresolved
+    assert reason == "a behaviour tree is made of {parameter tree}: what its nodes make is unknown"
+    assert evidence.path == "pkg/a.cpp"

@@ -27,10 +27,10 @@ def with_plugins(meant: Meant, again: Again, values: Callable[[NodeFacts, int], 
     """Return what is started with what its plug-ins make; ``values`` are the parameters of each node of it."""
     first = meant
     chosen = Chosen()
-    for _ in range(MOST_TURNS):
-        wanted = _wanted(meant.facts, values)
-        new = dict.fromkeys((*chosen.values, *wanted))
-        if len(new) == len(chosen.values):
+    for turn in range(MOST_TURNS):
+        new = dict.fromkeys((*chosen.values, *_wanted(meant.facts, values)))
+        written = not turn and any(plugin.type.known for one in meant.facts for plugin in one.plugins)
+        if len(new) == len(chosen.values) and not written:
             break
         chosen = Chosen(tuple(new))
         turned = again(chosen)

@@ -35,4 +35,4 @@ def _whole(engine: Evaluation, written: str) -> str:
     meant = engine.template(written)
     plain = dotted(meant)
     defined = engine.index.class_of(plain, engine.frame.path, engine.frame.scope) if plain.isidentifier() else None
-    return meant if defined is None else defined.what.qualified_name.replace(".", "::")
+    return meant if defined is None else defined.what.qualified_name

@@ -163,10 +163,7 @@ class Objects(Calls):
         engine: Evaluation = self  # type: ignore[assignment]
         if not name or name in _PLAIN:
             return engine.plain(name, arguments)
-        bound = engine.frame.templates.get(name)
-        if bound is not None:
-            name, inside = type_name(bound)
-            templates = tuple(type_arguments(inside)) or templates
+        name = engine.frame.templates.get(name, name)
         alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
         if "<" in alias:
             name, inside = type_name(alias)

@@ -186,14 +186,12 @@ class PluginFact(msgspec.Struct, frozen=True, omit_defaults=True):
         evidence: where.
         base: class that it implements, as written.
         made: qualified name of the class, joined by ``.``, where what it makes is among the facts; else empty.
-        conditions: what must hold for it to be loaded.
     """
 
     type: Text
     evidence: Evidence
     base: str = ""
     made: str = ""
-    conditions: tuple[str, ...] = ()
 
 
 class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -29,22 +29,22 @@ def loader(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     return Obj(_LOADER, None, {"base": base or (called.templates[0] if called.templates else "")})
 
 
-@method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance")
+@method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance",
+        quiet=True)  # fmt: skip
 def instance(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """An object of a class is made by the name of the class."""
+    """An object of a class is made by the name of the class: where a configuration is asked for, and it is known."""
     kind = as_text(called.argument(0))
     base = called.templates[0] if called.templates else thing.fields.get("base", "")
     node = deciding_node(engine, kind)
-    name = None if engine.chosen is None and kind.holes else kind.usual
+    name = None if engine.chosen is None else kind.usual
     defined = _class(engine, name) if name and len(engine.plugged) < _MOST else None
-    fact = PluginFact(
-        kind, called.evidence, base, "" if defined is None else defined.what.qualified_name,
-        tuple(dict.fromkeys(engine.conditions)),
-    )  # fmt: skip
+    fact = PluginFact(kind, called.evidence, base, "" if defined is None else defined.what.qualified_name)
     if fact not in node.plugins:
         node.plugins.append(fact)
+        engine.touched()
     if defined is None:
         return Unknown(f"a plug-in of {base or 'some class'}")
+    engine.touched()
     engine.more_steps()
     made = engine.construct(defined, [], {})
     if isinstance(made, Obj):

@@ -52,3 +52,15 @@ def declared_port(engine: Evaluation, _thing: Any, called: Called) -> Any:
     if isinstance(thing, Obj) and isinstance(thing.fields.get("ports"), dict) and len(called.arguments) > 2:
         thing.fields["ports"][as_text(called.argument(0))] = as_text(default).usual
     return Unknown("a port")
+
+
+@method("BT.BehaviorTreeFactory", "createTree", "createTreeFromFile", "createTreeFromText", quiet=True)
+def tree(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
+    given = called.argument(0)
+    name = str(as_text(given)) if given is not None else "a file"
+    note = (called.evidence, f"a behaviour tree is made of {name}: what its nodes make is unknown")
+    if note not in engine.node.unresolved:
+        engine.node.unresolved.append(note)
+        engine.touched()
+    return Unknown("a behaviour tree")

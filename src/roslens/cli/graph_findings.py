@@ -49,6 +49,7 @@ def findings_of(
         paths={name: source.facts.paths(name) for name in names},
         programs=_calling(configuration, source),
         options=source.settings.options.get("graph", {}),
+        together=bool(launch),
     )
     return list(_counted(graph_findings(configuration, surroundings), source, source.settings.gate_roles))
 

@@ -49,3 +49,35 @@ def test_what_a_source_defines_for_all(index_of, header):
 def test_a_source_that_another_one_includes_is_like_a_header(index_of):
     index = index_of(a_cpp="class A {};", b_cpp='#include "a.cpp"\n', c_cpp="class A {};")
     assert index.class_of("A", "pkg/b.cpp", "").path == "pkg/a.cpp"
+
+
+def test_of_two_headers_the_one_is_meant_that_is_included(units):
+    robot = """#include "pkg/robot.hpp"
+namespace ns { Robot::Robot() : Node("robot") { pub_ = create_publisher<std_msgs::msg::String>("of_robot", 1); } }
+"""
+    other = """#include "pkg/other.hpp"
+namespace ns {
+Other::Other() : Node("other") { pub_ = create_publisher<std_msgs::msg::String>("of_other", 1); }
+}
+"""
+    facts = units(
+        a_struct_hpp="namespace ns { struct Robot { double x; }; }",
+        robot_hpp="#include <rclcpp/rclcpp.hpp>\nnamespace ns { class Robot : public rclcpp::Node { Robot(); }; }",
+        between_hpp='#include "a_struct.hpp"\n',
+        other_hpp='#include "between.hpp"\nnamespace ns { class Other : public rclcpp::Node { Other(); Robot r_; }; }',
+        robot_cpp=robot,
+        other_cpp=other,
+    )
+    found = {one.name.known: [two.name.known for two in one.endpoints] for one in facts}
+    assert found == {"robot": ["of_robot"], "other": ["of_other"]}
+
+
+def test_who_includes_both_headers_means_what_all_others_do(index_of):
+    index = index_of(
+        a_hpp="class A { int first; };",
+        b_hpp="class A { int second; };",
+        c_cpp='#include "a.hpp"\n#include "b.hpp"\nA a;',
+        d_cpp='#include "b.hpp"\nA a;',
+    )
+    assert index.class_of("A", "pkg/c.cpp", "").path == "pkg/a.hpp"
+    assert index.class_of("A", "pkg/d.cpp", "").path == "pkg/b.hpp"

@@ -1,20 +1,22 @@
 """Names of C++ that mean something else in every file: what several sources define, each for itself.
 
 Programs of one package often define a class ``Node`` or a constant ``TOPIC`` each in its own source. No file sees that
-of another one, so each means its own; what a header defines is meant by all that do not.
+of another one, so each means its own; what a header defines is meant by all that do not. Of several headers that define
+a class, the one is meant that a file includes, directly or not.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from os.path import commonpath
 
 from roslens.source.extract.program import Assign, Name, Program
 
 _HEADERS = (".h", ".hpp", ".hh", ".hxx")
 
 
-def own_names(programs: Mapping[str, Program]) -> dict[str, frozenset[str]]:
-    """Return, by path, the qualified names that a source defines for itself because other files define them too."""
+def own_names(programs: Mapping[str, Program]) -> dict[str, dict[str, str]]:
+    """Return, by path, the qualified names that mean something else in a file, and the file that defines what it is."""
     included = {line.strip('<>"').rpartition("/")[2] for one in programs.values() for line, _ in one.includes}
     classes: dict[str, set[str]] = {}
     variables: dict[str, set[str]] = {}
@@ -25,11 +27,62 @@ def own_names(programs: Mapping[str, Program]) -> dict[str, frozenset[str]]:
             for statement in program.body:
                 if isinstance(statement, Assign) and isinstance(statement.target, Name):
                     variables.setdefault(statement.target.name, set()).add(path)
-    found: dict[str, set[str]] = {}
+    found: dict[str, dict[str, str]] = {}
     for name, paths in (*classes.items(), *variables.items()):
         sources = [path for path in paths if not path.endswith(_HEADERS) and path.rpartition("/")[2] not in included]
         # What a header declares without a value, a source may define for all.
         if len(paths) > 1 and (name in classes or len(sources) == len(paths)):
             for path in sources:
-                found.setdefault(path, set()).add(name)
-    return {path: frozenset(names) for path, names in found.items()}
+                found.setdefault(path, {})[name] = path
+    several = {
+        name: headers
+        for name, paths in classes.items()
+        if len(headers := sorted(path for path in paths if path.endswith(_HEADERS))) > 1
+    }
+    if several:
+        _by_header(programs, several, found)
+    return found
+
+
+def _by_header(
+    programs: Mapping[str, Program], several: Mapping[str, Sequence[str]], found: dict[str, dict[str, str]]
+) -> None:
+    """Add what files mean by the names of classes that several headers define; the first means what all others do."""
+    including = _including(programs)
+    seen: dict[str, set[str]] = {}
+    for header in {header for headers in several.values() for header in headers}:
+        seen[header] = _reached(header, including)
+    for name, headers in several.items():
+        for header in headers[1:]:
+            others = [seen[other] for other in headers if other != header]
+            for path in seen[header]:
+                if path == header or not any(path in other for other in others):
+                    found.setdefault(path, {}).setdefault(name, header)
+
+
+def _including(programs: Mapping[str, Program]) -> dict[str, set[str]]:
+    """Return the files that include each header of the workspace."""
+    by_name: dict[str, list[str]] = {}
+    for path in programs:
+        if path.endswith(_HEADERS):
+            by_name.setdefault(path.rpartition("/")[2], []).append(path)
+    found: dict[str, set[str]] = {}
+    for path, program in programs.items():
+        for line, _ in program.includes:
+            wanted = line.strip('<>"')
+            fit = [one for one in by_name.get(wanted.rpartition("/")[2], ()) if f"/{one}".endswith(f"/{wanted}")]
+            if fit:
+                near = max(fit, key=lambda one: (len(commonpath((one, path))), one))
+                found.setdefault(near, set()).add(path)
+    return found
+
+
+def _reached(header: str, including: Mapping[str, set[str]]) -> set[str]:
+    """Return the files that see a header, itself among them."""
+    seen, waiting = {header}, [header]
+    while waiting:
+        for path in including.get(waiting.pop(), ()):
+            if path not in seen:
+                seen.add(path)
+                waiting.append(path)
+    return seen

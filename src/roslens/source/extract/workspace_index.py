@@ -172,10 +172,10 @@ class Index:
         if program is not None and program.language == "python":
             yield from self._named_in_python(name, path, scope, program)
             return
-        own = path in self._own
+        own = self._own.get(path)
         for one in self._named_in_cpp(name, scope, program):
-            if own:
-                yield f"{path}:{one}"
+            if own and (home := own.get(one) or own.get(one.rpartition(".")[0])):
+                yield f"{home}:{one}"
             yield one
 
     def _named_in_cpp(self, name: str, scope: str, program: Program | None) -> Iterator[str]:
@@ -256,8 +256,9 @@ class Index:
 
     def _before(self, path: str, name: str) -> str:
         """Return what stands before the name of what a file defines for itself."""
-        own = self._own.get(path, ())
-        return f"{path}:" if name in own or name.rpartition(".")[0] in own else _before(path, self.programs[path])
+        own = self._own.get(path, {})
+        home = own.get(name) or own.get(name.rpartition(".")[0])
+        return f"{home}:" if home else _before(path, self.programs[path])
 
     def meaning(self, name: str, path: str, scope: str) -> str:
         """Return a name with its aliases of the file resolved, as far as they go."""

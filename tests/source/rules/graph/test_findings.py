@@ -3,6 +3,7 @@ from hypothesis import strategies as st
 
 from roslens.model.configuration import Configuration
 from roslens.source.rules.graph.findings import RULES, graph_findings
+from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import RELIABLE, SENSOR, configuration, end, node, remap
 
 NODES = st.lists(
@@ -58,3 +59,21 @@ def test_each_finding_has_a_place_an_entity_and_a_fingerprint_of_its_own(nodes):
     found = graph_findings(Configuration("", "ros2", tuple(nodes)))
     assert all(one.path and one.line and one.entity and one.fingerprint for one in found)
     assert {one.rule for one in found} <= {rule.id for rule, _ in RULES}
+
+
+def test_what_may_never_run_together():
+    known = configuration(
+        node("/a", end("pub", "/scan", "m/A", qos=SENSOR), end("pub", "/cmd_vel", "m/T")),
+        node("/a", end("sub", "/scan", "m/B", qos=RELIABLE)),
+        node("/b", end("pub", "/cmd_vel", "m/T")),
+    )
+    together = {one.rule: one.severity.value for one in graph_findings(known)}
+    apart = graph_findings(known, Surroundings(together=False))
+    assert {"graph.node_name", "graph.type", "graph.qos", "graph.command_topic"} <= together.keys()
+    assert {one.rule: one.severity.value for one in apart} == {
+        "graph.type": "note",
+        "graph.qos": "note",
+        "graph.one_end": "note",
+        "graph.global_name": "note",
+    } | {one: value for one, value in together.items() if one in ("graph.private_data", "graph.queue")}
+    assert all("no launch file says" in one.message for one in apart if one.rule in ("graph.type", "graph.qos"))

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+import msgspec
+
 from roslens.model.configuration import Configuration
-from roslens.model.finding import Finding, RuleInfo
+from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph import (
     argument,
     command_topic,
@@ -42,6 +44,10 @@ _MODULES = (
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""
+_OF_A_SYSTEM = frozenset(one.RULE.id for one in (node_name, shared_output, command_topic, transform, sim_time))
+"""Rules that say nothing of nodes of which nobody knows whether they run together."""
+_OF_ENDS = frozenset(one.RULE.id for one in (qos, type, definition, one_end))
+_APART = "no launch file says that these nodes run together, and under these names"
 
 
 def graph_findings(configuration: Configuration, surroundings: Surroundings | None = None) -> list[Finding]:
@@ -52,5 +58,19 @@ def graph_findings(configuration: Configuration, surroundings: Surroundings | No
         surroundings: the workspace around it; without it rules that need it find nothing.
     """
     known = surroundings or Surroundings()
-    all_found = {finding for _rule, found in RULES for finding in found(configuration, known)}
+    all_found = {
+        finding if known.together else _apart(finding)
+        for rule, found in RULES
+        if known.together or rule.id not in _OF_A_SYSTEM
+        for finding in found(configuration, known)
+    }
     return sorted(all_found, key=lambda one: (one.path, one.line, one.column, one.rule, one.entity, one.message))
+
+
+def _apart(finding: Finding) -> Finding:
+    """Return a finding about nodes that may never run together."""
+    if finding.rule not in _OF_ENDS:
+        return finding
+    doubt, _, rest = finding.message.partition(" In doubt: ")
+    message = f"{doubt} In doubt: {_APART}{'; ' + rest if rest else '.'}"
+    return msgspec.structs.replace(finding, message=message, severity=Severity.NOTE)

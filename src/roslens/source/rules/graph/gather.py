@@ -27,6 +27,7 @@ def surroundings_of(
     paths: Mapping[str, Sequence[str]] | None = None,
     programs: Mapping[str, Program] | None = None,
     options: Mapping[str, Any] | None = None,
+    together: bool = True,
 ) -> Surroundings:
     """Return what the rules of the graph know besides a configuration; what is not given, rules do without.
 
@@ -40,6 +41,7 @@ def surroundings_of(
         paths: by package its files.
         programs: by path.
         options: what users set in ``[options.graph]``.
+        together: whether a launch file says that the nodes run together.
     """
     from roslens.source.rules.graph import with_options
 
@@ -57,6 +59,7 @@ def surroundings_of(
         tuple(ignored_files(configuration, launch)) if launch is not None else (),
         tuple(static_transforms(configuration, launch)) if launch is not None else (),
         tuple(waits(programs)) if programs and configuration.generation == "ros2" else (),
+        together=together,
     )
     return with_options(found, dict(options or {}))
 

@@ -19,6 +19,8 @@ What does not fit together once launch files and code are joined: names, types, 
 - A name of which a part is unknown raises nothing and answers nothing. Where it might be the missing end, that is said.
 - What is likely, or only holds under a condition, is one step less severe; what is possible is a note. The message says
   why.
+- Without a launch file nobody knows whether nodes run together, and under which names: what fits badly between two of
+  them is a note, and rules about a whole system are silent.
 - What every node has is left out, and so are names whose other end is usually elsewhere.
 - `roslens check` finds the same in the configurations that `roslens.toml` declares, as part of a run: with a gate, in
   every report. A comment such as `roslens: ignore[graph.qos]` in the line leaves a finding out, as of any rule.

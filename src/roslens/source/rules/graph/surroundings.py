@@ -80,6 +80,8 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         command_topics: patterns of topics that move something.
         external: patterns of names whose other end is elsewhere.
         fast_hz: from which on a topic is a fast one.
+        together: whether a launch file says that the nodes run together, and under these names; what packages make
+            without one does not have to.
     """
 
     packages: tuple[Package, ...] = ()
@@ -91,6 +93,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     command_topics: tuple[str, ...] = COMMAND_TOPICS
     external: tuple[str, ...] = EXTERNAL
     fast_hz: float = FAST_HZ
+    together: bool = True
 
     def is_external(self, name: str) -> bool:
         """Return whether the other end of a name is usually elsewhere."""

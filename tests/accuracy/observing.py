@@ -15,7 +15,7 @@ from roslens.model.graph import Graph
 from roslens.model.wire import FrameReader
 
 QUIET_S = 3.0
-"""A graph that stays as it is for so long is the whole of it."""
+"""What a graph is asked to stay as it is, in seconds, where nobody knows better."""
 PATIENCE_S, OF_EACH_S = 30.0, 5.0
 """So long nodes may take to come, together and each."""
 
@@ -24,7 +24,9 @@ class NotThereError(Exception):
     """The nodes did not come; the text says who did."""
 
 
-def observe(command: Sequence[str], environment: dict[str, str], nodes: int, telling: int = 0) -> Graph:
+def observe(
+    command: Sequence[str], environment: dict[str, str], nodes: int, telling: int = 0, quiet_s: float = QUIET_S
+) -> Graph:
     """Return the graph when all nodes are there and nothing changes any more.
 
     Args:
@@ -32,6 +34,7 @@ def observe(command: Sequence[str], environment: dict[str, str], nodes: int, tel
         environment: of it.
         nodes: how many are to come.
         telling: how many of them tell their parameters (ROS 2).
+        quiet_s: a graph that stays as it is for so long is the whole of it, in seconds.
 
     Raises:
         NotThereError: they did not come.
@@ -56,7 +59,7 @@ def observe(command: Sequence[str], environment: dict[str, str], nodes: int, tel
                         if frame.graph is not None and _shape(frame.graph) != _shape(graph):
                             changed = time.monotonic()
                         graph = frame.graph or graph
-                if graph and _whole(graph, nodes, telling) and time.monotonic() - changed >= QUIET_S:
+                if graph and _whole(graph, nodes, telling) and time.monotonic() - changed >= quiet_s:
                     return graph
         there = ", ".join(node.name for node in graph.nodes) if graph else "none"
         raise NotThereError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import socket
 import sys
@@ -25,6 +26,8 @@ from roslens.model.graph import Endpoint, Graph, Role
 _CALLER = "/roslens_accuracy"
 _WAIT_S = 5.0
 _MASTER_S = 40.0
+_QUIET_S = 8.0
+_LIBRARY = re.compile(r'<library\s+path="([\w/-]+)"')
 
 
 def why_not(system: System) -> str:
@@ -50,6 +53,7 @@ def record(system: System, workspace: Path, folder: Path, port: int = 0) -> Grap
     }  # fmt: skip
     environment.pop("PYTHONPATH", None)
     _executable(workspace)
+    _link_libraries(workspace)
     with Processes(folder) as processes:
         processes.start(["roscore", "-p", str(port)], environment)
         _wait_for(master)
@@ -59,7 +63,8 @@ def record(system: System, workspace: Path, folder: Path, port: int = 0) -> Grap
         command = [sys.executable, "-m", "roslens.live.adapters.ros1", "--master", master, "--period", "0.5"]
         try:
             # rosout is one of them.
-            graph = observe([*command, "--parameters"], {**os.environ}, system.nodes + 1)
+            # What only parameters change of a graph is told every five seconds.
+            graph = observe([*command, "--parameters"], {**os.environ}, system.nodes + 1, quiet_s=_QUIET_S)
         except NotThereError as error:
             raise NotThereError(f"{system.name}: {error}\n{processes.told()}") from None
         with xmlrpc.client.ServerProxy(master) as proxy:
@@ -72,6 +77,20 @@ def _executable(workspace: Path) -> None:
         text = script.read_text()
         script.write_text(text if text.startswith("#!") else f"#!/usr/bin/python3\n{text}")
         script.chmod(0o755)
+
+
+def _link_libraries(workspace: Path, libraries: Path = Path("/usr/lib")) -> None:
+    """Put libraries of plug-ins beside their packages by the names that class_loader asks for.
+
+    Debian has these names in packages for those who build; where they are not there they are made in the workspace.
+    """
+    for described in sorted(workspace.glob("*/nodelet_plugins.xml")):
+        for asked in _LIBRARY.findall(described.read_text()):
+            link = described.parent / f"{asked}.so"
+            there = sorted(libraries.glob(f"*/{link.name}.*"))
+            if there and not link.exists():
+                link.parent.mkdir(parents=True, exist_ok=True)
+                link.symlink_to(there[0])
 
 
 def _free_port() -> int:

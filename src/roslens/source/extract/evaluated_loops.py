@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.abstract_value import Obj, Unknown
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluation_frame import WayOut, Ways
+from roslens.source.extract.filled_lists import count_of_filled
 from roslens.source.extract.plugin_held import plugged_in
 from roslens.source.extract.program import (
     Assign,
@@ -171,6 +172,8 @@ def _count(engine: Evaluation, statement: Loop) -> int | None:
     if not isinstance(counter, Name) or counter.name != step[0]:
         return None
     first, last = engine.value(counter), engine.value(end)
+    if isinstance(last, Unknown):
+        last = count_of_filled(engine, end) or last
     if not (_is_number(first) and _is_number(last)) or not step[1]:
         return None
     turns = float(last - first) / step[1]

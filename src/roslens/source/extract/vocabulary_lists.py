@@ -73,7 +73,7 @@ def counted(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     return list(numbers) if len(numbers) <= _MOST else Each(Unknown("a number"))
 
 
-@outer(VECTOR, quiet=True)
+@outer(VECTOR, "vector", quiet=True)
 def vector(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A list of C++; of one that is declared without items nobody knows what it is filled with."""
     item = called.templates[0] if called.templates else ""

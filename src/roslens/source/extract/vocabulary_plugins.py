@@ -60,12 +60,18 @@ def _class(engine: Evaluation, name: str) -> Defined | None:
 
 @method("std.vector", "push_back", "emplace_back", quiet=True)
 def added(engine: Evaluation, thing: Any, called: Called) -> Any:
-    """Something is put at the end of a list: plug-ins are remembered."""
+    """Something is put at the end of a list: texts and plug-ins are remembered."""
     for one in called.arguments:
         engine.called_outer(one)
     given = called.argument(0)
-    if isinstance(given, Obj) and any(one is given for one, _ in engine.plugged):
-        hold(engine, thing, sum(isinstance(key, int) for key in held_in(thing)), given)
+    place = sum(isinstance(key, int) for key in held_in(thing))
+    if isinstance(given, Obj):
+        if any(one is given for one, _ in engine.plugged):
+            hold(engine, thing, place, given)
+    elif isinstance(given, Text) and len(engine.conditions) <= engine.frame.depth + engine.frame.passed:
+        hold(engine, thing, place, given)
+    else:
+        hold(engine, thing, None, Unknown("an item of a list"))
     return None
 
 

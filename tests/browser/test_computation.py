@@ -247,3 +247,85 @@ def test_pages_of_one_file_lead_to_each_other(browser: Browser, one_file: Path) 
     expect(page.locator("section.current .panel h2")).to_have_text("/navigation/planner")
     assert not problems
     page.context.close()
+
+
+PHONE = {"viewport": {"width": 420, "height": 860}, "has_touch": True, "is_mobile": True}
+
+
+def zoom_of(page: Page) -> float:
+    """Return the zoom of the picture at rest."""
+    expect(page.locator("#graph-canvas")).not_to_have_class(re.compile("moving"))
+    transform = page.locator(".scene").get_attribute("transform") or ""
+    return float(re.findall(r"scale\(([\d.]+)\)", transform)[0])
+
+
+def test_a_small_screen_begins_where_most_is_and_names_can_be_read(visit: Visit) -> None:
+    page = visit("/computation/rover", **PHONE)
+    expect(page.locator(".scene[transform]")).to_be_visible()
+    start = zoom_of(page)
+    assert start >= 0.66
+    expect(page.locator("#graph-svg")).not_to_have_class(re.compile("no-names"))
+    canvas = page.locator("#graph-canvas").bounding_box() or {}
+    boxes = page.locator(".nodes .node:not([hidden])").evaluate_all(
+        "found => found.map(one => one.getBoundingClientRect()).map(box => [box.left, box.top, box.right, box.bottom])"
+    )
+    inside = [
+        box
+        for box in boxes
+        if box[0] >= canvas["x"]
+        and box[2] <= canvas["x"] + canvas["width"]
+        and box[1] >= canvas["y"]
+        and box[3] <= canvas["y"] + canvas["height"]
+    ]
+    assert len(inside) >= 3
+    page.get_by_role("button", name="All", exact=True).tap()
+    assert zoom_of(page) < start
+    page.get_by_role("button", name="Zoom in").tap()
+    expect(page).to_have_url(re.compile("view="))
+    page.reload()
+    expect(page.locator(".scene[transform]")).to_be_visible()
+    assert zoom_of(page) < start
+
+
+def test_two_fingers_zoom_and_move_the_picture(visit: Visit) -> None:
+    page = visit("/computation/rover", **PHONE)
+    expect(page.locator(".scene[transform]")).to_be_visible()
+    before = zoom_of(page)
+    canvas = page.locator("#graph-canvas").bounding_box() or {}
+    x, y = canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2
+    wire = page.context.new_cdp_session(page)
+
+    def fingers(kind: str, *points: tuple[float, float]) -> None:
+        told = [{"x": at[0], "y": at[1], "id": number} for number, at in enumerate(points)]
+        wire.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": told})
+
+    fingers("touchStart", (x - 40, y), (x + 40, y))
+    for step in range(1, 6):
+        fingers("touchMove", (x - 40 - 8 * step, y), (x + 40 + 8 * step, y))
+    fingers("touchEnd")
+    expect(page).to_have_url(re.compile("view="))
+    apart = zoom_of(page)
+    assert 1.7 < apart / before < 2.3
+    transform = page.locator(".scene").get_attribute("transform") or ""
+    fingers("touchStart", (x - 40, y), (x + 40, y))
+    for step in range(1, 6):
+        fingers("touchMove", (x - 40, y + 10 * step), (x + 40, y + 10 * step))
+    fingers("touchEnd")
+    expect(page.locator(".scene")).not_to_have_attribute("transform", transform)
+    assert zoom_of(page) == pytest.approx(apart, rel=0.05)
+    down = [
+        float(re.findall(r"translate\(\S+ ([-\d.]+)", one)[0])
+        for one in (transform, page.locator(".scene").get_attribute("transform") or "")
+    ]
+    assert down[1] - down[0] == pytest.approx(50, abs=8)
+
+
+def test_the_panel_lists_the_nodes(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    panel = page.locator("#graph-selected")
+    expect(panel).to_contain_text("Other nodes")
+    listed = set(panel.locator(".pick").all_text_contents())
+    nodes = set(page.locator(".nodes .node.node:not([hidden]) > title").all_text_contents())
+    assert {"/odometry", "/lidar"} <= listed & nodes
+    panel.get_by_role("button", name="/odometry", exact=True).press("Enter")
+    expect(page).to_have_url(re.compile("select=node%2Fodometry"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 
 import msgspec
@@ -20,6 +21,9 @@ HEAD = 20.0
 BETWEEN = 16.0
 EDGE = 16.0
 ASPECT = 1.6
+LOOSEST = 22.0
+"""So much more than usual may be between rows."""
+
 TIP = 6.0
 """Length of the arrow at the end of a wire."""
 
@@ -71,8 +75,11 @@ def lay_out(items: Sequence[Item], wires: Sequence[tuple[int, int]], lanes: Sequ
     order = untangle(grid, lanes=lane_of)
     heights = [item.height + ROOM for item in items] + [WAY] * (len(grid.left) - len(items))
     middles, spans_down = _stack(order, heights, lane_of, grid, lanes)
-    reach = [end for lane in spans_down.values() for end in lane]
-    spans, right = _spans(items, columns, grid, max(reach, default=0.0) * ASPECT)
+    spans, right = _spans(items, columns, grid, _bottom(spans_down) * ASPECT)
+    more = _looser(right / ASPECT - _bottom(spans_down), order, len(items), lane_of)
+    if more:
+        heights[: len(items)] = [height + more for height in heights[: len(items)]]
+        middles, spans_down = _stack(order, heights, lane_of, grid, lanes)
     places = [(round(sum(spans[item.column]) / 2, 1), middles[number]) for number, item in enumerate(items)]
     boxes = _boxes(items, lanes, spans, spans_down)
     rows = [0] * len(items)
@@ -92,6 +99,19 @@ def lay_out(items: Sequence[Item], wires: Sequence[tuple[int, int]], lanes: Sequ
         boxes=tuple(boxes),
         paths=paths,
     )
+
+
+def _bottom(reach: dict[int, tuple[float, float]]) -> float:
+    return max((end for lane in reach.values() for end in lane), default=0.0)
+
+
+def _looser(room: float, order: Sequence[Sequence[int]], count: int, lane_of: Sequence[int]) -> float:
+    """Return how much further apart rows stand, so that a wide picture fills ``room`` and names fit between them."""
+    most: dict[int, int] = {}
+    for column in order:
+        for lane, rows in Counter(lane_of[item] for item in column if item < count).items():
+            most[lane] = max(most.get(lane, 0), rows)
+    return round(max(0.0, min(LOOSEST, room / max(1, sum(most.values())))), 1)
 
 
 def _rightward(items: Sequence[Item], wire: tuple[int, int]) -> tuple[int, int]:

@@ -53,6 +53,13 @@ export class Camera {
     this.redraw();
   }
 
+  /** Show the scene at a zoom with this point of it in the middle. */
+  showAt(k, x, y) {
+    const { width, height } = this.size();
+    Object.assign(this, { k, x: width / 2 - k * x, y: height / 2 - k * y });
+    this.redraw();
+  }
+
   /** Zoom by a factor around a point of the canvas, its middle by default. */
   zoom(factor, point) {
     const { width, height } = this.size();
@@ -119,6 +126,9 @@ export class Camera {
       const other = [...this.pointers].find(([id]) => id !== event.pointerId)[1];
       const box = this.canvas.getBoundingClientRect();
       const grown = Math.hypot(now[0] - other[0], now[1] - other[1]) / Math.max(1, Math.hypot(before[0] - other[0], before[1] - other[1]));
+      // Of two fingers one moves at a time, so the middle between them goes half its way.
+      this.x += (now[0] - before[0]) / 2;
+      this.y += (now[1] - before[1]) / 2;
       this.zoom(grown, [(now[0] + other[0]) / 2 - box.left, (now[1] + other[1]) / 2 - box.top]);
     }
     if (!this.dragged) {

@@ -279,6 +279,19 @@ class ComputationView extends Stage {
       make("p", { class: "quiet", text: "Select an element to see its ends, how sure they are and the lines that make them." }),
       make("h3", { text: heading }),
       among.length ? make("ul", {}, ...among.slice(0, MOST).map((one) => this.pick(one, this.graph.nodes[one].severity || this.graph.nodes[one].kind))) : make("p", { class: "quiet", text: "None among those shown." }),
+      ...this.listNodes(among),
+    ];
+  }
+
+  /** All nodes that are shown, those first that most is joined to; who looks for others finds them by name. */
+  listNodes(told) {
+    const joined = (number) => this.graph.nodes[number].needs.length + this.dependents[number].length;
+    const left = [...this.visible].filter((number) => this.graph.nodes[number].kind === "node" && !told.includes(number)).sort((a, b) => joined(b) - joined(a));
+    if (!left.length) return [];
+    return [
+      make("h3", { text: told.length ? `Other nodes (${figure(left.length)})` : `Nodes (${figure(left.length)})` }),
+      make("ul", {}, ...left.slice(0, MOST).map((one) => this.pick(one))),
+      left.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${figure(left.length)} shown, those that most is joined to; find others by name.` }) : null,
     ];
   }
 

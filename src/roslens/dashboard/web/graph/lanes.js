@@ -7,6 +7,8 @@ const BETWEEN = 16;
 const EDGE = 16;
 const GAP = 90;
 const TIP = 6;
+const ASPECT = 1.6;
+const LOOSEST = 22;
 
 const parts = (name) => name.split("/").filter(Boolean);
 
@@ -20,6 +22,7 @@ export function closeUp(nodes, visible, lanes, column) {
     spans.set(number, [x, x + width]);
     x += width + GAP;
   }
+  const room = ROOM + looser(nodes, visible, column, x - GAP + PAD);
   const places = new Map();
   const reach = [];
   let top = EDGE;
@@ -32,12 +35,12 @@ export function closeUp(nodes, visible, lanes, column) {
     while (common < Math.min(before.length, after.length) && before[common] === after[common]) common += 1;
     top += (before.length - common) * PAD + (reach.length ? BETWEEN : 0) + (after.length - common) * HEAD;
     const heights = new Map();
-    for (const place of members) heights.set(column(place), (heights.get(column(place)) || 0) + nodes[place].h + ROOM);
+    for (const place of members) heights.set(column(place), (heights.get(column(place)) || 0) + nodes[place].h + room);
     const height = Math.max(...heights.values());
     const next = new Map([...heights].map(([number, own]) => [number, top + (height - own) / 2]));
     for (const place of members) {
       const span = spans.get(column(place));
-      const own = nodes[place].h + ROOM;
+      const own = nodes[place].h + room;
       places.set(place, { x: (span[0] + span[1]) / 2, y: next.get(column(place)) + own / 2 });
       next.set(column(place), next.get(column(place)) + own);
     }
@@ -46,6 +49,23 @@ export function closeUp(nodes, visible, lanes, column) {
     before = after;
   });
   return { places, boxes: boxesOf(reach, spans), width: Math.max(EDGE, x - GAP + PAD + EDGE), height: top + EDGE };
+}
+
+/** How much further apart rows stand, so that a wide picture fills the room and names fit between them. */
+function looser(nodes, visible, column, width) {
+  const rows = new Map();
+  for (const place of visible) {
+    const key = `${nodes[place].lane} ${column(place)}`;
+    const [count, height] = rows.get(key) || [0, 0];
+    rows.set(key, [count + 1, height + nodes[place].h + ROOM]);
+  }
+  const lanes = new Map();
+  for (const [key, [count, height]] of rows) {
+    const [most, tall] = lanes.get(Number.parseInt(key, 10)) || [0, 0];
+    lanes.set(Number.parseInt(key, 10), [Math.max(most, count), Math.max(tall, height)]);
+  }
+  const [count, height] = [...lanes.values()].reduce(([a, b], [c, d]) => [a + c, b + d], [0, EDGE]);
+  return Math.max(0, Math.min(LOOSEST, (width / ASPECT - height) / Math.max(1, count)));
 }
 
 /** How many steps right (or, negative, left) of one element the others stand, by the way things flow. */

@@ -60,10 +60,12 @@ function roomsFor(number, node, place, camera, shape) {
   const inside = centre > 0 && centre < width;
   const left = inside ? Math.max(EDGE, Math.min(width - EDGE - long, centre - long / 2)) : centre - long / 2;
   const shift = left + long / 2 - centre;
-  const over = { owner: number, left, right: left + long, shift };
+  const over = (aside) => ({ owner: number, left: left + aside, right: left + aside + long, shift: shift + aside });
+  const below = { where: "below", top: disc.bottom + away, bottom: disc.bottom + away + HEIGHT };
+  const above = { where: "above", top: disc.top - away - HEIGHT, bottom: disc.top - away };
   const rooms = [
-    { ...over, where: "below", top: disc.bottom + away, bottom: disc.bottom + away + HEIGHT },
-    { ...over, where: "above", top: disc.top - away - HEIGHT, bottom: disc.top - away },
+    { ...over(0), ...below },
+    { ...over(0), ...above },
   ];
   if (shape.beside(node)) {
     const middle = (disc.top + disc.bottom) / 2;
@@ -71,6 +73,9 @@ function roomsFor(number, node, place, camera, shape) {
     rooms.push({ ...level, where: "right", left: disc.right + GAP, right: disc.right + GAP + long });
     rooms.push({ ...level, where: "left", left: disc.left - GAP - long, right: disc.left - GAP });
   }
+  // A name longer than its box may also begin or end where the box does.
+  const aside = shape.beside(node) ? (long - (disc.right - disc.left)) / 2 : 0;
+  if (aside > 0) for (const by of [aside, -aside]) rooms.push({ ...over(by), ...below }, { ...over(by), ...above });
   const seen = (one) => (one.where === "left" || one.where === "right" ? one.left > 0 && one.right < width : one.right > 0 && one.left < width);
   return rooms.filter((one) => seen(one) && one.bottom > 0 && one.top < height);
 }

@@ -6,6 +6,12 @@ import { parameters, setParameters } from "../address.js";
 import { figure, make } from "../dom.js";
 import { onKey } from "../keys.js";
 import { Camera } from "./camera.js";
+import { READABLE } from "./names.js";
+
+/** Narrower pictures, in pixels, begin with a part of what is there, at a zoom at which its names can be read. */
+const SMALL = 600;
+const LEGIBLE = 0.9;
+const MOST_WEIGHED = 300;
 
 export class Stage {
   /** `what` are the words for one and many; `nodes` have an `id` and what they `needs`. */
@@ -56,10 +62,24 @@ export class Stage {
   showStart() {
     const [k, x, y] = (parameters().get("view") || "").split(",").map(Number);
     if (k > 0 && Number.isFinite(x) && Number.isFinite(y)) {
-      const { width, height } = this.camera.size();
-      Object.assign(this.camera, { k, x: width / 2 - k * x, y: height / 2 - k * y });
-      this.camera.redraw();
-    } else this.fit();
+      this.camera.showAt(k, x, y);
+    } else this.startView();
+  }
+
+  /** All of the picture; where the screen is too small for that, the part of it where most is. */
+  startView() {
+    this.fit();
+    const { width, height } = this.camera.size();
+    if (width >= SMALL || this.camera.k >= READABLE || !this.places.size) return;
+    const [across, down] = [width / LEGIBLE, height / LEGIBLE];
+    const near = (a, b) => Math.abs(a.x - b.x) < 0.45 * across && Math.abs(a.y - b.y) < 0.45 * down;
+    const spots = [...this.places].map(([number, place]) => ({ ...place, weight: 1 + this.neighbours(number).length })).slice(0, MOST_WEIGHED);
+    const total = (spot) => spots.reduce((sum, other) => sum + (near(spot, other) ? other.weight : 0), 0);
+    const best = spots.map((spot) => ({ spot, weight: total(spot) })).reduce((a, b) => (b.weight > a.weight ? b : a)).spot;
+    const box = this.box();
+    // At the ends of the picture nothing is shown beyond it.
+    const middle = (at, from, size, room) => (size < room ? from + size / 2 : Math.max(from + room / 2, Math.min(from + size - room / 2, at)));
+    this.camera.showAt(LEGIBLE, middle(best.x, box.x, box.width, across), middle(best.y, box.y, box.height, down));
   }
 
   listen() {
@@ -70,7 +90,7 @@ export class Stage {
       table: () => this.showTable(!this.root.classList.contains("as-table")),
       panel: () => this.showPanel(this.part("view").classList.contains("panel-closed")),
     };
-    for (const [name, action] of Object.entries(actions)) this.form.querySelector(`[data-do="${name}"]`).addEventListener("click", action);
+    for (const [name, action] of Object.entries(actions)) this.root.querySelector(`.buttons [data-do="${name}"]`).addEventListener("click", action);
     this.form.addEventListener("change", () => this.readForm());
     this.form.addEventListener("submit", (event) => event.preventDefault());
     this.canvas.tabIndex = 0;

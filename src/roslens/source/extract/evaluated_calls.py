@@ -10,6 +10,7 @@ from roslens.source.extract.changed_values import CHANGING, changed_by
 from roslens.source.extract.evaluated_expressions import Expressions
 from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.overload_choice import overload
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.refined_values import refine
@@ -89,7 +90,7 @@ class Calls(Expressions):
         engine: Evaluation = self  # type: ignore[assignment]
         thing = engine.frame.self
         if isinstance(thing, Obj) and "." not in name:
-            method = engine.methods(thing, name, len(arguments))
+            method = engine.methods(thing, name, len(arguments), arguments)
             if method is not None:
                 return engine.call(method, arguments, keywords, expression.arguments, templates)
             if name in thing.fields:
@@ -99,13 +100,30 @@ class Calls(Expressions):
             if known is not None:
                 return known(engine, thing, called)
         found = engine.function(name, len(arguments) + len(keywords)) or self.defined(name)
+        if isinstance(found, Callable) and "." in name:
+            found = self._overload(found, name, arguments)
         if isinstance(found, _FUNCTIONS):
             return self._apply(found, expression, arguments, keywords, templates)
         alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
         if "<" in alias:
-            templates = tuple(self.template(one) for one in type_arguments(type_name(alias)[1]))
+            plain, inside = type_name(alias)
+            templates = tuple(self.template(one) for one in type_arguments(inside))
+            beside = f"{name.rpartition('.')[0]}.{plain}" if "." in name else plain
+            for one in (beside, plain):
+                defined = engine.index.class_of(one, engine.frame.path, engine.frame.scope)
+                if defined is not None:
+                    return engine.construct(defined, arguments, keywords, templates)
         meaning = engine.index.meaning(name, engine.frame.path, engine.frame.scope)
         return self.outer(meaning, expression, arguments, keywords, templates)
+
+    def _overload(self, found: Callable, name: str, arguments: list[Any]) -> Callable:
+        """Return the function of a class that is called by its whole name: ``Base::init(connection)``."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        several = engine.index.functions_of(name, engine.frame.path, engine.frame.scope)
+        chosen = overload(engine.index, several, len(arguments), arguments) if len(several) > 1 else None
+        if chosen is None or not isinstance(chosen.what, Function):
+            return found
+        return Callable(chosen.what, chosen.path, found.self, found.names, found.arguments)
 
     def outer(
         self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
@@ -164,7 +182,7 @@ class Calls(Expressions):
         if isinstance(of, Class):
             return self._of_class(of, expression, name, arguments, keywords)
         if isinstance(of, Obj):
-            method = engine.methods(of, name, len(arguments) + len(keywords))
+            method = engine.methods(of, name, len(arguments) + len(keywords), arguments)
             if method is not None:
                 return engine.call(method, arguments, keywords, expression.arguments, templates)
             if name in of.fields:

@@ -10,6 +10,7 @@ from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.overload_choice import overload
 from roslens.source.extract.program import Assign, Function, Member
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.typed_list import TypedList
@@ -107,7 +108,7 @@ class Objects(Calls):
         python = engine.index.programs[defined.path].language == "python"
         name = "__init__" if python else defined.what.name
         found = engine.index.methods(defined, name)
-        chosen = overload(found, len(arguments) + len(keywords))
+        chosen = overload(engine.index, found, len(arguments) + len(keywords), arguments)
         if chosen is not None and isinstance(chosen.what, Function):
             engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)
             return
@@ -198,18 +199,3 @@ _PLAIN = frozenset(
      "uint16_t", "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t", "unsigned int", "unsigned", "long",
      "char", "auto", "void", "unsigned long", "std.size_t"}
 )  # fmt: skip
-
-
-def overload(found: list[Defined], count: int) -> Defined | None:
-    """Return the function that takes so many arguments, else the one with the most to say."""
-    if len(found) < 2:
-        return found[0] if found and isinstance(found[0].what, Function) else None
-    functions = [one for one in found if isinstance(one.what, Function)]
-    fit = [
-        one
-        for one in functions
-        if isinstance(one.what, Function)
-        and sum(parameter.default is None for parameter in one.what.parameters) <= count <= len(one.what.parameters)
-    ]
-    best = fit or functions
-    return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)

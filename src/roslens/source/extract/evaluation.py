@@ -22,13 +22,14 @@ from roslens.source.extract.abstract_value import (
     Unknown,
 )
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
-from roslens.source.extract.evaluated_objects import Objects, overload
+from roslens.source.extract.evaluated_objects import Objects
 from roslens.source.extract.evaluated_statements import assign, block, initialise
 from roslens.source.extract.evaluation_bounds import MOST_DEPTH, MOST_OF_PLUGIN, MOST_STEPS, SpentError
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.lookups import Found
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.text import Asked, Text, unknown
@@ -263,21 +264,32 @@ class Evaluation(Objects):
                 return next((one for one in functions if one[0].body), functions[0])
         return None
 
-    def methods(self, thing: Obj, name: str, count: int) -> Callable | None:
-        """Return the method of an object that takes so many arguments."""
+    def methods(self, thing: Obj, name: str, count: int, arguments: Sequence[Any] = ()) -> Callable | None:
+        """Return the method of an object that takes so many arguments; of several the one that fits what is known."""
         defined = thing.defined
         if defined is None or (thing.node is not None and name in KNOWN_BETTER):
             return None
         known, key = self.index.lookups.overloads, (id(defined.what), name, count)
         found = known[key] if key in known else known.setdefault(key, self._overload_of(defined, name, count))
+        if arguments and found is not None and key not in self.index.lookups.alone:
+            found = self._overload_of(defined, name, count, arguments)
         return None if found is None else Callable(found[0], found[1], thing)
 
-    def _overload_of(self, defined: Defined, name: str, count: int) -> Found:
+    def _overload_of(self, defined: Defined, name: str, count: int, arguments: Sequence[Any] = ()) -> Found:
+        """Return the method of the first class of a chain that has one of a name; of C++ one that takes so many."""
+        hidden: Found = None
         for one in self.index.chain(defined):
-            chosen = overload(self.index.methods(one, name), count)
-            if chosen is not None and isinstance(chosen.what, Function):
+            found = self.index.methods(one, name)
+            chosen = overload(self.index, found, count, arguments, self._stack[-1] if self._stack else ("", 0))
+            if chosen is None or not isinstance(chosen.what, Function):
+                continue
+            if taking(self.index, [chosen], count) or self.index.programs[chosen.path].language == "python":
+                if len(found) < 2:
+                    self.index.lookups.alone.add((id(defined.what), name, count))
                 return chosen.what, chosen.path
-        return None
+            # A class that has ``using Base::name`` has those of its base too.
+            hidden = hidden or (chosen.what, chosen.path)
+        return hidden
 
     def function(self, name: str, count: int) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
@@ -287,7 +299,7 @@ class Evaluation(Objects):
         return None if found is None else Callable(found[0], found[1])
 
     def _function(self, name: str, count: int) -> Found:
-        chosen = overload(self.index.functions_of(name, self.frame.path, self.frame.scope), count)
+        chosen = overload(self.index, self.index.functions_of(name, self.frame.path, self.frame.scope), count)
         if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
             return None
         return chosen.what, chosen.path
@@ -306,7 +318,7 @@ class Evaluation(Objects):
     # Statements
 
     def _bind(self, what: Function, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
-        declared = self.index.declaration(what.qualified_name)
+        declared = self.index.declaration(what)
         for place, parameter in enumerate(what.parameters):
             if place < len(arguments):
                 frame.names[parameter.name] = self.typed(parameter.type, arguments[place])

@@ -22,6 +22,7 @@ class Lookups:
     Attributes:
         method: of a class, by identity and name.
         overloads: of a class, by identity, name and how many arguments are given.
+        alone: those of ``overloads`` that no arguments decide, as there is one of the name only.
         functions: outside of classes, by name, path, scope and how many arguments are given.
         defined: what a name stands for in a class (0 outside), by name, path and scope.
         kinds: what objects are, by their type, class and whether they are nodes.
@@ -32,6 +33,7 @@ class Lookups:
         """Begin with nothing."""
         self.method: dict[tuple[int, str], Found] = {}
         self.overloads: dict[tuple[int, str, int], Found] = {}
+        self.alone: set[tuple[int, str, int]] = set()
         self.functions: dict[tuple[str, str, str, int], Found] = {}
         self.defined: dict[tuple[int, str, str, str], tuple[str, Any, Any]] = {}
         self.kinds: dict[tuple[str, int, bool], tuple[str, ...]] = {}

@@ -9,6 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
 from roslens.source.extract.command_words import given_to_ros
+from roslens.source.extract.overload_choice import taking_so_many
 from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.record_write import write_parameter
 from roslens.source.extract.text import Hole, Text, unknown
@@ -127,7 +128,7 @@ def subscribe(engine: Evaluation, thing: Any, called: Called) -> Any:
         return _by_options(engine, thing, called, Role.SUBSCRIPTION, options)
     if not isinstance(thing, Handle) and not called.templates and len(called.arguments) < 2:
         return Unknown("result of subscribe()")
-    callback = _callback(engine, called, 2)
+    callback = _callback(engine, called, 2, takes=1)
     written = called.templates[0] if called.templates else type_of_callback(engine, callback)
     kind: Any = written or Unknown("the type its callback takes")
     return endpoint(
@@ -136,13 +137,17 @@ def subscribe(engine: Evaluation, thing: Any, called: Called) -> Any:
     )  # fmt: skip
 
 
-def _callback(engine: Evaluation, called: Called, place: int) -> Any:
-    """Return a callback, bound to the object that is given after it."""
+def _callback(engine: Evaluation, called: Called, place: int, takes: int = 0) -> Any:
+    """Return a callback, bound to the object that is given after it; of several of its name the one that takes so many.
+
+    A callback of a topic takes one message, that of a service a request and a response.
+    """
     callback = called.argument(place)
     thing = called.argument(place + 1)
+    if isinstance(callback, Callable) and takes and not callback.arguments:
+        callback = taking_so_many(engine.index, callback, takes)
     if isinstance(callback, Callable) and callback.function.class_name and isinstance(thing, Obj):
         return Callable(callback.function, callback.path, thing, callback.names, callback.arguments)
-    del engine
     return callback
 
 
@@ -151,7 +156,7 @@ def advertise_service(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A server of a service."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(engine, thing, called, Role.SERVICE_SERVER, options)
-    callback = _callback(engine, called, 1)
+    callback = _callback(engine, called, 1, takes=2)
     written = called.templates[0] if called.templates else type_of_callback(engine, callback)
     kind: Any = written or Unknown("the type its callback takes")
     return endpoint(engine, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)

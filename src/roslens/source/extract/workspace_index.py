@@ -65,7 +65,7 @@ class Index:
         self._classes_by_last: dict[str, list[Defined]] = {}
         self._functions_by_last: dict[str, list[Defined]] = {}
         self._constants: dict[str, tuple[str, Expression]] = {}
-        self._declared: dict[str, Function] = {}
+        self._declared: dict[tuple[str, int], Function] = {}
         self._methods: dict[str, list[Defined]] = {}
         self._modules: dict[str, list[str]] = {}
         self._aliases: dict[str, str] = {}
@@ -121,7 +121,7 @@ class Index:
                 # What a class or namespace names otherwise holds in all files that are in it.
                 self._aliases.setdefault(alias, meaning)
         for declared in program.declarations:
-            self._declared.setdefault(declared.qualified_name, declared)
+            self._declared.setdefault((declared.qualified_name, len(declared.parameters)), declared)
 
     @cached_property
     def headers(self) -> frozenset[str]:
@@ -400,9 +400,9 @@ class Index:
             self._found_globals[key] = found
         return found
 
-    def declaration(self, qualified_name: str) -> Function | None:
+    def declaration(self, function: Function) -> Function | None:
         """Return how a function is declared elsewhere, with the defaults of its parameters."""
-        return self._declared.get(qualified_name)
+        return self._declared.get((function.qualified_name, len(function.parameters)))
 
     def chain(self, defined: Defined) -> list[Defined]:
         """Return a class and its bases in the workspace, nearest first, each once."""

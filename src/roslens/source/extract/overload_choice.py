@@ -1,0 +1,97 @@
+"""Which of several functions of one name is meant: by how many arguments there are, then by what they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from roslens.source.extract.abstract_value import Callable, Handle, Obj
+from roslens.source.extract.program import Function
+from roslens.source.extract.text import Text
+from roslens.source.extract.workspace_index import Defined, Index, type_name
+
+_TEXTS = frozenset({"string", "char", "QString", "string_view"})
+_NUMBERS = frozenset({"int", "double", "float", "bool", "size_t", "unsigned", "long", "short", "uint8_t", "uint16_t",
+                      "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t"})  # fmt: skip
+_FITS, _UNFIT = 1, -4
+_HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
+
+
+def overload(
+    index: Index, found: list[Defined], count: int, arguments: Sequence[Any] = (), running: tuple[str, int] = ("", 0)
+) -> Defined | None:
+    """Return the function that takes so many arguments, else the one with the most to say.
+
+    Args:
+        index: that knows how functions are declared.
+        found: functions of one name.
+        count: how many arguments are given.
+        arguments: those that are known, which decide where several functions take so many.
+        running: path and line of the function that calls: it calls another one of its name, rather than itself.
+    """
+    functions = [one for one in found if isinstance(one.what, Function)]
+    if len(functions) < 2:
+        return functions[0] if functions else None
+    best = taking(index, functions, count) or functions
+    if len(best) > 1 and arguments:
+        most = max(fit(one, arguments) for one in best)
+        best = [one for one in best if fit(one, arguments) == most]
+        best = [one for one in best if (one.path, getattr(one.what, "line", 0)) != running] or best
+    return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)
+
+
+def taking(index: Index, found: list[Defined], count: int) -> list[Defined]:
+    """Return the functions that take so many arguments."""
+    functions = [(one, one.what) for one in found]
+    return [
+        one
+        for one, what in functions
+        if isinstance(what, Function) and count <= len(what.parameters) and _least(index, what) <= count
+    ]
+
+
+def taking_so_many(index: Index, callback: Callable, count: int) -> Callable:
+    """Return a callback, or one of its name that takes so many arguments where it does not."""
+    function = callback.function
+    if len(function.parameters) == count or function.name == "lambda":
+        return callback
+    several = index.functions_of(function.qualified_name, callback.path, "")
+    found = taking(index, several, count) if len(several) > 1 else []
+    if not found or not isinstance(chosen := found[0].what, Function):
+        return callback
+    return Callable(chosen, found[0].path, callback.self, callback.names, callback.arguments)
+
+
+def _least(index: Index, function: Function) -> int:
+    """Return how many arguments a function needs, of which its declaration may have defaults."""
+    declared = index.declaration(function) or function
+    pairs = zip(function.parameters, declared.parameters, strict=True)
+    return sum(own.default is None and other.default is None for own, other in pairs)
+
+
+def fit(one: Defined, arguments: Sequence[Any]) -> int:
+    """Return how well a function fits to arguments; what is unknown fits anywhere."""
+    parameters = one.what.parameters if isinstance(one.what, Function) else ()
+    return sum(_fit(parameter.type, value) for parameter, value in zip(parameters, arguments, strict=False))
+
+
+def _fit(declared: str, value: Any) -> int:
+    name = type_name(declared)[0].rpartition(".")[2] if declared else ""
+    if not name or name in ("auto", "T"):
+        return 0
+    text, number = name in _TEXTS, name in _NUMBERS
+    if isinstance(value, Text):
+        # A text with a hole may be any parameter.
+        return _FITS if text else 0 if value.holes else _UNFIT if number else 0
+    if isinstance(value, bool):
+        return 2 * _FITS if name == "bool" else _FITS if number else _UNFIT
+    if isinstance(value, int | float):
+        return _FITS if number else _UNFIT if text else 0
+    if isinstance(value, Handle):
+        return _FITS if name in _HANDLES else _UNFIT if text or number else 0
+    if isinstance(value, Obj):
+        same = name == value.type.rpartition(".")[2]
+        return 2 * _FITS if same else _UNFIT if text or number or name in _HANDLES else 0
+    if isinstance(value, Callable):
+        return _UNFIT if text or number else 0
+    return 0

@@ -39,3 +39,22 @@ def test_implicit_ends_are_left_out():
         node("/a", end("pub", "/p", "a_msgs/msg/A", origin=Origin.IMPLICIT)),
         node("/b", end("sub", "/p", "a_msgs/msg/B")),
     )
+
+
+def test_of_one_node_only_one_type_is_there_under_opposite_conditions():
+    both = (
+        end("pub", "/cmd", "g/msg/TwistStamped", 3, conditions=("is_stamped_",)),
+        end("pub", "/cmd", "g/msg/Twist", 4, conditions=("not is_stamped_",)),
+    )
+    assert not findings(node("/a", *both))
+    (one,) = findings(node("/a", *both), node("/b", end("sub", "/cmd", "g/msg/Twist", 5)))
+    assert "TwistStamped another name" in one.message
+
+
+def test_words_of_two_nodes_are_two_values():
+    (one,) = findings(
+        node("/a", end("pub", "/cmd", "g/msg/Twist", 3, conditions=("not is_stamped_", "#if A"))),
+        node("/b", end("sub", "/cmd", "g/msg/TwistStamped", 4, conditions=("is_stamped_", "#if A"))),
+    )
+    assert one.severity is Severity.WARNING
+    assert "only if `not is_stamped_ in /a` and `#if A` and `is_stamped_ in /b`." in one.message

@@ -8,7 +8,7 @@ from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
-from roslens.source.rules.graph.ends import End, by_name, ends, listed
+from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends, listed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
@@ -50,9 +50,7 @@ def _together(publishers: list[End]) -> list[End]:
 
 def _told(name: str, publishers: list[End]) -> Finding:
     first, second = publishers[:2]
-    severity, doubt = weighed(
-        RULE.severity, (first.one.proof, second.one.proof), (*first.conditions, *second.conditions)
-    )
+    severity, doubt = weighed(RULE.severity, (first.one.proof, second.one.proof), conditions_of(first, second))
     message = (
         f"{len(publishers)} nodes publish commands on {name}: {listed([end.told for end in publishers])}. "
         f"The last one to speak is obeyed; let a multiplexer choose between them.{doubt}"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import End, by_name, ends
+from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
@@ -38,7 +38,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
 
 def _told(kind: str, name: str, type_: str, differing: list[End]) -> Finding:
     good, bad = differing[:2]
-    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), (*good.conditions, *bad.conditions))
+    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), conditions_of(good, bad))
     message = (
         f"{bad.told} and {good.told} use {kind} {name} with different definitions of {type_}: "
         f"{_short(bad)} and {_short(good)}. Build both against the same version of {type_.partition('/')[0]}.{doubt}"

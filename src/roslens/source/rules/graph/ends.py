@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import msgspec
 
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Origin, Unresolved
 from roslens.model.graph import Role
-from roslens.source.rules.graph.doubt import doubt_of
+from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other
 
 KIND = {
     Role.PUBLISHER: "topic",
@@ -85,6 +85,35 @@ class End(msgspec.Struct, frozen=True):
     def order(self) -> tuple[int, str, str, str]:
         """The clearest first, then by node and place."""
         return doubt_of([self.one.proof], self.conditions), self.node.name, self.one.proof.place, self.name
+
+
+def conditions_of(first: End, second: End) -> tuple[str, ...]:
+    """Return what must hold for both ends to be there.
+
+    What one word means in the code of two nodes are two values, of each its own: it is told whose it is.
+    """
+    if first.node.name == second.node.name:
+        return (*first.conditions, *second.conditions)
+    shared = {_plain(one) for one in first.one.conditions} & {_plain(one) for one in second.one.conditions}
+    return (*_of(first, shared), *_of(second, shared))
+
+
+def exclude(first: End, second: End) -> bool:
+    """Return whether two ends of one node are there under opposite conditions."""
+    same = (first.node.name, first.node.proof.place) == (second.node.name, second.node.proof.place)
+    return same and exclude_each_other(first.conditions, second.conditions)
+
+
+def _of(end: End, shared: set[str]) -> Iterator[str]:
+    yield from end.node.conditions
+    for one in end.one.conditions:
+        # What the preprocessor decides is the same for all that is built together.
+        own = _plain(one) in shared and "#" not in one
+        yield f"{one} in {end.node.name}" if own else one
+
+
+def _plain(condition: str) -> str:
+    return condition.removeprefix("not ")
 
 
 def ends(configuration: Configuration) -> list[End]:

@@ -11,7 +11,7 @@ from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
-from roslens.source.rules.graph.ends import End, Key, by_name, ends, listed
+from roslens.source.rules.graph.ends import End, Key, by_name, conditions_of, ends, listed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
@@ -79,7 +79,7 @@ def _told(name: str, lacking: tuple[Mismatch, ...], joined: list[_Pair], fed: se
     severity, doubt = weighed(
         RULE.severity if starved else Severity.WARNING,
         (publisher.one.proof, subscription.one.proof),
-        (*publisher.conditions, *subscription.conditions),
+        conditions_of(publisher, subscription),
     )
     requested = ", ".join(one.requested for one in lacking)
     offered = ", ".join(one.offered for one in lacking)

@@ -8,7 +8,7 @@ from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import End, by_name, ends
+from roslens.source.rules.graph.ends import End, by_name, conditions_of, ends
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
@@ -57,7 +57,7 @@ def _rate_hz(end: End) -> float:
 
 def _told(name: str, short: list[End], rate: float, publisher: End) -> Finding:
     end = short[0]
-    severity, doubt = weighed(RULE.severity, (end.one.proof,), (*end.conditions, *publisher.conditions))
+    severity, doubt = weighed(RULE.severity, (end.one.proof,), conditions_of(end, publisher))
     more = f" (and {len(short) - 1} more)" if len(short) > 1 else ""
     message = (
         f"{end.told}{more} keeps 1 message of {name}, which {publisher.told} publishes best effort with {rate:g} Hz: "

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import combinations, product
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import WORDS, End, by_name, ends, listed
+from roslens.source.rules.graph.ends import WORDS, End, by_name, conditions_of, ends, exclude, listed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
@@ -33,21 +34,26 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
         for end in all_ends:
             if end.type and end.type not in _ANY:
                 of_type.setdefault(end.type, []).append(end)
-        if len(of_type) > 1:
-            yield _told(kind, name, of_type)
+        # What most ends have is taken to be meant; the others are found fault with.
+        ranked = sorted(of_type, key=lambda one: (-len(of_type[one]), one))
+        pair = next((pair for pair in _pairs(ranked, of_type) if not exclude(*pair)), None)
+        if pair is not None:
+            yield _told(kind, name, of_type, ranked, pair)
 
 
-def _told(kind: str, name: str, of_type: dict[str, list[End]]) -> Finding:
-    # What most ends have is taken to be meant; the others are found fault with.
-    ranked = sorted(of_type, key=lambda one: (-len(of_type[one]), one))
-    usual, others = ranked[0], ranked[1:]
-    good, bad = of_type[usual][0], of_type[others[0]][0]
-    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), (*good.conditions, *bad.conditions))
+def _pairs(ranked: list[str], of_type: dict[str, list[End]]) -> Iterator[tuple[End, End]]:
+    for usual, other in combinations(ranked, 2):
+        yield from product(of_type[usual], of_type[other])
+
+
+def _told(kind: str, name: str, of_type: dict[str, list[End]], ranked: list[str], pair: tuple[End, End]) -> Finding:
+    good, bad = pair
+    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), conditions_of(good, bad))
     said = "; ".join(
         f"{listed([f'{end.told} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )
     message = (
         f"{kind} {name} has {len(ranked)} types: {said}. They are never joined. "
-        f"Give all of them one type, or {others[0]} another name.{doubt}"
+        f"Give all of them one type, or {bad.type} another name.{doubt}"
     )
     return told(RULE, message, bad.one.proof, entity=bad.entity, severity=severity, context=" ".join(sorted(ranked)))

@@ -3,7 +3,7 @@ import pytest
 from roslens.model.configuration import Proof
 from roslens.source.extract.assemble_parameters import Values, declared_as_set, doubt, parameters_of, set_outside
 from roslens.source.extract.launched import Setting
-from roslens.source.extract.node_facts import Evidence, ParameterFact, Sure
+from roslens.source.extract.node_facts import Evidence, ParameterFact, Sure, Terms
 from roslens.source.extract.resolve_name import Place
 from roslens.source.extract.text import Hole, Text, unknown
 
@@ -174,3 +174,40 @@ def test_defaults_of_parameters_that_a_list_names():
     fact = ParameterFact(Text.of(item, ".topic"), CODE, "declared", "string", Text.of(item, "/scan"))
     found = parameters_of((fact,), Values(ROS2, ()))
     assert [(one.name, one.default) for one in found] == [("a.topic", "a/scan"), ("b.topic", "b/scan")]
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "expected"),
+    [
+        (Text.of("a"), (), ("a", "certain", "")),
+        (Text.of(hole("p", "x"), ".a"), (), ("x.a", "likely", "default of parameter p")),
+        (Text.of(hole("p"), ".a"), (), ("*.a", "possible", "parameter p")),
+        (
+            Text.of(hole("p", "x"), ".a"),
+            (setting("p", "y"),),
+            ("y.a", "certain", "parameter p, set in a.yaml:5"),
+        ),
+    ],
+)
+def test_a_parameter_is_as_sure_as_its_name(name, settings, expected):
+    found = parameters_of((ParameterFact(name, CODE, "declared"),), Values(ROS2, settings))
+    (one,) = [one for one in found if one.access]
+    assert (one.name, one.proof.sure, one.proof.how) == expected
+
+
+def test_what_a_declaration_says_is_kept_from_where_it_is_said():
+    facts = (
+        ParameterFact(Text.of("a"), CODE, "read", "double"),
+        ParameterFact(
+            Text.of("a"), Evidence("b.cpp", 4), "declared", "list", range="0..1", description="what",
+            terms=Terms(read_only=True, allowed=("1",)),
+        ),
+    )  # fmt: skip
+    (one,) = parameters_of(facts, Values(ROS2, ()))
+    assert (one.type, one.range, one.description, one.read_only, one.allowed) == (
+        "double",
+        "0..1",
+        "what",
+        True,
+        ("1",),
+    )

@@ -8,6 +8,7 @@ import pytest
         ("int(3.7)", "t/3"),
         ("int('three')", "t/{result of int()}"),
         ("float('2')", "t/2.0"),
+        ("float()", "t/0.0"),
         ("int('ff', 16)", "t/{result of int()}"),
         ("int(self.declare_parameter('n', 4).value)", "t/{parameter n}"),
     ],

@@ -206,7 +206,7 @@ def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[Confi
         default = None if fact.default is None else fact.default.usual
         found[name] = _with(
             ConfiguredParameter(
-                name, default, fact.type, default, fact.range, fact.access, proof_of(fact.evidence),
+                name, default, fact.type, default, fact.range, fact.access, _proof(fact, filled),
                 conditions=fact.conditions, **_terms_of(fact),
             ),
             setting,
@@ -217,6 +217,16 @@ def parameters_of(facts: Iterable[ParameterFact], values: Values) -> tuple[Confi
     for name, writes in _writes(every, values).items():
         found[name] = after_writes(found[name], writes)
     return tuple(found[name] for name in sorted(found))
+
+
+def _proof(fact: ParameterFact, filled: Filled) -> Proof:
+    """Return where a parameter is declared or read; it is as sure as its name."""
+    proof = proof_of(fact.evidence)
+    if not fact.name.holes:
+        return proof
+    sure = Sure.POSSIBLE if filled.text.holes else filled.sure
+    how = "; ".join(dict.fromkeys((*filled.how, *((proof.how,) if proof.how else ()))))
+    return msgspec.structs.replace(proof, sure=sure.value, how=how)
 
 
 def _writes(facts: Iterable[ParameterFact], values: Values) -> dict[str, list[Write]]:

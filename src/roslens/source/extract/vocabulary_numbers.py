@@ -27,6 +27,8 @@ def real(_engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 def _number(called: Called, kind: type[int] | type[float]) -> Any:
+    if not called.arguments and called.name in ("int", "float"):
+        return kind()
     value = called.argument(0)
     known = value.known if isinstance(value, Text) else value
     if len(called.arguments) != 1 or not isinstance(known, str | int | float) or len(str(known)) > _MOST_SIGNS:

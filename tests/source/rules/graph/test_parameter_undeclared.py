@@ -91,3 +91,10 @@ def test_one_whose_file_is_there_has_those_and_no_others():
 def test_what_is_below_may_be_that_of_a_plugin():
     one = node("/a", SERVER, parameters=(RATE, parameter("/a/planner/rate", set_by=FILE)))
     assert not findings(one, generation="ros1")
+
+
+def test_what_is_unknown_itself_is_none():
+    table = parameter("known", access="declared", proof=CODE), parameter("group.x", access="declared", proof=CODE)
+    assert not findings(node("/a", parameters=(*table, parameter("*", set_by=FILE), parameter("group", set_by=FILE))))
+    (one,) = findings(node("/a", parameters=(*table, parameter("group", value="1", set_by=FILE))))
+    assert "`group` is set" in one.message

@@ -66,7 +66,10 @@ def _above(name: str) -> str:
 def _is_unknown(
     one: ConfiguredParameter, node: ConfiguredNode, known: list[str], read: list[str], *, ros1: bool
 ) -> bool:
-    if one.set_by is None or one.access or _is_of_every_node(one.name):
+    if one.set_by is None or one.access or _is_of_every_node(one.name) or "*" in one.name:
+        return False
+    if one.value is None and any(name.startswith(f"{one.name}.") for name in known):
+        # It may be a table of parameters, of which nobody knows what is in it.
         return False
     if ros1 and (not one.name.startswith(f"{node.name}/") or _is_read(one.name, read)):
         return False

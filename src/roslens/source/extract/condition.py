@@ -58,7 +58,8 @@ def written(terms: Terms) -> tuple[str, ...]:
     either = " or ".join(" and ".join(rest) for rest in rests) if all(rests) else ""
     if len(either) > 2 * _LONG:
         either = f"{either[: 2 * _LONG]}{_CUT}"
-    return *(_said(one) for one in shared), *([either] if either else [])
+    said = tuple(_said(one) for one in shared)
+    return (*said, either) if either else said
 
 
 def terms_of(condition: str) -> Terms | None:

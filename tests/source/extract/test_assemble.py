@@ -494,3 +494,13 @@ def test_a_script_that_nobody_installs_runs_in_ros1_alone(generation, count):
         configured(facts, Launched(Text.of("pkg"), Text.of("a.py"), START, Text.of("a")), generation=generation)
     )
     assert len(explicit(node)) == count
+
+
+def test_a_name_that_a_parameter_leaves_empty_is_not_resolved():
+    unnamed = end(Role.SERVICE_CLIENT, parameter_name("detector", ""), conditions=("not detector.empty()",))
+    configuration = configured(talker(endpoints=(unnamed,)), started())
+    (one,) = explicit(only(configuration))
+    assert not one.resolved
+    assert one.endpoint.name == "*"
+    assert "which is empty" in one.proof.how
+    assert any("parameter detector" in missing.reason for missing in configuration.unresolved)

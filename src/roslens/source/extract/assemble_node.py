@@ -247,6 +247,9 @@ class _Node:
         looped: bool = False,
     ) -> ConfiguredEndpoint:
         filled = self.values.fill(fact.name)
+        if not filled.text.parts and fact.name.holes:
+            # No name at all is none of ROS: code that takes it has a condition, or would fail.
+            filled = msgspec.structs.replace(filled, text=fact.name, how=(*filled.how, "which is empty"))
         resolved, by = resolve(filled.text, self.place, self.rules)
         self._note(filled.text, by)
         kind = self.values.fill(fact.type)

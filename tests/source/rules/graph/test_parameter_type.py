@@ -74,8 +74,9 @@ def test_a_server_of_roscpp_takes_its_default_for_what_does_not_fit():
     )
 
 
-def test_a_server_of_rospy_takes_what_is_set():
-    assert not findings("double", "string", path="cfg/A.cfg", generation="ros1")
+@pytest.mark.parametrize("path", ["cfg/A.cfg", "src/limits.py"])
+def test_a_server_of_rospy_takes_what_is_set(path):
+    assert not findings("double", "string", path=path, generation="ros1")
 
 
 def test_code_that_writes_a_parameter_does_not_mind_its_type():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Proof
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -44,14 +44,15 @@ def _differs(one: ConfiguredParameter, *, ros1: bool) -> bool:
         return False
     if ros1:
         # What Python reads has the type of the value; roscpp converts numbers.
-        python = one.proof is not None and (one.proof.path.endswith(".py") or _is_kept(one, one.proof))
-        return not python and not {wanted, given} <= _NUMBERS and "array" not in wanted + given
+        return not _is_kept(one) and not {wanted, given} <= _NUMBERS and "array" not in wanted + given
     return one.access == "declared"
 
 
-def _is_kept(one: ConfiguredParameter, declared: Proof) -> bool:
-    """Whether a server of dynamic_reconfigure leaves what is set as it is, as that of rospy does."""
-    return declared.path.endswith(".cfg") and one.written_by is None
+def _is_kept(one: ConfiguredParameter) -> bool:
+    """Whether Python takes what is set as it is: code that reads it, or a server of dynamic_reconfigure (ROS 1)."""
+    if one.access == "declared":
+        return one.written_by is None
+    return one.proof is not None and one.proof.path.endswith(".py")
 
 
 def _told(node: ConfiguredNode, one: ConfiguredParameter, *, ros1: bool) -> Finding:

@@ -191,3 +191,9 @@ def test_a_finding_in_a_file_of_another_name_has_moved(history, capsys):
     assert "= talk/talk/nodes.py:" in text
     found = json.loads(compared(history, capsys, "--diff", "HEAD~1", "HEAD", "--format", "json", code=0).out)
     assert found["findings"]["moved"][0]["after"]["path"] == "talk/talk/knots.py"
+
+
+@pytest.mark.parametrize("sign", ["=", ":="])
+def test_arguments_of_a_launch_file_have_either_sign(history, capsys, sign):
+    launch = "talk/robot.launch.xml"
+    assert "- /listener" in compared(history, capsys, "--diff", launch, f"{launch}:listening{sign}false").out

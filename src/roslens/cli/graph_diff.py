@@ -142,7 +142,9 @@ def _documents(options: argparse.Namespace) -> tuple[Side, Side]:
 
 def _launched(source: GraphSource, text: str) -> Side:
     launch, _, rest = text.partition(":")
-    arguments = dict(pair.partition("=")[::2] for pair in rest.split(",") if pair)
+    pairs = (pair.partition("=") for pair in rest.split(",") if pair)
+    # With --arg a colon stands before the sign; it is no part of a name here either.
+    arguments = {name.removesuffix(":"): value for name, _, value in pairs}
     return _side(text, source, {"": source.launched(launch, arguments)}, launch, arguments)
 
 

@@ -96,6 +96,21 @@ def test_a_name_of_a_description_is_known(host, name):
     assert made(facts) == ["n/said"]
 
 
+@pytest.mark.parametrize("name", ["p::Talks", "p/Talks", "Talks"])
+def test_the_name_of_a_class_is_without_its_package(host, name):
+    body = f'loader_.createSharedInstance("p::Talks")->configure(shared_from_this(), loader_.getName("{name}"));'
+    assert made(host(body, Chosen())) == ["Talks/said"]
+
+
+def test_the_name_of_a_default_is_likely(host):
+    body = """
+    auto type = declare_parameter("type", std::string("p::Talks"));
+    loader_.createSharedInstance(type)->configure(shared_from_this(), loader_.getName(type));
+"""
+    (end,) = host(body, Chosen((("", "type", None),))).endpoints
+    assert (end.name.usual, end.evidence.sure.value) == ("Talks/said", "likely")
+
+
 def test_a_class_elsewhere_is_not_made_up(host):
     facts = host('loader_.createSharedInstance("far::Away")->configure(shared_from_this(), "n");', Chosen())
     assert made(facts) == []

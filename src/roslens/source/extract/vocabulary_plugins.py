@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Obj, Unknown, as_text
 from roslens.source.extract.node_facts import PluginFact
 from roslens.source.extract.plugin_choice import deciding_node
 from roslens.source.extract.plugin_held import held_in, hold
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.type_names import type_name
 from roslens.source.extract.vocabulary import Called, method, outer
 from roslens.source.extract.workspace_index import Defined
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
 _LOADER = "pluginlib.ClassLoader"
+_SEPARATOR = re.compile(r"[/:]")
 _MOST = 64
 """So many plug-ins one evaluation follows."""
 
@@ -50,6 +52,16 @@ def instance(engine: Evaluation, thing: Any, called: Called) -> Any:
     if isinstance(made, Obj):
         engine.plugged.append((made, node))
     return made
+
+
+@method(_LOADER, "getName", quiet=True)
+def plain_name(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The name of a class without its package (pluginlib, class_loader_imp.hpp): ``a/B`` and ``a::B`` are ``B``."""
+    kind = as_text(called.argument(0))
+    last = None if kind.usual is None else _SEPARATOR.split(kind.usual)[-1]
+    if kind.known is not None:
+        return Text.of(last or "")
+    return unknown(f"name of the plug-in {kind}", default=last)
 
 
 def _class(engine: Evaluation, name: str) -> Defined | None:

@@ -1,4 +1,7 @@
 import pytest
+import yaml
+from hypothesis import given
+from hypothesis import strategies as st
 
 from roslens.model.errors import DocumentError
 from roslens.source.extract.node_facts import Terms
@@ -91,3 +94,30 @@ def test_odd_values_are_left_out():
     assert found == ()
     _, found = declarations_of(b"a: {y: {type: int}, x: 5, w: {}, v: {type: [1]}}", "p.yaml")
     assert [one.name for one in found] == ["y"]
+
+
+WORDS = (
+    "type",
+    "default_value",
+    "validation",
+    "read_only",
+    "description",
+    "__map_x",
+    "x",
+    "gt<>",
+    "bounds<>",
+    "one_of<>",
+)
+LEAVES = st.one_of(st.text(max_size=5), st.integers(), st.floats(), st.none(), st.booleans(), st.just("int"))
+TREES = st.recursive(
+    LEAVES,
+    lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.sampled_from(WORDS), inner, max_size=4)),
+    max_leaves=12,
+)
+
+
+@given(st.dictionaries(st.sampled_from(WORDS), TREES, max_size=2))
+def test_any_file_is_read_or_told(tree):
+    content = yaml.safe_dump(tree, allow_unicode=True).encode("utf-8", "surrogatepass")
+    found = parameter_library("t", "pkg", "p.yaml", content, python=False)
+    assert not (found.unread and found.declarations)

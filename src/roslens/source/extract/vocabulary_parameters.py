@@ -9,7 +9,7 @@ import msgspec
 from roslens.source.extract.abstract_value import Obj, Unknown, as_text
 from roslens.source.extract.parameter_types import VECTOR, type_of_constant, type_of_cpp, type_of_value
 from roslens.source.extract.record import is_set, parameter
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.typed_list import TypedList
 from roslens.source.extract.vocabulary import Called, method, outer
 from roslens.source.extract.vocabulary_descriptors import described_by, is_descriptor
@@ -93,10 +93,12 @@ def _template(called: Called) -> str:
 def declare_all(engine: Evaluation, thing: Any, called: Called) -> Any:
     """Several parameters are declared at once."""
     prefix, given, kind = called.argument(0, "namespace"), called.argument(1, "parameters"), _template(called)
-    items = given.items() if isinstance(given, dict) else given if isinstance(given, list) else []
+    items = list(given.items()) if isinstance(given, dict) else given
+    if not isinstance(items, list):
+        items = [[unknown("a parameter of a list that is not followed")]]
     for pair in items:
         if not isinstance(pair, list | tuple) or not pair:
-            continue
+            pair = [unknown("a parameter that is not followed")]
         name = as_text(pair[0])
         if not isinstance(prefix, Text) or prefix.parts:
             name = Text.of(as_text(prefix), ".", name)

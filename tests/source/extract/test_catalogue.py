@@ -40,13 +40,10 @@ def test_a_node_is_known_by_package_and_executable_or_class():
     assert known_node(launched("robot_state_publisher", "other"), "ros2", ()) is None
 
 
-def test_the_command_line_names_what_a_relay_does():
-    meant = known_node(launched("topic_tools", "relay"), "ros1", (Text.of("in"), Text.of("out")))
+def test_the_command_line_names_what_a_bridge_of_images_publishes():
+    meant = known_node(launched("ros_gz_image", "image_bridge"), "ros2", (Text.of("camera"),))
     assert meant is not None
-    assert [(one.role, one.name.known) for one in meant.facts[0].endpoints] == [
-        (Role.PUBLISHER, "out"),
-        (Role.SUBSCRIPTION, "in"),
-    ]
+    assert [(one.role, one.name.known) for one in meant.facts[0].endpoints] == [(Role.PUBLISHER, "camera")]
 
 
 @pytest.mark.parametrize(

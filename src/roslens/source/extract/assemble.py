@@ -25,6 +25,7 @@ from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Argument, Launch, Launched, Setting
 from roslens.source.extract.node_facts import Inherits, NodeFacts, Target, TargetKind
 from roslens.source.extract.parameter_file import ros2_parameters
+from roslens.source.extract.process_commands import as_node
 from roslens.source.extract.resolve_name import TOP, absolute
 from roslens.source.extract.ros1_nodelet import Bond, has_bond, with_bonds
 from roslens.source.extract.text import Text
@@ -130,6 +131,8 @@ class _Whole:
 
     def start(self, launched: Launched) -> None:
         generation = self.launch.generation
+        if launched.kind == "process":
+            launched = as_node(launched) or launched
         line = command_line(launched.arguments, generation, launched.evidence)
         if launched.kind == "process":
             words = " ".join(str(word) for word in (launched.executable, *launched.arguments) if word.parts)

@@ -44,6 +44,7 @@ from roslens.source.extract.resolve_name import (
 )
 from roslens.source.extract.ros1_nodelet import is_process
 from roslens.source.extract.text import Hole, Text, unknown
+from roslens.source.extract.topic_tools import made_by_tool
 from roslens.source.settings import NodeHint
 
 _IS_SET = " is set"
@@ -206,7 +207,10 @@ class _Node:
     def _plugged(self) -> Iterator[EndpointFact]:
         launched = self.given.launched
         if self.origin is Origin.CATALOGUE:
-            yield from plugged_by_parameters(launched.package.pattern, launched.executable.pattern, self.values)
+            package, words = launched.package.pattern, self.given.line.rest
+            yield from plugged_by_parameters(package, launched.executable.pattern, self.values)
+            what = (launched.plugin if launched.plugin.parts else launched.executable).pattern
+            yield from made_by_tool(package, what, self.given.generation, words, self.values)
 
     def _started(self) -> Proof:
         """Return what starts the node; its name is not certain where its options are unknown."""

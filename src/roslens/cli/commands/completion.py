@@ -4,23 +4,49 @@ from __future__ import annotations
 
 import argparse
 
+from roslens.model.errors import UsageError
+
 TEXT = "Print a completion script for a shell."
 EXAMPLES = """\
   roslens completion bash > ~/.local/share/bash-completion/completions/roslens
   roslens completion zsh > "${fpath[1]}/_roslens"
   roslens completion tcsh >> ~/.tcshrc"""
 
+_SHELLS = ("bash", "zsh", "tcsh")
+_WORDS = ("launches", "arguments")
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the shell's name."""
-    parser.add_argument("shell", choices=("bash", "zsh", "tcsh"), help="the shell to complete in")
+    """Add the shell's name; the scripts themselves ask for words that depend on the workspace."""
+    shells = "{" + ",".join(_SHELLS) + "}"
+    parser.add_argument("shell", choices=(*_SHELLS, *_WORDS), metavar=shells, help="the shell to complete in")
+    parser.add_argument("--path", default=".", help=argparse.SUPPRESS)
+    parser.add_argument("--launch", default="", help=argparse.SUPPRESS)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the script."""
+    """Print the script, or the words that it asks for.
+
+    Raises:
+        UsageError: a word was asked for of a workspace or a launch file that is not there.
+    """
+    if options.shell in _WORDS:
+        return _print_words(options)
     import shtab
 
+    from roslens.cli.completion_words import PREAMBLE
     from roslens.cli.main import parser
 
-    print(shtab.complete(parser(), shell=options.shell))
+    print(shtab.complete(parser(), shell=options.shell, preamble=PREAMBLE.get(options.shell, "")))
+    return 0
+
+
+def _print_words(options: argparse.Namespace) -> int:
+    from roslens.cli.completion_words import arguments, launches
+
+    if options.shell == "arguments" and not options.launch:
+        raise UsageError("arguments of no launch file", expected="--launch PACKAGE/FILE")
+    found = launches(options.path) if options.shell == "launches" else arguments(options.path, options.launch)
+    for word in found:
+        print(word)
     return 0

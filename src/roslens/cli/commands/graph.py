@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from roslens.cli.boundary import CLEAN, NOT_ANALYSED
+from roslens.cli.completion_words import ARGUMENTS, LAUNCHES
 from roslens.cli.graph_check import add_check_arguments
 from roslens.cli.streams import add_stream_arguments, write_result
 from roslens.model.errors import UsageError
@@ -35,12 +36,14 @@ exit codes: as everywhere; with --diff 1 where there is a difference"""
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of ``roslens graph``."""
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
-    parser.add_argument(
+    launch = parser.add_argument(
         "--launch", metavar="FILE", help="what it starts: PACKAGE/FILE, a path, or a name of [graph.configurations]"
     )
-    parser.add_argument(
+    argument = parser.add_argument(
         "--arg", action="append", default=[], metavar="NAME:=VALUE", help="argument of the launch file; again for more"
     )
+    # Scripts of shells are made from what actions hold under this name.
+    vars(launch)["complete"], vars(argument)["complete"] = LAUNCHES, ARGUMENTS
     parser.add_argument("--package", action="append", default=[], metavar="NAME", help="only what this package makes")
     parser.add_argument("--node", action="append", default=[], metavar="NAME", help="only this node, or a pattern")
     parser.add_argument("--all", action="store_true", help="also endpoints that every node has, as /rosout")

@@ -1,0 +1,100 @@
+"""What a shell offers where a launch file or one of its arguments is asked for, and how it asks roslens for that."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+
+LAUNCHES = {"bash": "_roslens_launches", "zsh": "_roslens_launches"}
+"""The functions of the shells that complete a launch file, as shtab wants them."""
+
+ARGUMENTS = {"bash": "_roslens_arguments", "zsh": "_roslens_arguments"}
+"""Those that complete an argument of the launch file that stands in the line."""
+
+PREAMBLE = {
+    "bash": """\
+_roslens_asked() {
+  # Options of the line that say which workspace and which launch file are meant.
+  local place
+  asked=(--path .)
+  for ((place = 2; place < COMP_CWORD; place++)); do
+    [[ ${COMP_WORDS[place]} == --launch ]] && asked+=(--launch "${COMP_WORDS[place + 1]}")
+    [[ ${COMP_WORDS[place]} != -* && ${COMP_WORDS[place - 1]} != -* && -d ${COMP_WORDS[place]} ]] &&
+      asked+=(--path "${COMP_WORDS[place]}")
+  done
+}
+_roslens_launches() {
+  local asked
+  _roslens_asked
+  compgen -W "$(roslens completion launches "${asked[@]}" 2>/dev/null)" -- "$1"
+}
+_roslens_arguments() {
+  local asked
+  _roslens_asked
+  compgen -W "$(roslens completion arguments "${asked[@]}" 2>/dev/null)" -- "$1"
+}
+""",
+    "zsh": """\
+_roslens_asked() {
+  local place
+  asked=(--path .)
+  for ((place = 2; place < CURRENT; place++)); do
+    [[ ${words[place]} == --launch ]] && asked+=(--launch "${words[place + 1]}")
+    [[ ${words[place]} != -* && ${words[place - 1]} != -* && -d ${words[place]} ]] && asked+=(--path "${words[place]}")
+  done
+}
+_roslens_launches() {
+  local -a asked found
+  _roslens_asked
+  found=(${(f)"$(roslens completion launches "${asked[@]}" 2>/dev/null)"})
+  compadd -a found
+}
+_roslens_arguments() {
+  local -a asked found
+  _roslens_asked
+  found=(${(f)"$(roslens completion arguments "${asked[@]}" 2>/dev/null)"})
+  compadd -S '' -a found
+}
+""",
+}
+"""Definitions of these functions, by shell."""
+
+_TRUTHS = (("true", "false"), ("True", "False"), ("1", "0"))
+
+
+def launches(path: str) -> Iterator[str]:
+    """Yield the configurations that a workspace declares, and its launch files as PACKAGE/FILE.
+
+    Raises:
+        UsageError: there is no such folder, or its configuration file is wrong.
+    """
+    from roslens.cli.graph_opened import open_source
+
+    with open_source(_options(path)) as source:
+        yield from source.settings.graph.configurations
+        yield from sorted(set(source.launch_files()))
+
+
+def arguments(path: str, launch: str) -> Iterator[str]:
+    """Yield ``name:=`` for the arguments of a launch file, with values where it names some or the default is a truth.
+
+    Raises:
+        UsageError: there is no such folder or launch file.
+    """
+    from roslens.cli.graph_opened import open_source
+
+    with open_source(_options(path)) as source:
+        for one in source.evaluated(launch, {})[1].arguments:
+            default = (one.default.known if one.default else None) or ""
+            values = one.choices or next((pair for pair in _TRUTHS if default in pair), ("", default))
+            for value in dict.fromkeys(values):
+                # A shell takes words apart at some characters, and paths here are not those of the running system.
+                if not set(value) & set(" \t\n\"'$`\\{}/"):
+                    yield f"{one.name}:={value}"
+
+
+def _options(path: str) -> argparse.Namespace:
+    return argparse.Namespace(
+        path=str(Path(path).expanduser()), config=None, jobs=1, no_cache=False, verbose=False, quiet=True
+    )

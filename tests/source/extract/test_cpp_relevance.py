@@ -232,3 +232,18 @@ def test_a_long_function_that_names_an_interface_matters_as_a_whole(written: str
 def test_letters_inside_another_word_name_no_interface(written: str) -> None:
     source = b"{" + FILLING + written.encode() + b";\n}"
     assert Relevance(source, 0, len(source)).level is not Level.WHOLE
+
+
+def test_members_that_a_function_sets_where_it_is_not_lowered():
+    body = b"""{ double x_ = 3; a_ = 1; b_ += 2; if (c_ == 4) d_ = 5; else e_ = 6; this->f = 7; p->g_ = 8; h.i_ = 9;
+      m_j = 1; mKay = 2; local = 3; n_ <= 5; o_ != 6; auto & q_ = r; s_ = t_ = 7; w_ >= 2; mission = 3; compute(x); }"""
+    found = Relevance(body, 0, len(body))
+    assert found.level is not Level.WHOLE
+    assert found.sets == ("a_", "b_", "d_", "e_", "f", "mKay", "m_j", "s_", "t_")
+
+
+def test_of_what_is_lowered_whole_nothing_is_left_out():
+    body = (
+        b'{ a_ = 1; pub_ = create_publisher<String>("topic", 1); a_ = compute(3, 4) + compute(5, 6) * compute(7, 8); }'
+    )
+    assert Relevance(body, 0, len(body)).sets == ()

@@ -223,7 +223,8 @@ class Definitions:
         statements = self._body(body, tried)
         self._leave(around)
         line = declarator.start_point.row + 1
-        function = Function(name, qualified, line, class_name, parameters, first, statements, templates)
+        sets = self._statements.sets
+        function = Function(name, qualified, line, class_name, parameters, first, statements, templates, sets=sets)
         self._lowered.end_function(index, function)
 
     def _initialisers(self, node: Node, class_name: str) -> tuple[Statement, ...]:

@@ -48,6 +48,10 @@ _MAKES_NAMES = re.compile(rb"\b(?:string|NodeOptions|SubscribeOptions|AdvertiseO
 _MOST_OF_TEXT = 1500
 _CALLED = re.compile(rb"\(\s*(?:>[^;(){}]{0,80}?<\s*)?(\w+)")
 """Finds the names of calls in a text that runs backwards: a pattern that begins with one fixed byte is fast."""
+_SET = re.compile(
+    rb"=(?<!==)[-+*/|&^%]?\s*(_\w+|\w+(?:_m?|(?<=[A-Z])m|(?=\s*>-siht)))(?!\w)(?!\s*(?!esle\b)(?:[\w.&*]|>(?!-siht)))"
+)
+"""Finds the names of members that are set in a text that runs backwards: ``count_ =``, ``m_count +=``, ``mCount =``."""
 _LEADING = re.compile(
     rb"(?:on_|do_?)?(?:init|setup|set_?[uU]p|configure|create|add|register|load|start|activate|advertise|connect|open|spawn|enable"
     rb"|declare|make|build|publish|read_?[pP]ar|get_?[pP]ar|update_?[pP]ar|reconfigure|run|on[A-Z_])",
@@ -101,7 +105,10 @@ class Relevance:
 
     Attributes:
         level: how much of it is lowered.
+        sets: members that it sets, as far as that is left out.
     """
+
+    sets: tuple[str, ...] = ()
 
     def __init__(self, source: bytes, start: int, end: int, test: bool = False, head: int = -1) -> None:
         """Judge the body that stands from ``start`` to ``end``; of a ``test`` only one with an interface matters.
@@ -119,8 +126,10 @@ class Relevance:
             self.level = Level.WHOLE
             return
         body = source[start:end]
+        backwards = body[::-1]
+        self.sets = tuple(sorted({match[1][::-1].decode() for match in _SET.finditer(backwards)}))
         known = _KIND_OF.get
-        for match in _CALLED.finditer(body[::-1]):
+        for match in _CALLED.finditer(backwards):
             name = match[1]
             kind = known(name)
             if kind is None:

@@ -51,12 +51,14 @@ class StatementLowering:
         self._relevance: Relevance | None = None
         self._whole = True
         self._leaves: frozenset[str] = frozenset()
+        self.sets: tuple[str, ...] = ()
 
     def body(self, node: Node, test: bool = False) -> tuple[Statement, ...]:
         """Return what the body of a function, or of a ``test``, says, as far as it may matter."""
         head = node.parent.start_byte if node.parent is not None else -1
         relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test, head)
         if relevance.level is Level.NOTHING:
+            self.sets = relevance.sets
             return ()
         before = self._relevance, self._whole, self._leaves
         self._relevance, self._whole, self._leaves = relevance, relevance.level is Level.WHOLE, frozenset()
@@ -64,6 +66,7 @@ class StatementLowering:
             return self.block(node)
         finally:
             self._relevance, self._whole, self._leaves = before
+            self.sets = relevance.sets
 
     def _may_lead(self, node: Node) -> bool:
         return self._whole or self._relevance is None or self._relevance.may_lead(node.start_byte, node.end_byte)

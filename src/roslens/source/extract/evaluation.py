@@ -32,6 +32,7 @@ from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
+from roslens.source.extract.refined_values import lose
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
 from roslens.source.extract.word_list import Words
@@ -174,6 +175,7 @@ class Evaluation(Objects):
             return Unknown(f"result of {what.name}()")
         self.reached.add(key)
         if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
+            lose(function.self, what)
             return self._computed_by(what, [*function.arguments, *arguments])
         arguments = [*function.arguments, *arguments]
         plain = not keywords and not function.names
@@ -218,6 +220,8 @@ class Evaluation(Objects):
         try:
             for statement in what.initialisers:
                 initialise(self, statement)
+            if what.sets:
+                lose(thing, what)
             block(self, what.body)
         finally:
             self.frame = outer

@@ -195,6 +195,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
         body: its statements; of a C++ function that only computes it is empty, also where it returns something.
         templates: names of its template parameters, those of its class first.
         decorators: Python's, as expressions.
+        sets: members that statements of C++ set which were left out, as far as their names look like members.
     """
 
     name: str
@@ -206,6 +207,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
     body: tuple[Statement, ...] = ()
     templates: tuple[str, ...] = ()
     decorators: tuple[Expression, ...] = ()
+    sets: tuple[str, ...] = ()
 
 
 class Field(msgspec.Struct, frozen=True, array_like=True):

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Obj, QosValue
-from roslens.source.extract.program import Call, Expression, Member, Name
+from roslens.source.extract.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.program import Call, Expression, Function, Member, Name
+from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -38,6 +39,18 @@ def _everywhere(engine: Evaluation, before: Any, after: QosValue) -> None:
         for name, value in held.items():
             if value is before:
                 held[name] = after
+
+
+def lose(thing: Any, function: Function) -> None:
+    """Forget the plain values of the members of an object that a function sets where it was not lowered."""
+    if not isinstance(thing, Obj):
+        return
+    for name in function.sets:
+        value = thing.fields.get(name)
+        if isinstance(value, bool | int | float | QosValue | Named):
+            thing.fields[name] = Unknown(f"{name}, which {function.name}() sets")
+        elif isinstance(value, Text):
+            thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
 
 
 HANDED_ON = frozenset(

@@ -1,6 +1,13 @@
 import yaml
 
-from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Proof
+from roslens.model.configuration import (
+    Configuration,
+    ConfiguredEndpoint,
+    ConfiguredNode,
+    ConfiguredParameter,
+    Proof,
+)
+from roslens.model.graph import Endpoint, Role
 from roslens.report.to_nodl import to_nodl
 
 
@@ -31,3 +38,12 @@ def test_a_parameter_of_any_type_has_none_in_nodl():
     text = to_nodl(Configuration("t", "ros2", (ConfiguredNode("/a", Proof("a.cpp", 1), parameters=(one,)),)))
     assert "# parameter x: it may be of any type" in text
     assert "parameters:" not in text
+
+
+def test_names_that_are_not_whole_are_no_keys():
+    one = ConfiguredParameter("*.radius", access="declared", type="double")
+    end = ConfiguredEndpoint(Endpoint("/a", Role.SERVICE_CLIENT, "/", "std_srvs/srv/Trigger"), Proof("a.cpp", 1))
+    node = ConfiguredNode("/a", Proof("a.cpp", 1), parameters=(one,), endpoints=(end,))
+    text = to_nodl(Configuration("t", "ros2", (node,)))
+    assert "# parameter *.radius: a part of its name is unknown" in text
+    assert yaml.safe_load(text) == {"nodl_version": 2}

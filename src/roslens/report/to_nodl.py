@@ -10,7 +10,7 @@ import json
 import re
 from collections.abc import Iterator
 
-from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
+from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, ConfiguredParameter
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.report.nodl_parameter import TYPES, nodl_parameter
@@ -23,7 +23,7 @@ _FIELDS = {
     Role.ACTION_SERVER: "action_servers",
     Role.ACTION_CLIENT: "action_clients",
 }
-_NAME = re.compile(r"[/~A-Za-z](?:[A-Za-z0-9_/]*[A-Za-z0-9_])?\Z")
+_NAME = re.compile(r"(?:[A-Za-z]|[/~A-Za-z][A-Za-z0-9_/]*[A-Za-z0-9_])\Z")
 _TYPE = re.compile(r"[A-Za-z]\w*(?:/(?:msg|srv|action))?/[A-Z][A-Za-z0-9]*\Z")
 
 
@@ -36,14 +36,13 @@ def _node(node: ConfiguredNode) -> Iterator[str]:
     yield "---"
     yield f"# {_comment(node.name)} ({_comment(node.package)}/{_comment(node.executable)})"
     yield "nodl_version: 2"
-    known = [one for one in node.parameters if one.type in TYPES and one.access and not one.dynamic]
+    known = [one for one in node.parameters if one.access and not _unknown(one)]
     if known:
         yield "parameters:"
         for one in known:
             yield from nodl_parameter(one)
     for one in node.parameters:
-        if one.access and one not in known:
-            why = "it may be of any type" if one.dynamic else "its type is unknown"
+        if one.access and (why := _unknown(one)):
             yield f"# parameter {_comment(one.name)}: {why}"
     for role, field in _FIELDS.items():
         ends = {(one.endpoint.name, one.endpoint.type): one for one in node.endpoints if one.endpoint.role is role}
@@ -56,6 +55,15 @@ def _node(node: ConfiguredNode) -> Iterator[str]:
             if not _valid(end):
                 told = f"{end.endpoint.name} {end.endpoint.type or 'of unknown type'} ({end.given})"
                 yield f"# {field}: {_comment(told)}: unresolved"
+
+
+def _unknown(one: ConfiguredParameter) -> str:
+    """Return what of a parameter NoDL has no word for; nothing where it has one for all."""
+    if "*" in one.name:
+        return "a part of its name is unknown"
+    if one.dynamic:
+        return "it may be of any type"
+    return "" if one.type in TYPES else "its type is unknown"
 
 
 def _valid(one: ConfiguredEndpoint) -> bool:

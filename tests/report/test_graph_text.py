@@ -77,3 +77,28 @@ def test_a_long_reason_is_cut(graph):
     lines = to_graph_text(msgspec.structs.replace(graph, nodes=(node,))).splitlines()
     assert any("why why" in line and line.endswith("…)") for line in lines)
     assert max(map(len, lines)) < 300
+
+
+def test_what_every_node_takes_and_what_is_empty_is_said(graph):
+    launch = Proof("pkg/launch/a.launch.py", 70)
+    parameters = (
+        ConfiguredParameter("use_sim_time", "true", set_type="bool", set_by=launch),
+        ConfiguredParameter("prefix", "", set_type="string", set_by=launch),
+    )
+    node = msgspec.structs.replace(graph.nodes[0], parameters=parameters)
+    lines = to_graph_text(msgspec.structs.replace(graph, nodes=(node,))).splitlines()
+    (clock,) = (line for line in lines if "use_sim_time" in line)
+    assert "no code is known" not in clock
+    (prefix,) = (line for line in lines if " prefix " in line)
+    assert '= ""' in prefix
+    assert "no code is known" in prefix
+    assert "  parameters" in lines
+
+
+def test_where_what_starts_a_node_is_not_wholly_known_neither_are_its_parameters(graph):
+    node = graph.nodes[0]
+    missing = msgspec.structs.replace(graph.unresolved[0], proof=node.proof)
+    one = ConfiguredParameter("a", "1", "int", access="declared", proof=node.proof)
+    nodes = (msgspec.structs.replace(node, parameters=(one,)),)
+    text = to_graph_text(msgspec.structs.replace(graph, nodes=nodes, unresolved=(missing,)))
+    assert "  parameters, as far as is known" in text.splitlines()

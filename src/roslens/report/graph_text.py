@@ -23,6 +23,9 @@ _HEADS = (
     (Role.ACTION_SERVER, "serves actions"),
     (Role.ACTION_CLIENT, "calls actions"),
 )
+_OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
+"""Parameters that every node of ROS 2 takes, whatever its own code says."""
+
 _LONGEST = 60
 _LONGEST_REASON = 120
 
@@ -30,8 +33,9 @@ _LONGEST_REASON = 120
 def to_graph_text(configuration: Configuration) -> str:
     """Return a configuration as lines; marks are told in the last one where there are any."""
     lines = [*_head(configuration)]
+    unknown = {one.proof.place for one in configuration.unresolved}
     for one in configuration.nodes:
-        lines += ["", *_node(one)]
+        lines += ["", *_node(one, configuration.generation, set_by_unknown=one.proof.place in unknown)]
     if configuration.unresolved:
         lines += ["", f"unresolved: {len(configuration.unresolved)}"]
         for missing in configuration.unresolved:
@@ -60,7 +64,7 @@ def _is_topic(one: ConfiguredEndpoint) -> bool:
     return one.endpoint.role in (Role.PUBLISHER, Role.SUBSCRIPTION)
 
 
-def _node(node: ConfiguredNode) -> Iterator[str]:
+def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Iterator[str]:
     what = "/".join(one for one in (node.package, node.executable) if one)
     about = [what, node.kind if node.kind != "node" else "", f"in {node.container}" if node.container else ""]
     mark = "" if node.resolved else "? "
@@ -76,7 +80,10 @@ def _node(node: ConfiguredNode) -> Iterator[str]:
         if ends:
             yield f"  {head}"
             yield from _aligned([_end(one) for one in ends])
-    yield from _parameters("parameters", node.parameters)
+    # Where a part of what starts a node is unknown, as a file of parameters, other values may hold.
+    head = "parameters, as far as is known" if set_by_unknown else "parameters"
+    everywhere = _OF_EVERY_NODE if generation == "ros2" else frozenset[str]()
+    yield from _parameters(head, node.parameters, everywhere)
     remaps = [one for one in node.remaps if not one.used]
     if remaps:
         yield "  remappings that match nothing" + (", as far as is known" if any(r.uncertain for r in remaps) else "")
@@ -109,24 +116,26 @@ def _from(proof: Proof) -> str:
     return proof.place
 
 
-def _parameters(head: str, parameters: Sequence[ConfiguredParameter]) -> Iterator[str]:
+def _parameters(
+    head: str, parameters: Sequence[ConfiguredParameter], everywhere: frozenset[str] = frozenset()
+) -> Iterator[str]:
     if not parameters:
         return
     told = [one for one in parameters if not one.repeats_an_endpoint]
-    rows = [_parameter(one) for one in told]
+    rows = [_parameter(one, everywhere=one.name in everywhere) for one in told]
     if len(told) < len(parameters):
         rows.append((f"qos_overrides.* ({len(parameters) - len(told)})", "", "", "as the endpoints above say"))
     yield f"  {head}"
     yield from _aligned(rows)
 
 
-def _parameter(one: ConfiguredParameter) -> tuple[str, ...]:
-    value = "?" if one.value is None else _short(one.value)
+def _parameter(one: ConfiguredParameter, *, everywhere: bool) -> tuple[str, ...]:
+    value = "?" if one.value is None else _value(one.value)
     notes = [one.type or one.set_type]
-    if one.access == "" and one.proof is None:
+    if one.access == "" and one.proof is None and not everywhere:
         notes.append("set, but no code is known to take it")
     if one.set_by is not None:
-        default = "" if one.default is None else f", default {_short(one.default)}"
+        default = "" if one.default is None else f", default {_value(one.default)}"
         place = f"set in {one.set_by.place}{_also(one.written_by)}{default}"
         return one.name, f"= {value}", ", ".join(n for n in notes if n), place
     if one.written_by is not None and one.access == "declared":
@@ -135,6 +144,10 @@ def _parameter(one: ConfiguredParameter) -> tuple[str, ...]:
     if one.written_by is not None and one.written_by.how:
         notes.append(f"{one.written_by.sure}: {one.written_by.how}")
     return one.name, f"= {value}", ", ".join(n for n in notes if n), _from(one.proof) if one.proof else ""
+
+
+def _value(text: str) -> str:
+    return _short(text) or '""'
 
 
 def _also(written: Proof | None) -> str:

@@ -35,6 +35,7 @@ from roslens.source.extract.quality import changed, quality_of
 from roslens.source.extract.refined_values import refine
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.workspace_index import type_arguments, type_name
+from roslens.source.extract.xml_rpc_values import XML_RPC, put_part
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
@@ -180,6 +181,8 @@ def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
         assign(engine, target.of, with_sign(of, key, value))
     elif isinstance(of, Obj) and of.type == "std.vector":
         hold(engine, of, key, value)
+    elif isinstance(of, Obj) and of.type in XML_RPC:
+        put_part(engine, of, key, value)
 
 
 def _assign_name(engine: Evaluation, name: str, value: Any) -> None:

@@ -12,13 +12,18 @@ from roslens.source.extract.parameter_types import type_of_value
 from roslens.source.extract.record import value_text
 from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, below, node_of
+from roslens.source.extract.xml_rpc_values import parts_of
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
 
-def write_parameter(engine: Evaluation, receiver: Any, called: Called, name: Any, value: Any) -> None:
+def write_parameter(
+    engine: Evaluation, receiver: Any, called: Called, name: Any, value: Any, conditions: tuple[str, ...] = ()
+) -> None:
     """Record that a parameter is written; of a dictionary each item is a parameter of its own.
+
+    ``conditions`` are those of its value, besides those around the call.
 
     What is written while the node runs is only likely to be there, as nobody knows when that is.
     """
@@ -27,6 +32,11 @@ def write_parameter(engine: Evaluation, receiver: Any, called: Called, name: Any
         for key, item in value.items():
             inner = key if isinstance(key, Text) else Text.of(key)
             write_parameter(engine, receiver, called, Text.of(as_text(name), "/", inner), item)
+        return
+    parts = parts_of(value)
+    for key, (part, held) in parts.items():
+        write_parameter(engine, receiver, called, Text.of(as_text(name), "/", key), part, (*conditions, *held))
+    if parts:
         return
     text = value_text(value) if not isinstance(value, dict | Obj | None) else as_text(Unknown("a value of many parts"))
     writer = called.evidence
@@ -37,7 +47,7 @@ def write_parameter(engine: Evaluation, receiver: Any, called: Called, name: Any
         called.evidence,
         "written",
         "" if text.holes else type_of_value(value),
-        conditions=tuple(dict.fromkeys(engine.conditions)),
+        conditions=tuple(dict.fromkeys((*conditions, *engine.conditions))),
         value=text,
         writer=writer,
     )

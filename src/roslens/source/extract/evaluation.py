@@ -33,6 +33,7 @@ from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.refined_values import lose
+from roslens.source.extract.shared_values import changed_by_call, newest
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
 from roslens.source.extract.word_list import Words
@@ -57,6 +58,7 @@ class Evaluation(Objects):
         chosen: what is set that decides which plug-ins are loaded; None where that is not known yet.
         plugin_names: the class of each plug-in that has another name.
         plugged: objects of plug-ins and the nodes they are loaded into.
+        refined: what was changed under a name of several, and what it became, by its identity.
         conditions: around what is evaluated, outermost first.
         asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
@@ -79,6 +81,7 @@ class Evaluation(Objects):
         self.chosen = chosen
         self.plugin_names = plugin_names
         self.plugged: list[tuple[Obj, Building]] = []
+        self.refined: dict[int, tuple[QosValue, QosValue]] = {}
         self.others: list[Building] = []
         self.conditions: list[str] = []
         self.asked: dict[int, tuple[str, Asked | None]] = {}
@@ -189,7 +192,9 @@ class Evaluation(Objects):
                 function.self.fields.update(done.fields)
         for parameter, expression in zip(what.parameters, written, strict=False):
             if parameter.type.endswith("&") and "const" not in parameter.type.split() and parameter.name:
-                self.assign(expression, names.get(parameter.name))
+                self.assign(expression, newest(self, names.get(parameter.name)))
+        if self.refined:
+            changed_by_call(self)
         return result
 
     def _followed(

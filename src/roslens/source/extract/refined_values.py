@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Named, Obj, QosValue, Unknown
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
+from roslens.source.extract.shared_values import changed_for_all
 from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
@@ -27,18 +28,8 @@ def refine(engine: Evaluation, holder: Expression, before: Any, after: Any) -> A
     if not isinstance(holder, Name | Member) or not isinstance(after, QosValue):
         return after
     engine.assign(holder, after)
-    if engine.index.programs[engine.frame.path].language == "python":
-        _everywhere(engine, before, after)
+    changed_for_all(engine, holder, before, after)
     return after
-
-
-def _everywhere(engine: Evaluation, before: Any, after: QosValue) -> None:
-    """In Python names are given to an object: under each of them it is changed."""
-    thing = engine.frame.self
-    for held in (engine.frame.names, thing.fields if isinstance(thing, Obj) else {}):
-        for name, value in held.items():
-            if value is before:
-                held[name] = after
 
 
 def lose(thing: Any, function: Function) -> None:

@@ -33,7 +33,8 @@ _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 @outer("rclcpp.QoS", "rclpy.qos.QoSProfile")
 def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
     """A quality of service."""
-    value = _from_words(called)
+    # What is made is an object of its own, whatever it is made of.
+    value = msgspec.structs.replace(_from_words(called))
     if isinstance(thing, Obj):
         thing.fields["qos"] = value
         return thing

@@ -58,7 +58,7 @@ def test_a_parameter_gives_what_was_declared(node_of):
     assert one.evidence.how == "parameter t"
     assert [(str(p.name), p.access, p.type, p.default and p.default.known) for p in facts.parameters] == [
         ("t", "declared", "string", "topic"),
-        ("t", "read", "", None),
+        ("t", "read", "string", None),
     ]
 
 

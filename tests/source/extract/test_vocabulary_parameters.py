@@ -49,9 +49,9 @@ def test_what_rclcpp_declares(node_of, body, type_, default):
         ('int d = 10; declare_parameter("x", d);', ["int"]),
         # A variable that a parameter was read into has its type, whatever that is.
         ('double d = 0.5; declare_parameter("w", d); d = get_parameter("w").as_double(); declare_parameter("x", d);',
-         ["double", "", "double"]),
+         ["double", "double", "double"]),
         ('auto d = get_parameter("w").get_value<T>(); declare_parameter("x", d);', ["", ""]),
-        ('declare_parameter("x", "a" + get_parameter("w").as_string());', ["", "string"]),
+        ('declare_parameter("x", "a" + get_parameter("w").as_string());', ["string", "string"]),
         ('declare_parameter("x", compute());', [""]),
     ],
 )  # fmt: skip

@@ -68,6 +68,7 @@ _MODULES = (
     "vocabulary_parameters",
     "vocabulary_descriptors",
     "vocabulary_listeners",
+    "vocabulary_values",
     "vocabulary_ros1",
     "vocabulary_nodelets",
     "vocabulary_plugins",
@@ -190,6 +191,8 @@ def kinds_of(engine: Evaluation, receiver: Any) -> tuple[str, ...]:
         return ("handle", "node")
     if isinstance(receiver, QosValue):
         return ("qos",)
+    if isinstance(receiver, Text):
+        return ("text",)
     return ("made",) if isinstance(receiver, Made) else ()
 
 

@@ -2,6 +2,11 @@
 
 import pytest
 
+from roslens.source.extract.cpp_program import program_of_cpp
+from roslens.source.extract.node_units import facts_of_main
+from roslens.source.extract.workspace_index import Index
+from roslens.source.syntax.macros import load_macros
+
 NODE = """
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/string.hpp>
@@ -81,3 +86,20 @@ def test_who_includes_both_headers_means_what_all_others_do(index_of):
     )
     assert index.class_of("A", "pkg/c.cpp", "").path == "pkg/a.hpp"
     assert index.class_of("A", "pkg/d.cpp", "").path == "pkg/b.hpp"
+
+
+ROBOT = """#include <rclcpp/rclcpp.hpp>
+class Robot : public rclcpp::Node {{ public: Robot() : Node("{name}") {{}} }};
+"""
+MAIN = '#include "common/robot.hpp"\nint main() { rclcpp::spin(std::make_shared<Robot>()); }'
+
+
+@pytest.mark.parametrize(("needs", "name"), [({"c": ["a"]}, "a"), ({"c": ["b"]}, "b"), ({"c": ["d", "b"]}, "b")])
+def test_of_two_packages_with_a_header_of_one_path_the_one_is_meant_that_is_needed(needs, name):
+    macros = load_macros()
+    texts = {f"{one}/include/common/robot.hpp": ROBOT.format(name=one) for one in "ab"}
+    texts |= {f"{one}/src/main.cpp": MAIN for one in "abc"}
+    programs = {path: program_of_cpp(text.encode(), macros) for path, text in texts.items()}
+    index = Index(programs, {path: path[0] for path in texts}, needs)
+    found = {one: facts_of_main(index, f"{one}/src/main.cpp")[0].name.known for one in "abc"}
+    assert found == {"a": "a", "b": "b", "c": name}

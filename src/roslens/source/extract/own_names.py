@@ -2,20 +2,30 @@
 
 Programs of one package often define a class ``Node`` or a constant ``TOPIC`` each in its own source. No file sees that
 of another one, so each means its own; what a header defines is meant by all that do not. Of several headers that define
-a class, the one is meant that a file includes, directly or not.
+a class, the one is meant that a file includes, directly or not. Of several that one path may mean, as packages have
+headers of one name each, it is that of its own package, else of one that its package depends on, else the nearest.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from os.path import commonpath
+from types import MappingProxyType
 
 from roslens.source.extract.program import Assign, Name, Program
 
 _HEADERS = (".h", ".hpp", ".hh", ".hxx")
 
 
-def own_names(programs: Mapping[str, Program]) -> dict[str, dict[str, str]]:
+Packages = Mapping[str, str]
+"""The package of each file."""
+Needs = Mapping[str, Collection[str]]
+"""The packages that each package depends on."""
+
+
+def own_names(
+    programs: Mapping[str, Program], packages: Packages = MappingProxyType({}), needs: Needs = MappingProxyType({})
+) -> dict[str, dict[str, str]]:
     """Return, by path, the qualified names that mean something else in a file, and the file that defines what it is."""
     included = {line.strip('<>"').rpartition("/")[2] for one in programs.values() for line, _ in one.includes}
     classes: dict[str, set[str]] = {}
@@ -40,15 +50,14 @@ def own_names(programs: Mapping[str, Program]) -> dict[str, dict[str, str]]:
         if len(headers := sorted(path for path in paths if path.endswith(_HEADERS))) > 1
     }
     if several:
-        _by_header(programs, several, found)
+        _by_header(_including(programs, packages, needs), several, found)
     return found
 
 
 def _by_header(
-    programs: Mapping[str, Program], several: Mapping[str, Sequence[str]], found: dict[str, dict[str, str]]
+    including: Mapping[str, set[str]], several: Mapping[str, Sequence[str]], found: dict[str, dict[str, str]]
 ) -> None:
     """Add what files mean by the names of classes that several headers define; the first means what all others do."""
-    including = _including(programs)
     seen: dict[str, set[str]] = {}
     for header in {header for headers in several.values() for header in headers}:
         seen[header] = _reached(header, including)
@@ -60,7 +69,7 @@ def _by_header(
                     found.setdefault(path, {}).setdefault(name, header)
 
 
-def _including(programs: Mapping[str, Program]) -> dict[str, set[str]]:
+def _including(programs: Mapping[str, Program], packages: Packages, needs: Needs) -> dict[str, set[str]]:
     """Return the files that include each header of the workspace."""
     by_name: dict[str, list[str]] = {}
     for path in programs:
@@ -72,9 +81,20 @@ def _including(programs: Mapping[str, Program]) -> dict[str, set[str]]:
             wanted = line.strip('<>"')
             fit = [one for one in by_name.get(wanted.rpartition("/")[2], ()) if f"/{one}".endswith(f"/{wanted}")]
             if fit:
-                near = max(fit, key=lambda one: (len(commonpath((one, path))), one))
+                near = fit[0] if len(fit) == 1 else _meant(fit, path, packages, needs)
                 found.setdefault(near, set()).add(path)
     return found
+
+
+def _meant(headers: Sequence[str], path: str, packages: Packages, needs: Needs) -> str:
+    own = packages.get(path, "")
+    depends = needs.get(own, ())
+
+    def rank(one: str) -> tuple[bool, bool, int, str]:
+        package = packages.get(one, "")
+        return bool(own) and package == own, package in depends, len(commonpath((one, path))), one
+
+    return max(headers, key=rank)
 
 
 def _reached(header: str, including: Mapping[str, set[str]]) -> set[str]:

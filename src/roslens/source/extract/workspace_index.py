@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.lookups import Lookups
-from roslens.source.extract.own_names import own_names
+from roslens.source.extract.own_names import Needs, Packages, own_names
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -49,8 +49,10 @@ class Index:
         parameter_libraries: code that builds generate to declare parameters, which no program holds.
     """
 
-    def __init__(self, programs: Mapping[str, Program], packages: Mapping[str, str] | None = None) -> None:
-        """Index programs by path; ``packages`` names the package of each, by default its first folder."""
+    def __init__(
+        self, programs: Mapping[str, Program], packages: Packages | None = None, needs: Needs | None = None
+    ) -> None:
+        """Index programs by path, with the package of each (by default its first folder) and what packages need."""
         # What the vocabulary knows is meant by it too where its source is in the workspace.
         from roslens.source.extract.vocabulary import known_names
 
@@ -58,7 +60,7 @@ class Index:
         self._outer = known_names()
         self.programs = dict(programs)
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
-        self._own = own_names(self.programs)
+        self._own = own_names(self.programs, packages or {}, needs or {})
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}
         self._functions: dict[str, list[Defined]] = {}

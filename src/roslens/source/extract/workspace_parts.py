@@ -136,6 +136,15 @@ class WorkspaceParts:
         """The id of the package of each file."""
         return {file.path: package for package, files in self.files.items() for file in files}
 
+    @cached_property
+    def needs(self) -> dict[str, list[str]]:
+        """The ids of the packages of the workspace that each package depends on."""
+        ids = {name: one.package.id for name, one in self.found.items()}
+        return {
+            one.package.id: sorted({ids[need.name] for need in one.package.dependencies if need.name in ids})
+            for one in self.found.values()
+        }
+
     def sources(self) -> Iterator[SourceFile]:
         """Yield the files whose code may become nodes."""
         for files in self.files.values():
@@ -145,7 +154,8 @@ class WorkspaceParts:
     def programs_key(self) -> str:
         """A key of what the facts of units depend on: programs and their packages."""
         files = sorted((file.path, file.content_hash, file.language.value) for file in self.sources())
-        return key_of(analyser_version(), self._macros, files, sorted(self.owners.items()), self.libraries)
+        owners = sorted(self.owners.items())
+        return key_of(analyser_version(), self._macros, files, owners, self.libraries, self.needs)
 
     @cached_property
     def programs(self) -> WorkspacePrograms:
@@ -157,7 +167,7 @@ class WorkspaceParts:
     @cached_property
     def index(self) -> Index:
         """What the programs of the workspace define."""
-        index = Index(self.programs.programs, self.owners)
+        index = Index(self.programs.programs, self.owners, self.needs)
         index.parameter_libraries = self.libraries
         return index
 

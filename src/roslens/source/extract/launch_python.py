@@ -12,7 +12,9 @@ import msgspec
 from roslens.model.errors import DocumentError
 from roslens.model.source import Location
 from roslens.source.extract.deferred import Deferred, Scope, Value
+from roslens.source.extract.files import Files
 from roslens.source.extract.launch_action import Action, Condition, FileChange, Parameter
+from roslens.source.extract.launch_modules import Modules
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_interpreter import Interpreter, TooLongError
 from roslens.source.extract.python_value import PARAMETER_FILES, Closure, Either, Made, Unknown, as_value, shown
@@ -23,8 +25,8 @@ _ENTRY = "generate_launch_description"
 _TYPES = {"str": "string", "int": "int", "float": "double", "bool": "bool"}
 
 
-def python_actions(path: str, content: bytes) -> tuple[Action, ...]:
-    """Return the actions of a launch file in Python.
+def python_actions(path: str, content: bytes, files: Files | None = None) -> tuple[Action, ...]:
+    """Return the actions of a launch file in Python; modules are found among the files.
 
     Raises:
         DocumentError: it is no Python, or has no ``generate_launch_description``.
@@ -37,7 +39,7 @@ def python_actions(path: str, content: bytes) -> tuple[Action, ...]:
         where = Location(path, getattr(error, "lineno", 0) or 1, getattr(error, "offset", 0) or 1)
         raise DocumentError(f"{error}", where=where, expected="Python that can be parsed") from None
     try:
-        interpreter = Interpreter(path, tree)
+        interpreter = Interpreter(path, tree, Modules(files, _defined))
         entry = interpreter.function(_ENTRY)
         if entry is None:
             raise DocumentError(
@@ -49,6 +51,11 @@ def python_actions(path: str, content: bytes) -> tuple[Action, ...]:
     if returned is None:
         returned = Unknown(f"{_ENTRY} returns nothing")
     return tuple(_Conversion(interpreter).all(returned, Evidence(path, entry.node.lineno)))
+
+
+def _defined(path: str, tree: ast.Module, modules: Modules) -> dict[str, Any]:
+    """Return what a module that a launch file imports defines."""
+    return Interpreter(path, tree, modules).defined
 
 
 class _Conversion:

@@ -55,7 +55,7 @@ def evaluate_ros2(
     )
 
 
-def actions_of(path: str, content: bytes) -> tuple[Action, ...]:
+def actions_of(path: str, content: bytes, files: Files | None = None) -> tuple[Action, ...]:
     """Return the actions of a launch file by its name: Python, YAML, else XML.
 
     Raises:
@@ -64,7 +64,7 @@ def actions_of(path: str, content: bytes) -> tuple[Action, ...]:
     if path.endswith(".py"):
         from roslens.source.extract.launch_python import python_actions
 
-        return python_actions(path, content)
+        return python_actions(path, content, files)
     from roslens.source.extract.launch_markup import xml_actions, yaml_actions
 
     return (yaml_actions if path.endswith((".yaml", ".yml")) else xml_actions)(path, content)
@@ -100,7 +100,7 @@ class _Whole:
             return
         self._read += 1
         try:
-            actions = actions_of(path, content)
+            actions = actions_of(path, content, self.files)
         except DocumentError as error:
             self.miss(error.what, evidence, f"{error.where}: expected {error.expected}", opens=True)
             return

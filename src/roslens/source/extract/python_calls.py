@@ -7,6 +7,7 @@ from typing import Any
 
 from roslens.source.extract.deferred import Deferred
 from roslens.source.extract.launch_action import text
+from roslens.source.extract.launch_file_reads import Opened
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_expression import evaluate
 from roslens.source.extract.python_value import Bound, Closure, Dotted, Made, Unknown, as_value
@@ -56,7 +57,7 @@ _METHODS = frozenset(
 
 def known_name(name: str) -> Any:
     """Return what a name means that the file does not define."""
-    return Dotted(name) if name in _FUNCTIONS else Unknown(f"the name {name}")
+    return Dotted(name) if name in _FUNCTIONS or name == "open" else Unknown(f"the name {name}")
 
 
 def call_known(
@@ -87,6 +88,8 @@ def call_method(bound: Bound, positional: list[Any], named: dict[str, Any], writ
     of, name = bound.of, bound.name
     if isinstance(of, dict):
         return _of_dictionary(of, name, positional)
+    if isinstance(of, Opened) and name in ("read", "read_text"):
+        return of
     if isinstance(of, str) and name == "join" and positional and isinstance(positional[0], list):
         pieces = [piece for one in positional[0] for piece in (of, as_value(one))][1:]
         return text(*pieces) if pieces else ""

@@ -13,6 +13,8 @@ from typing import Any
 
 from roslens.source.extract.deferred import Deferred, Scope, resolve
 from roslens.source.extract.launch_action import text
+from roslens.source.extract.launch_file_reads import READS, read
+from roslens.source.extract.launch_modules import Module, Modules, bring, bring_from, member
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_arguments import bound, given, items_of
 from roslens.source.extract.python_calls import call_known, call_method, known_name
@@ -23,6 +25,8 @@ from roslens.source.extract.text import Text
 MOST_STEPS = 100_000
 MOST_FRAMES = 25
 MOST_TURNS = 1_000
+_PATH = "#path"
+"""Under this name what a file defines has its path."""
 
 
 class TooLongError(Exception):
@@ -49,21 +53,27 @@ class Interpreter:
         missed: what could not be evaluated, with its place and reason.
     """
 
-    def __init__(self, path: str, tree: ast.Module) -> None:
+    def __init__(self, path: str, tree: ast.Module, modules: Modules | None = None) -> None:
         """Read the file: what stands outside of functions is evaluated."""
         self.path = path
+        self.modules = modules or Modules()
         self.scope: Scope | None = None
         self.missed: list[tuple[Evidence, str, str]] = []
         self._steps = 0
         self._frames = 0
         self._notes: list[str] = []
-        self._names: list[dict[str, Any]] = [{"__file__": Deferred("file"), "__name__": "launch"}]
+        self.defined: dict[str, Any] = {"__file__": Deferred("file"), "__name__": "launch", _PATH: path}
+        self._names = [self.defined]
         self._block(tree.body)
 
     def function(self, name: str) -> Closure | None:
         """Return a function of the file."""
         found = self._names[0].get(name)
         return found if isinstance(found, Closure) else None
+
+    def keep(self, name: str, value: Any) -> None:
+        """Keep a value under a name."""
+        self._names[-1][name] = value
 
     def call(self, function: Any, positional: list[Any], named: dict[str, Any], scope: Scope | None = None) -> Any:
         """Call a function of the file; what it returns may be unknown.
@@ -89,13 +99,14 @@ class Interpreter:
         names = bound(function.node.args, positional, named, self.value)
         self._frames += 1
         outer, self._names = self._names, [*function.names, names]
+        before, self.path = self.path, function.names[0].get(_PATH, self.path)
         try:
             if isinstance(function.node, ast.Lambda):
                 return self.value(function.node.body)
             returned = self._block(function.node.body)
             return returned.value if returned else None
         finally:
-            self._names = outer
+            self._names, self.path = outer, before
             self._frames -= 1
 
     def _block(self, body: list[ast.stmt]) -> _Returned | None:
@@ -219,17 +230,6 @@ class Interpreter:
         """Keep that there is a class; its objects are unknown."""
         self._names[-1][statement.name] = Unknown(f"class {statement.name} of this file")
 
-    def bring(self, statement: ast.Import) -> None:
-        """Take modules by name."""
-        for alias in statement.names:
-            name = alias.name if alias.asname else alias.name.partition(".")[0]
-            self._names[-1][alias.asname or name] = Dotted(name)
-
-    def bring_from(self, statement: ast.ImportFrom) -> None:
-        """Take names of modules."""
-        for alias in statement.names:
-            self._names[-1][alias.asname or alias.name] = Dotted(f"{statement.module or ''}.{alias.name}".strip("."))
-
     def stop(self, _statement: ast.stmt) -> _Returned:
         """End a block."""
         return _STOPPED
@@ -260,7 +260,7 @@ class Interpreter:
             return Dotted(f"{of.name}.{node.attr}")
         if isinstance(of, Unknown):
             return of
-        return Bound(of, node.attr)
+        return member(of, node.attr) if isinstance(of, Module) else Bound(of, node.attr)
 
     def sequence(self, node: ast.List | ast.Tuple | ast.Set) -> list[Any]:
         """Return a list; tuples and sets are lists too."""
@@ -408,6 +408,8 @@ class Interpreter:
             return self._closure(function, positional, named)
         if isinstance(function, Bound):
             return self._method(function, positional, named, node)
+        if isinstance(function, Dotted) and function.name in READS:
+            return read(function, positional, self.path, self.modules.files, self.scope)
         if isinstance(function, Dotted):
             return call_known(function, positional, named, self.place(node), tuple(self._notes))
         return function if isinstance(function, Unknown) else Unknown(f"call of {ast.unparse(node.func)[:60]}")
@@ -466,8 +468,8 @@ _STATEMENTS: dict[type[ast.stmt], Callable[[Interpreter, Any], _Returned | None]
     ast.FunctionDef: Interpreter.define,
     ast.AsyncFunctionDef: Interpreter.define,
     ast.ClassDef: Interpreter.define_class,
-    ast.Import: Interpreter.bring,
-    ast.ImportFrom: Interpreter.bring_from,
+    ast.Import: bring,
+    ast.ImportFrom: bring_from,
     ast.Break: Interpreter.stop,
     ast.Continue: Interpreter.stop,
     ast.Raise: Interpreter.stop,

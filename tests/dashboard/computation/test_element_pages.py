@@ -7,6 +7,12 @@ from typing import Any
 
 import pytest
 
+from roslens.dashboard.computation.book import Book
+from roslens.dashboard.computation.element_pages import build_node
+from roslens.dashboard.computation.system import systems_of
+from roslens.dashboard.view import Request
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Proof
+
 
 def rows(client: Any, address: str) -> dict[str, list[dict[str, Any]]]:
     twin = json.loads(client.get(address + ".json").content)
@@ -60,3 +66,19 @@ def test_a_component_is_linked_with_its_container(client: Any) -> None:
 )
 def test_what_has_no_page_is_not_there(client: Any, path: str) -> None:
     assert client.get(path).status_code == 404
+
+
+def test_overrides_that_nobody_sets_have_a_table_of_their_own() -> None:
+    where = Proof("a.cpp", 3)
+    name = "qos_overrides./a.publisher.depth"
+    parameters = tuple(
+        ConfiguredParameter(one, "1", "int", access="declared", proof=where, set_by=by)
+        for one, by in (("rate", None), (name, None), (f"{name}_set", where))
+    )
+    node = ConfiguredNode("/n", where, parameters=parameters)
+    systems = systems_of({"c": Configuration("c", "ros2", nodes=(node,))}, {})
+    view = build_node(Book(systems, lambda _: False, ""), Request("c/n"))
+    assert view is not None
+    found = {table.name: [row[0].value for row in table.rows] for table in view.tables}
+    assert found["parameters"] == ["rate", f"{name}_set"]
+    assert found["overrides"] == [name]

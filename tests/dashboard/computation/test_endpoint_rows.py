@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from roslens.dashboard.computation.endpoint_rows import notes, policies, qos_text
+from roslens.dashboard.computation.endpoint_rows import conditions_cell, notes, policies, qos_text
 from roslens.model.configuration import ConfiguredEndpoint, Origin, Proof
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
@@ -27,3 +27,14 @@ def test_notes_say_where_a_fact_that_is_not_code_comes_from() -> None:
     known = msgspec.structs.replace(ONE, proof=Proof("a", origin=Origin.CATALOGUE), group="slow")
     assert notes(known) == "callback group slow; known of this package"
     assert notes(ONE) == ""
+
+
+def test_many_conditions_are_cut_but_for_the_hint_and_the_twin() -> None:
+    few = conditions_cell(("a", "b"))
+    assert (few.value, few.text, few.hint) == ("a and b", "", "")
+    many = conditions_cell(tuple(f"condition_{number}" for number in range(40)))
+    assert isinstance(many.value, str)
+    assert many.value.endswith("condition_39")
+    assert many.hint == many.value
+    assert many.text.endswith("…")
+    assert len(many.text) <= 100

@@ -6,7 +6,7 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import Book, ref_of
-from roslens.dashboard.computation.endpoint_rows import endpoint_table
+from roslens.dashboard.computation.endpoint_rows import conditions_cell, endpoint_table
 from roslens.dashboard.computation.system import Element, Kind, System
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
@@ -60,6 +60,7 @@ def build_node(book: Book, request: Request) -> View | None:
     rest = [(place, end) for place, end in ends if end.configured.implicit]
     tables += [
         _parameters(book, node),
+        *_overrides(book, node),
         _timers(book, node),
         _remaps(book, node),
         endpoint_table(book, system, rest, ("does", "name", "type", "qos"), "implicit", "What every node has"),
@@ -210,12 +211,34 @@ def _parameters(book: Book, node: ConfiguredNode) -> Table:
             book.place(one.proof),
             book.place(one.set_by),
             book.place(one.written_by),
-            Cell(" and ".join(one.conditions)),
+            conditions_cell(one.conditions),
             Cell(one.description),
         )
         for one in node.parameters
+        if not one.repeats_an_endpoint
     )
     return Table("parameters", "Parameters", columns, rows, total=len(rows), empty="None.")
+
+
+def _overrides(book: Book, node: ConfiguredNode) -> list[Table]:
+    """Return a table of parameters that would change the quality of endpoints, where there are any that nobody sets."""
+    columns = (
+        Column("name", "Parameter", "name"),
+        Column("value", "Value", "code"),
+        Column("type", "Type", "code"),
+        Column("place", "Declared at", "code"),
+    )
+    rows = tuple(
+        (
+            Cell(one.name),
+            Cell(one.value, text="" if one.value is not None else "unknown"),
+            Cell(one.type),
+            book.place(one.proof),
+        )
+        for one in node.parameters
+        if one.repeats_an_endpoint
+    )
+    return [Table("overrides", "Overrides that nobody sets", columns, rows, total=len(rows))] if rows else []
 
 
 def _terms(one: ConfiguredParameter) -> str:

@@ -10,6 +10,8 @@ from roslens.dashboard.table import Cell, Column, Table
 from roslens.model.configuration import ConfiguredEndpoint
 from roslens.model.qos import Qos
 
+_LONGEST_CONDITION = 100
+
 COLUMNS = {
     "node": Column("node", "Node", "name"),
     "does": Column("does", "Does"),
@@ -66,12 +68,20 @@ def _cells(book: Book, system: System, end: End) -> dict[str, Cell]:
         "type": Cell(one.endpoint.type, text="" if one.endpoint.type else "unknown"),
         "qos": Cell(qos_text(one)),
         "place": book.place(one.proof),
-        "conditions": Cell(" and ".join(one.conditions)),
+        "conditions": conditions_cell(one.conditions),
         "sure": Cell(one.proof.sure if one.resolved else f"{one.proof.sure}, name not resolved", hint=one.proof.how),
         "callback": _callback(one.callback),
         "hash": Cell(one.endpoint.hash),
         "more": _notes(one),
     }
+
+
+def conditions_cell(conditions: Sequence[str]) -> Cell:
+    """Return conditions; of many words the first, the rest is left to the hint and to the twins."""
+    text = " and ".join(conditions)
+    if len(text) <= _LONGEST_CONDITION:
+        return Cell(text)
+    return Cell(text, text=text[: _LONGEST_CONDITION - 1].rstrip() + "…", hint=text)
 
 
 def _callback(name: str) -> Cell:

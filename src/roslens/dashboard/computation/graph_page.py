@@ -6,7 +6,7 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import Book, ref_of
-from roslens.dashboard.computation.endpoint_rows import endpoint_table
+from roslens.dashboard.computation.endpoint_rows import conditions_cell, endpoint_table
 from roslens.dashboard.computation.noise import DEFAULT, NONE, PRESETS, presets_of
 from roslens.dashboard.computation.picture import Left, style_of
 from roslens.dashboard.computation.system import KIND_OF_ROLE, Kind, System
@@ -135,7 +135,7 @@ def _nodes(book: Book, system: System) -> Table:
                 Cell(node.executable),
                 book.place(node.proof),
                 book.place(node.defined),
-                Cell(" and ".join(node.conditions)),
+                conditions_cell(node.conditions),
                 Cell(node.proof.sure if node.resolved else f"{node.proof.sure}, name not resolved"),
                 Cell(sum(not one.implicit for one in node.endpoints if one.endpoint.role in KIND_OF_ROLE)),
                 Cell(len(system.findings_on(element))),

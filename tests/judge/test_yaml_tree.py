@@ -104,3 +104,10 @@ def test_the_last_of_two_keys_may_count():
     assert isinstance(tree.root, Table)
     assert {key: one.text for key, one in tree.root.nodes.items() if isinstance(one, Scalar)} == {"a": "3", "b": "2"}
     assert tree.root.keys["a"].line == 3
+
+
+def test_aliases_of_aliases_are_counted():
+    lines = ["a: &a [1, 2, 3, 4, 5, 6, 7, 8, 9]"]
+    lines += [f"{chr(98 + place)}: &{chr(98 + place)} [{', '.join([f'*{chr(97 + place)}'] * 9)}]" for place in range(9)]
+    with pytest.raises(DocumentError, match="more than 200,000 values"):
+        read_tree("\n".join(lines).encode(), "a.yaml")

@@ -18,6 +18,8 @@ MAX_DEPTH = 20
 """Lists and tables inside each other; no document of ours needs five."""
 
 MAX_BYTES = 1_000_000
+MAX_NODES = 200_000
+"""Values with those that aliases stand for: aliases of aliases grow without bound."""
 _BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
 _NEEDS_QUOTES = re.compile(r"(?::|^\s*-)\s+[*>{\[&!%@`|]")
 """A value whose first sign means something to YAML: ``**/scan``, ``>= 5 Hz``."""
@@ -126,7 +128,8 @@ class _Builder:
         self._shown = shown
         self._text = text
         self._last_counts = last_counts
-        self._anchors: dict[str, Node] = {}
+        self._anchors: dict[str, tuple[Node, int]] = {}
+        self._nodes = 0
         self._events: Iterator[Any] = iter(())
 
     def build(self) -> Node | None:
@@ -151,15 +154,23 @@ class _Builder:
     def _node(self, event: Any, depth: int) -> Node:
         import yaml
 
+        node: Node
         if depth > MAX_DEPTH:
             self._fail(_place(event), f"more than {MAX_DEPTH} levels", "lists and tables that are less deeply nested")
         if isinstance(event, yaml.AliasEvent):
             if event.anchor not in self._anchors:
                 self._fail(_place(event), f"'*{event.anchor}' refers to nothing", f"an anchor '&{event.anchor}' before")
-            return self._anchors[event.anchor]
+            node, nodes = self._anchors[event.anchor]
+            self._nodes += nodes
+            if self._nodes > MAX_NODES:
+                self._fail(
+                    _place(event), f"more than {MAX_NODES:,} values", "fewer aliases of aliases", "Write them out"
+                )
+            return node
         if event.tag:
             self._fail(_place(event), f"the YAML tag {event.tag!r}", "a value without a tag", "Remove it")
-        node: Node
+        before = self._nodes
+        self._nodes += 1
         if isinstance(event, yaml.ScalarEvent):
             node = Scalar(_place(event), event.value, event.style in {None, ""})
         elif isinstance(event, yaml.SequenceStartEvent):
@@ -167,7 +178,7 @@ class _Builder:
         else:
             node = self._table(_place(event), depth)
         if event.anchor:
-            self._anchors[event.anchor] = node
+            self._anchors[event.anchor] = node, self._nodes - before
         return node
 
     def _list(self, depth: int) -> Iterator[Node]:

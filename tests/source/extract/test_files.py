@@ -1,3 +1,5 @@
+import os
+
 from roslens.source.extract.files import FolderFiles, joined
 
 
@@ -21,3 +23,9 @@ def test_nothing_outside_is_read(tmp_path):
         assert files.content(path) is None
     assert files.package("robot") == "src/robot"
     assert files.package("other") is None
+
+
+def test_what_has_no_end_is_not_read(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    assert FolderFiles(tmp_path, {}).content("pipe") is None
+    assert FolderFiles(tmp_path, {}).content(".") is None

@@ -49,3 +49,10 @@ def test_holes_are_changed_in_choices_too():
     assert (str(choice.then), str(choice.otherwise)) == ("known", "b")
     assert choice.test[0].opposite.texts == (Text.of("known"),)
     assert Text.of("a").mapped(lambda one: one) == Text.of("a")
+
+
+def test_what_doubles_again_and_again_ends():
+    text, open_ = Text.of("x"), Text.of("x", Hole("y"))
+    for _ in range(100):
+        text, open_ = Text.of(text, text), Text.of(open_, open_)
+    assert [str(one)[:28] for one in (text, open_)] == ["{a text that is too long to "] * 2

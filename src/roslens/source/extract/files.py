@@ -51,7 +51,10 @@ class FolderFiles:
         """Return the bytes of a file; None where there is none, or it cannot be read."""
         try:
             found = (self._root / path).resolve()
-            if not found.is_relative_to(self._root) or found.stat().st_size > self._most_bytes:
+            # A pipe or device has no end.
+            if not found.is_relative_to(self._root) or not found.is_file():
+                return None
+            if found.stat().st_size > self._most_bytes:
                 return None
             return found.read_bytes()
         except (OSError, ValueError, RuntimeError):

@@ -16,8 +16,9 @@ from roslens.source.extract.files import Files
 from roslens.source.extract.launch_action import Action, Condition, FileChange, Parameter
 from roslens.source.extract.launch_modules import Modules
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.python_interpreter import Interpreter, TooLongError
+from roslens.source.extract.python_interpreter import Interpreter
 from roslens.source.extract.python_value import PARAMETER_FILES, Closure, Either, Made, Unknown, as_value, shown
+from roslens.source.extract.python_weight import TooLongError
 from roslens.source.extract.ros2_values import type_of_list
 from roslens.source.extract.text import Text
 

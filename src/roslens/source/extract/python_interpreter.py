@@ -20,6 +20,7 @@ from roslens.source.extract.python_arguments import bound, given, items_of
 from roslens.source.extract.python_calls import call_known, call_method, known_name
 from roslens.source.extract.python_operation import combined, compared, put
 from roslens.source.extract.python_value import Bound, Closure, Dotted, Either, Made, Unknown, as_value
+from roslens.source.extract.python_weight import TooLongError, bounded
 from roslens.source.extract.text import Text
 
 MOST_STEPS = 100_000
@@ -27,10 +28,6 @@ MOST_FRAMES = 25
 MOST_TURNS = 1_000
 _PATH = "#path"
 """Under this name what a file defines has its path."""
-
-
-class TooLongError(Exception):
-    """The bounds of evaluation are spent."""
 
 
 class _Returned:
@@ -96,7 +93,7 @@ class Interpreter:
     def _closure(self, function: Closure, positional: list[Any], named: dict[str, Any]) -> Any:
         if self._frames >= MOST_FRAMES:
             return Unknown("functions that call each other too deeply")
-        names = bound(function.node.args, positional, named, self.value)
+        names = bounded(bound(function.node.args, positional, named, self.value))
         self._frames += 1
         outer, self._names = self._names, [*function.names, names]
         before, self.path = self.path, function.names[0].get(_PATH, self.path)
@@ -160,19 +157,20 @@ class Interpreter:
         before = self.value(_loaded(statement.target))
         added = self.value(statement.value)
         if isinstance(before, list) and isinstance(added, list | tuple):
-            before.extend(self._keep(one) for one in added)
+            before += bounded([self._keep(one) for one in added])
             return
         self._to(statement.target, combined(statement.op, before, added))
 
     def _to(self, target: ast.expr, value: Any) -> None:
         if isinstance(target, ast.Name):
-            self._names[-1][target.id] = value
+            self._names[-1][target.id] = bounded(value)
         elif isinstance(target, ast.Tuple | ast.List):
             items = value if isinstance(value, list | tuple) and len(value) == len(target.elts) else None
             for index, one in enumerate(target.elts):
                 self._to(one, items[index] if items is not None else Unknown("a part of an unknown value"))
         elif isinstance(target, ast.Subscript):
-            put(self.value(target.value), self.value(target.slice), value)
+            whole = self.value(target.value)
+            put(whole, self.value(target.slice), bounded(value, whole))
 
     def evaluate(self, statement: ast.Expr) -> None:
         """Evaluate for what it changes."""
@@ -420,7 +418,7 @@ class Interpreter:
         if isinstance(bound.of, list) and bound.name in ("append", "extend", "insert"):
             last = positional[-1] if positional else None
             found = last if bound.name == "extend" and isinstance(last, list) else [last]
-            bound.of.extend(self._keep(one) for one in found)
+            bound.of += bounded([self._keep(one) for one in found], bound.of)
             return None
         if isinstance(bound.of, Made) and bound.of.name == "LaunchDescription" and bound.name.startswith("add_"):
             bound.of.positional.append([self._keep(one) for one in positional])

@@ -86,6 +86,8 @@ def _formatted(pattern: str, values: list[Any]) -> Any:
 
 
 def _added(one: Any, other: Any, *, symbolic: bool) -> Any:
+    if isinstance(one, str | list) and isinstance(other, str | list) and len(one) + len(other) > _LONGEST:
+        return Unknown("a text or list that is too long to follow")
     if isinstance(one, list) and isinstance(other, list):
         return [*one, *other]
     if symbolic and not isinstance(one, list):

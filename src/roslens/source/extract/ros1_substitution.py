@@ -94,12 +94,12 @@ def _closing(text: str, at: int) -> int:
         depth += (text[place] == "(") - (text[place] == ")")
         if not depth:
             return place
-    raise SubstitutionError(f"the bracket of {text[at - 2 :]!r} is never closed")
+    raise SubstitutionError(f"the bracket of {text[at - 2 : at + 80]!r} is never closed")
 
 
 def _command(inside: str, scope: Scope) -> Text:
     if "$" in inside or "(" in inside:
-        raise SubstitutionError(f"$({inside}) has another one inside, which roslaunch refuses")
+        raise SubstitutionError(f"$({inside[:80]}) has another one inside, which roslaunch refuses")
     command, _, rest = inside.partition(" ")
     rest = rest.strip()
     if command not in _COMMANDS:

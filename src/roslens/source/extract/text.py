@@ -6,6 +6,11 @@ from collections.abc import Callable
 
 import msgspec
 
+MOST_LENGTH = 100_000
+MOST_PARTS = 1_000
+"""What is put together of more parts, or longer ones, is no name: a loop that doubles a text ends here."""
+_TOO_LONG = "a text that is too long to follow"
+
 
 class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole", gc=False):
     """A part that cannot be known without running.
@@ -42,9 +47,11 @@ class Text(msgspec.Struct, frozen=True, array_like=True, order=True):
             for piece in part.parts if isinstance(part, Text) else (part,):
                 if isinstance(piece, str) and joined and isinstance(last := joined[-1], str):
                     joined[-1] = last + piece
+                    if len(last) > MOST_LENGTH:
+                        return cls((Hole(_TOO_LONG),))
                 elif piece != "":
                     joined.append(piece)
-        return cls(tuple(joined))
+        return cls(tuple(joined) if len(joined) <= MOST_PARTS else (Hole(_TOO_LONG),))
 
     @property
     def known(self) -> str | None:

@@ -82,3 +82,25 @@ def test_overrides_that_nobody_sets_have_a_table_of_their_own() -> None:
     found = {table.name: [row[0].value for row in table.rows] for table in view.tables}
     assert found["parameters"] == ["rate", f"{name}_set"]
     assert found["overrides"] == [name]
+
+
+def test_what_a_declaration_says_of_a_parameter_is_told() -> None:
+    where = Proof("a.cpp", 3)
+    parameters = (
+        ConfiguredParameter(
+            "mode", "fast", "string", access="declared", proof=where, description="How to move", read_only=True,
+            allowed=("fast", "slow"), constraints=("not empty",),
+        ),
+        ConfiguredParameter("other", "1", "int", access="declared", proof=where, dynamic=True, range="0..5"),
+    )  # fmt: skip
+    node = ConfiguredNode("/n", where, parameters=parameters)
+    systems = systems_of({"c": Configuration("c", "ros2", nodes=(node,))}, {})
+    view = build_node(Book(systems, lambda _: False, ""), Request("c/n"))
+    assert view is not None
+    (table,) = [table for table in view.tables if table.name == "parameters"]
+    keys = [column.key for column in table.columns]
+    found = [{key: cell.value for key, cell in zip(keys, row, strict=True)} for row in table.rows]
+    assert [(one["terms"], one["range"], one["description"]) for one in found] == [
+        ("read only; one of fast, slow; not empty", "", "How to move"),
+        ("of any type", "0..5", ""),
+    ]

@@ -72,6 +72,7 @@ def test_what_nobody_knows_stays():
         (Hole("each of a part of {parameter names}", "names"), "[a, b]", None),
         (Hole("each of each of parameter names", "names"), "[a, b]", None),
         (Hole("each of parameter names of node no. 2", "names"), "[a, b]", None),
+        (Hole("type of each of parameter names", "names"), "[{type: a}]", None),
         (Hole("each of parameter names of the node that makes it", "names"), "[a, b]", None),
     ],
 )

@@ -28,3 +28,11 @@ def test_of_what_is_no_question_nothing_is_said():
     assert chosen_value(CHOSEN, INNER, "one", Text.of("x")) is None
     assert chosen_value(CHOSEN, INNER, "list", None) is None
     assert chosen_value(CHOSEN, INNER, "list", unknown("why")) is None
+
+
+def test_a_list_of_maps_is_one_of_their_parts():
+    chosen = Chosen((("", "list", "[{name: a, type: 'n::A'}, {name: b, type: 'n::B'}, c]"), ("", "bad", "[{a: ]")))
+    first, second, third = chosen_value(chosen, HOST, "list", None)
+    assert first == {Text.of("name"): Text.of("a"), Text.of("type"): Text.of("n::A")}
+    assert (second[Text.of("type")], third) == (Text.of("n::B"), Text.of("c"))
+    assert chosen_value(chosen, HOST, "bad", None) is None

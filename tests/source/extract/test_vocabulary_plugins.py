@@ -169,3 +169,28 @@ int main(int argc, char ** argv) { ros::init(argc, argv, "a"); ros::NodeHandle n
     assert before.endpoints == ()
     (facts,) = facts_of_main(index, "pkg/a.cpp", chosen=Chosen((("", "~/planner", None),)))
     assert made(facts) == ["~/first/said"]
+
+
+LAYERS = """
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+#include <pluginlib/class_loader.h>
+namespace p { class Talks : public Base { public: void initialize(std::string n) {
+  ros::NodeHandle nh("~/" + n); nh.advertise<std_msgs::String>("said", 1); } }; }
+int main(int argc, char ** argv) { ros::init(argc, argv, "a"); ros::NodeHandle nh("~");
+  pluginlib::ClassLoader<Base> loader("pkg", "Base");
+  XmlRpc::XmlRpcValue layers; nh.getParam("layers", layers);
+  for (int32_t i = 0; i < layers.size(); ++i) {
+    std::string name = static_cast<std::string>(layers[i]["name"]);
+    std::string type = static_cast<std::string>(layers[i]["type"]);
+    boost::shared_ptr<Base> one = loader.createInstance(type); one->initialize(name); } }
+"""
+
+
+def test_a_list_of_maps_names_classes_in_ros1(index_of):
+    index = index_of(a_cpp=LAYERS)
+    (before,) = facts_of_main(index, "pkg/a.cpp")
+    assert [hole.parameter for one in before.plugins for hole in one.type.holes] == ["~/layers"]
+    chosen = Chosen((("", "~/layers", "[{name: x, type: 'p::Talks'}, {name: y, type: 'p::Talks'}]"),))
+    (facts,) = facts_of_main(index, "pkg/a.cpp", chosen=chosen)
+    assert made(facts) == ["~/x/said", "~/y/said"]

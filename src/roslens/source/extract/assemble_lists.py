@@ -13,7 +13,9 @@ from roslens.source.extract.unknown_lists import listed
 Items = Callable[[Hole], "list[str | Hole] | None"]
 """Returns the items that a hole stands for; None where it stands for none, or they are unknown."""
 _PREFIX = re.compile(r"(?:each of |item -?\d+ of )*")
-_WHOLE = re.compile(r"(?:each of |item -?\d+ of )?(?!each of |item -?\d|.*(?:\{| of node no\. | that makes it))")
+_WHOLE = re.compile(
+    r"(?:each of |item -?\d+ of )?(?!each of |item -?\d|.*(?:\{| of node no\. | that makes it| of each of ))"
+)
 """A list of this node, each of its items or one of them; of what else is made of a list nobody knows what it is."""
 _ITEM = re.compile(r"item (-?\d+) of ")
 _DEEPEST = 4

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from roslens.model.errors import DocumentError
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.unknown_lists import listed
 
@@ -55,6 +56,8 @@ def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None
         return None
     value = chosen.value(node, name)
     if value is not None:
+        if _is_list(value) and "{" in value:
+            return _maps(value)
         return [Text.of(one) for one in listed(value)] if _is_list(value) else Text.of(value)
     usual = None if default is None else default.usual
     if usual is None:
@@ -76,6 +79,24 @@ def deciding_node(engine: Evaluation, text: Text) -> Building:
             return engine.first
     node = getattr(engine.frame.self, "node", None)
     return engine.node if node is None else node
+
+
+def _maps(value: str) -> Any:
+    """Return a list of maps as YAML writes it in one line, with texts as keys; None where it is none."""
+    from roslens.judge.yaml_tree import Items, Scalar, Table, read_tree
+
+    try:
+        root = read_tree(value.encode(), "value").root
+    except DocumentError:
+        return None
+    found: list[Any] = []
+    for item in root.nodes if isinstance(root, Items) else ():
+        if isinstance(item, Table):
+            parts = {key: one.text for key, one in item.nodes.items() if isinstance(one, Scalar)}
+            found.append({Text.of(key): Text.of(one) for key, one in parts.items()})
+        elif isinstance(item, Scalar):
+            found.append(Text.of(item.text))
+    return found
 
 
 def _is_list(value: str) -> bool:

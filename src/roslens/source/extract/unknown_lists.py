@@ -48,6 +48,9 @@ def item_of(value: Any, key: Any) -> Any:
         return None
     if isinstance(key, Unknown):
         return each_of(value)
+    if isinstance(key, Text) and key.known and hole.reason.startswith("each of "):
+        # A part of a map in a list that a parameter is: ``plugins[i]["type"]``.
+        return Text((Hole(f"{key.known} of {hole.reason}", hole.parameter, named=hole.named),))
     if not is_list(hole) or isinstance(key, bool) or not isinstance(key, int):
         return None
     items = listed(hole.default or "")

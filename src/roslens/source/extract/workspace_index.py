@@ -24,6 +24,7 @@ from roslens.source.extract.program import (
     Program,
     Statement,
 )
+from roslens.source.extract.python_modules import PythonModules
 from roslens.source.extract.type_names import dotted, type_arguments, type_name
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ class Index:
         self._constants: dict[str, tuple[str, Expression]] = {}
         self._declared: dict[tuple[str, int], Function] = {}
         self._methods: dict[str, list[Defined]] = {}
-        self._modules: dict[str, list[str]] = {}
+        self._modules = PythonModules(self.programs, self._outer)
         self._aliases: dict[str, str] = {}
         self._header_aliases: dict[tuple[str, str], set[str]] = {}
         self._globals: set[str] = set()
@@ -101,11 +102,8 @@ class Index:
     def _add(self, path: str, program: Program) -> None:
         # Modules of Python have names of their own; what C++ defines is known by its whole name everywhere.
         before = _before(path, program)
-        if before and path.endswith(".py"):
-            # A script without an ending cannot be imported, though it be named like the package beside it.
-            pieces = path.removesuffix(".py").removesuffix("/__init__").split("/")
-            for place in range(len(pieces)):
-                self._modules.setdefault(".".join(pieces[place:]), []).append(path)
+        if before:
+            self._modules.add(path)
         self._add_classes(path, program)
         for statement in program.body:
             if not isinstance(statement, Assign) or not isinstance(statement.target, Name):
@@ -172,7 +170,9 @@ class Index:
         """Yield what a name may mean in a scope of a file, the likeliest first."""
         program = self.programs.get(path)
         if program is not None and program.language == "python":
-            yield from self._named_in_python(name, path, scope, program)
+            for before in _scopes(scope):
+                yield f"{path}:{before}{name}"
+            yield from self._modules.imported(name, path)
             return
         own = self._own.get(path)
         for one in self._named_in_cpp(name, scope, program):
@@ -193,21 +193,6 @@ class Index:
                 yield dotted(meaning) + dot + rest
         for using in program.using:
             yield f"{using}.{name}"
-
-    def _named_in_python(self, name: str, path: str, scope: str, program: Program) -> Iterator[str]:
-        for before in _scopes(scope):
-            yield f"{path}:{before}{name}"
-        head, dot, rest = name.partition(".")
-        meanings = [program.imports[head] + dot + rest] if head in program.imports else []
-        for meaning in [*meanings, *(f"{using}.{name}" for using in program.using)]:
-            if meaning in self._outer:
-                return
-            pieces = meaning.strip(".").split(".")
-            for place in range(len(pieces) - 1, 0, -1):
-                found = self._modules.get(".".join(pieces[:place]))
-                if found:
-                    near = max(found, key=lambda one: (_together(one, path), -len(one)))
-                    yield f"{near}:{'.'.join(pieces[place:])}"
 
     def package(self, path: str) -> str:
         """Return the package that a file belongs to."""
@@ -464,16 +449,6 @@ def assigned_names(body: tuple[Statement, ...]) -> set[str]:
 
 def _before(path: str, program: Program) -> str:
     return f"{path}:" if program.language == "python" else ""
-
-
-def _together(one: str, other: str) -> int:
-    """Return how many folders two paths have in common."""
-    count = 0
-    for left, right in zip(one.split("/")[:-1], other.split("/")[:-1], strict=False):
-        if left != right:
-            break
-        count += 1
-    return count
 
 
 def _around(defined: Defined) -> str:

@@ -56,3 +56,9 @@ if __name__ == '__main__':
 """
     (facts,) = units(a_py=text)
     assert [name for _, name in names(facts)] == ["a/x", "a/y", "a/z", "c", "a/w"]
+
+
+def test_the_name_of_the_package_is_known_in_its_code(units):
+    text = "#include <ros/ros.h>\nint main(int argc, char ** argv) { ros::init(argc, argv, ROS_PACKAGE_NAME); }"
+    (facts,) = units(a_cpp=text)
+    assert str(facts.name) == "pkg"

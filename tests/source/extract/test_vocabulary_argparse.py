@@ -151,3 +151,25 @@ def check(words):
     except (argparse.ArgumentError, SystemExit):
         return
     assert {name: one.known if isinstance(one, Text) else one for name, one in found.items()} == right
+
+
+def test_what_a_command_of_the_command_line_does_is_followed(units):
+    text = """
+import argparse
+import rospy
+from std_srvs.srv import Trigger
+def arm(args):
+    rospy.ServiceProxy('arm', Trigger)
+def main():
+    parser = argparse.ArgumentParser()
+    commands = parser.add_subparsers()
+    one = commands.add_parser('arm')
+    one.set_defaults(func=arm)
+    args = parser.parse_args(rospy.myargv()[1:])
+    rospy.init_node('tool')
+    args.func(args)
+if __name__ == '__main__':
+    main()
+"""
+    (facts,) = units(a_py=text)
+    assert [(str(one.name), one.conditions) for one in facts.endpoints] == [("arm", ("the command line asks for it",))]

@@ -36,6 +36,9 @@ if TYPE_CHECKING:
     from roslens.source.extract.workspace_index import Defined
 
 
+_PACKAGE_NAME = "ROS_PACKAGE_NAME"
+
+
 class Expressions:
     """Values of expressions; what they need of the evaluation is in it.
 
@@ -86,6 +89,9 @@ class Expressions:
 
     def _outside(self, name: str) -> Any:
         engine: Evaluation = self  # type: ignore[assignment]
+        if name == _PACKAGE_NAME:
+            # catkin and rosconsole define it as the name of the project, which is that of the package.
+            return Text.of(engine.index.package(engine.frame.path))
         return engine.words if name == "sys.argv" and engine.words is not None else Named(name)
 
     def defined(self, name: str) -> Any:

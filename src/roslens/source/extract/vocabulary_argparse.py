@@ -71,10 +71,13 @@ def commands(_engine: Evaluation, thing: Any, _called: Called) -> Any:
     return Unknown("parsers of commands")
 
 
-@method(_PARSER, "set_defaults")
-def defaults(_engine: Evaluation, thing: Any, called: Called) -> Any:
-    """Values where nothing is given."""
-    thing.fields.setdefault(_DEFAULTS, {}).update(called.keywords)
+@method(_PARSER, "set_defaults", anywhere=True)
+def defaults(engine: Evaluation, thing: Any, called: Called) -> Any:
+    """Values where nothing is given; a function among them is what a command of the command line does."""
+    if isinstance(thing, Obj):
+        thing.fields.setdefault(_DEFAULTS, {}).update(called.keywords)
+    for one in called.keywords.values():
+        engine.called_outer(one, "the command line asks for it")
     return None
 
 

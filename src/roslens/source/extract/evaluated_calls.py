@@ -15,7 +15,7 @@ from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.refined_values import refine
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.vocabulary import Called, find_method, find_outer
+from roslens.source.extract.vocabulary import Called, find_method, find_outer, is_method
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
 
 if TYPE_CHECKING:
@@ -95,25 +95,42 @@ class Calls(Expressions):
                 return engine.call(method, arguments, keywords, expression.arguments, templates)
             if name in thing.fields:
                 return self._apply(thing.fields[name], expression, arguments, keywords, templates)
-            called = self._call_of(expression, name, arguments, keywords, templates)
-            known = find_method(engine, thing, called)
-            if known is not None:
-                return known(engine, thing, called)
-        found = engine.function(name, len(arguments) + len(keywords)) or self.defined(name)
-        if isinstance(found, Callable) and "." in name:
-            found = self._overload(found, name, arguments)
-        if isinstance(found, _FUNCTIONS):
-            return self._apply(found, expression, arguments, keywords, templates)
-        alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
-        if "<" in alias:
+            if is_method(name):
+                called = self._call_of(expression, name, arguments, keywords, templates)
+                known = find_method(engine, thing, called)
+                if known is not None:
+                    return known(engine, thing, called)
+        return self._called_elsewhere(name, expression, arguments, keywords, templates)
+
+    def _called_elsewhere(
+        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        """Call a function or class outside of the class of the object, or something outside of the workspace."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        thing = engine.frame.self
+        frame, lookups = engine.frame, engine.index.lookups
+        of = thing.defined if isinstance(thing, Obj) else None
+        key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
+        meant = lookups.outside.get(key)
+        if meant is None:
+            found = engine.function(name, key[-1]) or self.defined(name)
+            if isinstance(found, Callable) and "." in name:
+                found = self._overload(found, name, arguments)
+            if isinstance(found, _FUNCTIONS):
+                return self._apply(found, expression, arguments, keywords, templates)
+            place = (name, frame.path, frame.scope)
+            meant = engine.index.meaning(*place), engine.index.alias(*place)
+            if found is None:
+                lookups.outside[key] = meant
+        meaning, alias = meant
+        if "<" in alias and not templates:
             plain, inside = type_name(alias)
             templates = tuple(self.template(one) for one in type_arguments(inside))
             beside = f"{name.rpartition('.')[0]}.{plain}" if "." in name else plain
             for one in (beside, plain):
-                defined = engine.index.class_of(one, engine.frame.path, engine.frame.scope)
+                defined = engine.index.class_of(one, frame.path, frame.scope)
                 if defined is not None:
                     return engine.construct(defined, arguments, keywords, templates)
-        meaning = engine.index.meaning(name, engine.frame.path, engine.frame.scope)
         return self.outer(meaning, expression, arguments, keywords, templates)
 
     def _overload(self, found: Callable, name: str, arguments: list[Any]) -> Callable:
@@ -164,15 +181,13 @@ class Calls(Expressions):
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Any:
         engine: Evaluation = self  # type: ignore[assignment]
-        name = function.name
-        of_super = (
-            isinstance(function.of, Call)
-            and isinstance(function.of.function, Name)
-            and function.of.function.name == "super"
-        )
-        of = engine.frame.self if of_super else self.value(function.of)
+        name, on = function.name, function.of
+        of_super = type(on) is Call and isinstance(on.function, Name) and on.function.name == "super"
+        of = engine.frame.self if of_super else self.value(on)
         arguments, keywords = self._arguments(expression)
         engine.at(expression)
+        if type(of) is Unknown and not is_method(name):
+            return self._plain_method(expression, function, of, arguments, keywords)
         if name in _FROM_THIS and isinstance(of, Obj):
             return of
         if of_super and isinstance(of, Obj):

@@ -58,6 +58,8 @@ class Expressions:
         engine.steps += 1
         if engine.steps > engine.most_steps:
             raise SpentError
+        if type(expression) is Name and expression.name in (names := engine.frame.names):
+            return names[expression.name]
         return engine.kinds[type(expression)](engine, expression)
 
     def literal(self, expression: Literal) -> Any:

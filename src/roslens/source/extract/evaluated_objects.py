@@ -11,7 +11,7 @@ from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.overload_choice import overload
-from roslens.source.extract.program import Assign, Function, Member
+from roslens.source.extract.program import Assign, Field, Function, Member
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.typed_list import TypedList
 from roslens.source.extract.vocabulary import Called, find_class, find_outer
@@ -66,13 +66,9 @@ class Objects(Calls):
         engine: Evaluation = self  # type: ignore[assignment]
         bind_bases(engine, thing)
         for one in reversed(engine.index.chain(thing.defined)) if thing.defined is not None else ():
-            initialised = self._initialised(one)
-            for field in getattr(one.what, "fields", ()):
-                if field.name in initialised:
-                    thing.fields[field.name] = Unknown(field.name)
-                    continue
-                if field.value is None and engine.index.member(one, field.name) is not None:
-                    # A static member has its value where it is defined, outside of the class.
+            for field, always in self._members(one):
+                if always is not _OF_TYPE:
+                    thing.fields[field.name] = always
                     continue
                 outer, engine.frame = engine.frame, Frame(one.path, one.what.qualified_name, thing)
                 engine.frame.templates.update(thing.templates_of(one.what.qualified_name))
@@ -88,17 +84,29 @@ class Objects(Calls):
                 finally:
                     engine.frame = outer
 
-    def _initialised(self, defined: Defined) -> frozenset[str]:
-        """Return the members that constructors of a class of C++ initialise: they are not made twice."""
+    def _members(self, defined: Defined) -> tuple[tuple[Field, Any], ...]:
+        """Return the members of a class that an object has, and what they are at first if that is always the same."""
         engine: Evaluation = self  # type: ignore[assignment]
-        known = engine.index.lookups.initialised
+        known = engine.index.lookups.members
         found = known.get(id(defined.what))
         if found is None:
-            found = known[id(defined.what)] = frozenset(
+            initialised = {
+                # Constructors of C++ initialise them: they are not made twice.
                 statement.target.name
                 for method in engine.index.methods(defined, defined.what.name)
                 for statement in getattr(method.what, "initialisers", ())
                 if isinstance(statement, Assign) and isinstance(statement.target, Member)
+            }
+            given = [
+                field
+                for field in getattr(defined.what, "fields", ())
+                if field.name in initialised
+                or field.value is not None
+                # A static member has its value where it is defined, outside of the class.
+                or (field.type and "*" not in field.type and engine.index.member(defined, field.name) is None)
+            ]
+            found = known[id(defined.what)] = tuple(
+                (field, Unknown(field.name) if field.name in initialised else _at_first(field)) for field in given
             )
         return found
 
@@ -178,13 +186,28 @@ class Objects(Calls):
 
     def plain(self, name: str, arguments: list[Any]) -> Any:
         """Return a value of a fundamental type."""
-        if name in ("std.string", "string", "QString", "std.string_view"):
+        if name in _TEXTS:
             return text_made(name, arguments) if arguments else Text()
         if not arguments:
             return Unknown("a value that is not set")
         return arguments[0]
 
 
+def _at_first(field: Field) -> Any:
+    """Return what a member without a value is, if its type alone says it."""
+    name = type_name(field.type)[0]
+    if field.value is not None or (name and name not in _PLAIN and "ptr" not in field.type.lower()):
+        return _OF_TYPE
+    if "ptr" in field.type.lower() and name != "std.vector":
+        return None
+    if name in _TEXTS:
+        return unknown(f"{field.name}, which is not set")
+    return Unknown("a value that is not set") if not name or name in _PLAIN else _OF_TYPE
+
+
+_OF_TYPE = object()
+"""What a member is whose value has to be made for each object."""
+_TEXTS = ("std.string", "string", "QString", "std.string_view")
 _NUMBER = (int, float)
 _LISTS = ("std::vector", "std::array", "std::set", "std::list", "std::deque", "std::unordered_set")
 

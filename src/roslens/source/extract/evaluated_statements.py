@@ -231,16 +231,17 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
         block(engine, statement.then)
     else:
         _noted(engine, written, statement.then)
-    returned, gone = frame.returned, frame.returned or frame.stopped
-    plainly, after = frame.plainly, frame.snapshot()
+    returned, gone, plainly = frame.returned, frame.returned or frame.stopped, frame.plainly
+    after = before if frame.is_as(before) else frame.snapshot()
     frame.restore(before)
     frame.returned = frame.stopped = False
-    _noted(engine, otherwise, statement.otherwise)
+    if statement.otherwise:
+        _noted(engine, otherwise, statement.otherwise)
     other_returned, other_gone = frame.returned, frame.returned or frame.stopped
     # A way that leaves the function, or the loop, has no say in what holds after it.
     if other_gone and not gone:
         frame.restore(after)
-    elif other_gone is gone:
+    elif other_gone is gone and (after is not before or statement.otherwise):
         frame.join(after, written)
     frame.returned = returned and other_returned
     frame.stopped = gone and other_gone and not frame.returned

@@ -41,6 +41,7 @@ from roslens.source.extract.workspace_index import Defined, Index, type_name
 
 _STOPPED = object()
 _NONE = Text()
+_TYPED = (list, int)
 
 KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
 """Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
@@ -327,10 +328,13 @@ class Evaluation(Objects):
     # Statements
 
     def _bind(self, what: Function, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
-        declared = self.index.declaration(what)
+        declared, given, names = None, len(arguments), frame.names
+        if given < len(what.parameters):
+            declared = self.index.declaration(what)
         for place, parameter in enumerate(what.parameters):
-            if place < len(arguments):
-                frame.names[parameter.name] = self.typed(parameter.type, arguments[place])
+            if place < given:
+                value = arguments[place]
+                names[parameter.name] = self.typed(parameter.type, value) if isinstance(value, _TYPED) else value
             elif parameter.name in keywords:
                 frame.names[parameter.name] = keywords[parameter.name]
             else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import is_
 from typing import Any
 
 import msgspec
@@ -134,6 +135,14 @@ class Frame:
     def snapshot(self) -> Held:
         """Return what names and members of the object hold."""
         return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
+
+    def is_as(self, before: Held) -> bool:
+        """Return whether names and members hold the very same as a snapshot: order and all."""
+        names, held = self.names, before[0]
+        if len(names) != len(held) or not all(map(is_, names.values(), held.values())):
+            return False
+        fields, held = self.self.fields if isinstance(self.self, Obj) else {}, before[1]
+        return len(fields) == len(held) and all(map(is_, fields.values(), held.values()))
 
     def restore(self, before: Held) -> None:
         """Put back what a snapshot holds."""

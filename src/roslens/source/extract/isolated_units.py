@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -33,14 +35,25 @@ def units_of(index: Index, targets: Iterable[Target]) -> tuple[tuple[NodeFacts, 
     """
     failures: list[Failure] = []
     found: list[NodeFacts] = []
-    try:
-        found += facts_of_workspace(index)
-    except Exception:  # noqa: BLE001 - which unit it was is found by evaluating them one by one
-        found += _one_by_one(index, failures)
-    for path, function in sorted(_entries(index, targets)):
-        found += attempt(lambda: facts_of_module(index, path, function), path, 0, failures)  # noqa: B023 - called at once
+    with _spared():
+        try:
+            found += facts_of_workspace(index)
+        except Exception:  # noqa: BLE001 - which unit it was is found by evaluating them one by one
+            found += _one_by_one(index, failures)
+        for path, function in sorted(_entries(index, targets)):
+            found += attempt(lambda: facts_of_module(index, path, function), path, 0, failures)  # noqa: B023 - called at once
     order = sorted(found, key=lambda one: (one.path, one.line, one.unit))
     return tuple(one for place, one in enumerate(order) if not place or one != order[place - 1]), tuple(failures)
+
+
+@contextmanager
+def _spared() -> Iterator[None]:
+    """Spare the collector of garbage what is there already: programs, hundreds of thousands of objects that stay."""
+    gc.freeze()
+    try:
+        yield
+    finally:
+        gc.unfreeze()
 
 
 def _entries(index: Index, targets: Iterable[Target]) -> set[tuple[str, str]]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from roslens.source.extract.program import Expression, Function
+from roslens.source.extract.program import Expression, Field, Function
 from roslens.source.extract.program_text import expression_text
 
 Found = tuple[Function, str] | None
@@ -25,8 +25,10 @@ class Lookups:
         alone: those of ``overloads`` that no arguments decide, as there is one of the name only.
         functions: outside of classes, by name, path, scope and how many arguments are given.
         defined: what a name stands for in a class (0 outside), by name, path and scope.
+        outside: what a called name means that nothing in the workspace has, and what it is an alias of, by class, name,
+            path, scope and how many arguments are given.
         kinds: what objects are, by their type, class and whether they are nodes.
-        initialised: members that constructors of a class initialise, by its identity.
+        members: of objects of a class, by its identity, with what they are at first.
     """
 
     def __init__(self) -> None:
@@ -37,7 +39,8 @@ class Lookups:
         self.functions: dict[tuple[str, str, str, int], Found] = {}
         self.defined: dict[tuple[int, str, str, str], tuple[str, Any, Any]] = {}
         self.kinds: dict[tuple[str, int, bool], tuple[str, ...]] = {}
-        self.initialised: dict[int, frozenset[str]] = {}
+        self.outside: dict[tuple[int, str, str, str, int], tuple[str, str]] = {}
+        self.members: dict[int, tuple[tuple[Field, Any], ...]] = {}
         self._texts: dict[int, tuple[Expression, str]] = {}
 
     def text(self, expression: Expression) -> str:

@@ -146,6 +146,12 @@ def find_outer(engine: Evaluation, name: str) -> Word | None:
     return _said(engine, word)
 
 
+def is_method(name: str) -> bool:
+    """Return whether there is a method of this name, of whatever kind of object."""
+    _load()
+    return name in _NAMES
+
+
 def find_class(engine: Evaluation, name: str, path: str) -> tuple[str, Word] | None:
     """Return whole name and word of a class that is in the workspace, and known better than what its code says."""
     known = _BETTER.get(name)

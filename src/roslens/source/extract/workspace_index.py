@@ -86,6 +86,7 @@ class Index:
         self._found_aliases: dict[tuple[str, str, str], str] = {}
         self._found_meanings: dict[tuple[str, str, str], str] = {}
         self._last_aliases: set[str] = set()
+        self._last_named: tuple[tuple[str, str, str], tuple[str, ...]] = (("", "", ""), ())
         # By identity, which is a lot cheaper than by value; what is kept beside it keeps it from being given again.
         self._keys: dict[int, tuple[Class | Function, str]] = {}
         self._found_constants: dict[tuple[str, str, str], tuple[str, Expression] | None] = {}
@@ -166,8 +167,15 @@ class Index:
                 return msgspec.structs.replace(function, class_name=whole, qualified_name=whole + last)
         return function
 
-    def named(self, name: str, path: str, scope: str) -> Iterator[str]:
-        """Yield what a name may mean in a scope of a file, the likeliest first."""
+    def named(self, name: str, path: str, scope: str) -> tuple[str, ...]:
+        """Return what a name may mean in a scope of a file, the likeliest first."""
+        key = (name, path, scope)
+        if key != self._last_named[0]:
+            # Who asks what a name means asks for classes, functions and constants, one after the other.
+            self._last_named = key, tuple(self._named(name, path, scope))
+        return self._last_named[1]
+
+    def _named(self, name: str, path: str, scope: str) -> Iterator[str]:
         program = self.programs.get(path)
         if program is not None and program.language == "python":
             for before in _scopes(scope):

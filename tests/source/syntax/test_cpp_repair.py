@@ -4,7 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.syntax.cpp_repair import first_arms, with_parameter_types
+from roslens.source.syntax.cpp_query import parse_tree
+from roslens.source.syntax.cpp_repair import first_arms, repaired, with_parameter_types
+from roslens.source.syntax.macros import load_macros
 
 
 @pytest.mark.parametrize(
@@ -52,3 +54,14 @@ def test_places_hold(text):
         assert [place for place, byte in enumerate(found) if byte == 10] == [
             place for place, byte in enumerate(content) if byte == 10
         ]
+
+
+def test_a_fault_that_is_all_of_a_file_is_worse_than_several():
+    functions = "".join(f"void A::f{one}() {{\n  run({one});\n}}\n" for one in range(60))
+    split = "void A::g()\n{\n#if B\n  if (x) {\n#else\n  if (y) {\n#endif\n  run();\n}\n"
+    odd = "void A::h() { a b c; d e f; }\n"
+    source = f"namespace n\n{{\n{split}{odd}{functions}}}\n".encode()
+    found, tree = repaired(source, parse_tree(source), load_macros())
+    assert tree.root_node.type == "translation_unit"
+    assert [one.type for one in tree.root_node.named_children] == ["namespace_definition"]
+    assert (len(found), found.count(b"\n")) == (len(source), source.count(b"\n"))

@@ -24,6 +24,8 @@ _BLANK = bytes(byte if byte == 0x0A else 0x20 for byte in range(256))
 _NO_FUNCTION = (b"if", b"while", b"for", b"switch", b"catch")
 _WORD = re.compile(rb"[A-Za-z_]\w*")
 _NEVER = re.compile(rb"[ \t]*#[ \t]*if[ \t]+0\b")
+_ROWS = 50
+"""A fault of so many rows is as bad as two small ones."""
 _MOST_BYTES = 2_000_000
 """A larger file is taken as it parses: it was made by a program."""
 
@@ -32,7 +34,7 @@ def repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tre
     """Return the source and tree with the fewest faults; every byte keeps its place."""
     if len(source) > _MOST_BYTES:
         return source, tree
-    fewest, best, last = len(fault_nodes(tree)), (source, tree), (source, tree)
+    fewest, best, last = _faults(tree), (source, tree), (source, tree)
     first = with_parameter_types(macros.repair(source))
     attempts: tuple[Callable[[bytes], bytes], ...] = (
         lambda text: text,
@@ -43,10 +45,15 @@ def repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tre
         text = attempt(first)
         if fewest and text != last[0]:
             last = (text, parse_again(text, *last))
-            faults = len(fault_nodes(last[1]))
+            faults = _faults(last[1])
             if faults < fewest:
                 fewest, best = faults, last
     return best
+
+
+def _faults(tree: Tree) -> int:
+    # Where nothing of a file fits together, all of it is one fault: namespaces and functions are lost.
+    return sum(1 + (one.end_point.row - one.start_point.row) // _ROWS for one in fault_nodes(tree))
 
 
 def with_parameter_types(source: bytes) -> bytes:

@@ -3,7 +3,7 @@
 import pytest
 
 from roslens.source.extract.node_units import facts_of_class, facts_of_main, node_classes
-from roslens.source.extract.plugin_choice import Chosen
+from roslens.source.extract.plugin_choice import Chosen, node_key
 
 PLUGINS = """
 #include <rclcpp/rclcpp.hpp>
@@ -194,3 +194,32 @@ def test_a_list_of_maps_names_classes_in_ros1(index_of):
     chosen = Chosen((("", "~/layers", "[{name: x, type: 'p::Talks'}, {name: y, type: 'p::Talks'}]"),))
     (facts,) = facts_of_main(index, "pkg/a.cpp", chosen=chosen)
     assert made(facts) == ["~/x/said", "~/y/said"]
+
+
+INNER = """
+class Inner : public rclcpp::Node { public:
+  Inner(const std::string & name) : Node(name), loader_("core", "core::Base") { }
+  void start() {
+    auto type = declare_parameter("type", std::string("p::Talks"));
+    loader_.createSharedInstance(type)->configure(shared_from_this(), "n");
+  }
+  pluginlib::ClassLoader<core::Base> loader_;
+};
+class Outer : public rclcpp::Node { public:
+  Outer() : Node("outer") { one_ = std::make_shared<Inner>("one"); one_->start(); two_ = std::make_shared<Inner>("two");
+    two_->start(); }
+  std::shared_ptr<Inner> one_, two_;
+};
+"""
+
+
+def test_a_node_that_another_one_makes_loads_by_its_own_parameters(index_of):
+    index = index_of(a_cpp=PLUGINS + INNER)
+    (one,) = (found for found in node_classes(index) if found[0].what.name == "Outer")
+    _, first, second = facts_of_class(index, *one)
+    assert [(len(node.plugins), node.plugins[0].type.holes[0].parameter) for node in (first, second)] == [
+        (1, "type")
+    ] * 2
+    chosen = Chosen(((node_key(first), "type", None), (node_key(second), "type", "p::Hears")))
+    outer, first, second = facts_of_class(index, *one, chosen=chosen)
+    assert [made(node) for node in (outer, first, second)] == [[], ["n/said"], ["heard"]]

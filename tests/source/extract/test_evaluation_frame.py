@@ -55,3 +55,23 @@ def test_members_are_part_of_a_snapshot():
     thing.fields["a"], frame.names["b"] = 3, 4
     frame.restore(before)
     assert (thing.fields, frame.names) == ({"a": 1}, {"b": 2})
+
+
+def test_what_is_left_over_goes_to_parameters_with_stars(units):
+    text = """
+import rospy
+from std_msgs.msg import String
+def topic(*args):
+    return '/' + '/'.join(('robot',) + args)
+def make(name, *rest, **options):
+    rospy.Publisher(name + rest[0] + options['end'], String)
+def only(name, *rest, end='_default'):
+    rospy.Publisher(name + end, String)
+if __name__ == '__main__':
+    rospy.init_node('a')
+    rospy.Publisher(topic('mission', 'list'), String)
+    make('b', '_c', end='_d')
+    only('e', 'f', 'g')
+"""
+    (facts,) = units(a_py=text)
+    assert sorted(str(one.name) for one in facts.endpoints) == ["/robot/mission/list", "b_c_d", "e_default"]

@@ -25,7 +25,7 @@ from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_objects import Objects
 from roslens.source.extract.evaluated_statements import assign, block, initialise
 from roslens.source.extract.evaluation_bounds import MOST_DEPTH, MOST_OF_PLUGIN, MOST_STEPS, SpentError
-from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.evaluation_frame import Frame, bind_rest
 from roslens.source.extract.lookups import Found
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
@@ -332,7 +332,10 @@ class Evaluation(Objects):
         if given < len(what.parameters):
             declared = self.index.declaration(what)
         for place, parameter in enumerate(what.parameters):
-            if place < given:
+            if parameter.name[:1] == "*":
+                given = min(given, place)
+                bind_rest(what, place, arguments, keywords, frame)
+            elif place < given:
                 value = arguments[place]
                 names[parameter.name] = self.typed(parameter.type, value) if isinstance(value, _TYPED) else value
             elif parameter.name in keywords:

@@ -10,6 +10,7 @@ import msgspec
 
 from roslens.source.extract.abstract_value import Class, Made, Named, Obj, Unknown, as_text
 from roslens.source.extract.plain_methods import is_namespace
+from roslens.source.extract.program import Function
 from roslens.source.extract.quality import one_of as one_quality
 from roslens.source.extract.text import Asked, Choice, Hole, Text, unknown
 
@@ -278,3 +279,13 @@ def either(one: Text, other: Text, condition: str, test: Asked | None = None) ->
 
 def _chooses(*texts: Text) -> bool:
     return any(hole.choice for text in texts for hole in text.holes)
+
+
+def bind_rest(what: Function, place: int, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
+    """Give ``*args`` or ``**options`` of a function of Python what no other parameter takes."""
+    name = what.parameters[place].name
+    if name.startswith("**"):
+        named = {one.name for one in what.parameters}
+        frame.names[name[2:]] = {Text.of(one): keywords[one] for one in keywords if one not in named}
+    else:
+        frame.names[name[1:]] = list(arguments[place:])

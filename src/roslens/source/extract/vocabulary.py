@@ -65,6 +65,7 @@ _MODULES = (
     "vocabulary_ros2",
     "vocabulary_qos",
     "vocabulary_python",
+    "vocabulary_generic",
     "vocabulary_parameters",
     "vocabulary_descriptors",
     "vocabulary_listeners",

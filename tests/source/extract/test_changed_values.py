@@ -90,3 +90,16 @@ def test_an_item_that_one_way_changes_is_one_or_the_other(units):
     assert python(units, "d = {'k': 'v'}\nif f():\n    d['k'] = 'u'\nt = d['k']") == ["{u if f(), else v}"]
     (found,) = python(units, "l = ['a', 'b']\nif f():\n    l.pop()\nt = l[0]")
     assert found == "{an item of a list that pop() changed}"
+
+
+@pytest.mark.parametrize(
+    ("body", "names"),
+    [
+        ('P p; if (f()) p.topic = "b"; nh.advertise<std_msgs::String>(p.topic, 1);', ["{b if f(), else a}"]),
+        ('if (f()) { P p; p.topic = "b"; nh.advertise<std_msgs::String>(p.topic, 1); }', ["b"]),
+        ('P p; p.topic = "b"; nh.advertise<std_msgs::String>(p.topic, 1);', ["b"]),
+    ],
+)
+def test_a_member_that_one_way_sets_is_one_or_the_other(main_of, body, names):
+    found = main_of(body, 'struct P { std::string topic; P() : topic("a") {} };').endpoints
+    assert [str(one.name) for one in found] == names

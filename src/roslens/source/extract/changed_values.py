@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Unknown, as_text
+from roslens.source.extract.abstract_value import Obj, Unknown, as_text
 from roslens.source.extract.evaluation_frame import either
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import Call, Expression, Member, Name
@@ -67,6 +67,14 @@ def put_item(engine: Evaluation, of: dict[Any, Any] | list[Any], key: Any, value
         return
     condition = is_open(engine)
     of[place] = _one_of(value, of[place], condition) if condition else value
+
+
+def put_member(engine: Evaluation, of: Obj, name: str, value: Any) -> None:
+    """Set a member of an object; in a branch that may not be taken it is the one or the other."""
+    condition = is_open(engine) if name in of.fields and engine.frame.around else ""
+    if condition and engine.frame.was_before(of):
+        value = _one_of(value, of.fields[name], condition)
+    of.fields[name] = value
 
 
 def _one_of(value: Any, before: Any, condition: str) -> Any:

@@ -6,7 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue, Remappings, Unknown, as_text, test_of
-from roslens.source.extract.changed_values import put_item
+from roslens.source.extract.changed_values import put_item, put_member
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
@@ -154,7 +154,7 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
     elif isinstance(target, Member):
         of = engine.value(target.of)
         if isinstance(of, Obj):
-            of.fields[target.name] = value
+            put_member(engine, of, target.name, value)
         elif isinstance(of, QosValue | Named) and (quality := quality_of(of)) is not None:
             refine(engine, target.of, of, changed(quality, target.name, value))
         if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
@@ -227,6 +227,7 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
     otherwise = negated(written)
     frame.know(written, otherwise, test_of(decides))
+    frame.around.append(before)
     if written == "no exception":
         block(engine, statement.then)
     else:
@@ -237,6 +238,7 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     frame.returned = frame.stopped = False
     if statement.otherwise:
         _noted(engine, otherwise, statement.otherwise)
+    frame.around.pop()
     other_returned, other_gone = frame.returned, frame.returned or frame.stopped
     # A way that leaves the function, or the loop, has no say in what holds after it.
     if other_gone and not gone:

@@ -68,6 +68,7 @@ class Frame:
         passed: how many of the conditions hold because the function was not left before.
         plainly: whether the last return told no failure.
         tests: what decides the conditions of branches, as written, where that is known.
+        around: what was held before each branch that is followed, outermost first.
     """
 
     def __init__(self, path: str, scope: str, self_: Any = None, names: dict[str, Any] | None = None) -> None:
@@ -84,6 +85,7 @@ class Frame:
         self.passed = 0
         self.plainly = False
         self.tests: dict[str, Asked] = {}
+        self.around: list[Held] = []
         self._given = ""
         self._given_test: Asked | None = None
 
@@ -136,6 +138,11 @@ class Frame:
     def snapshot(self) -> Held:
         """Return what names and members of the object hold."""
         return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
+
+    def was_before(self, thing: Obj) -> bool:
+        """Return whether an object was there before the branch that is followed, so that either way of it has it."""
+        held = self.around[-1] if self.around and thing is not self.self else ({}, {})
+        return any(one is thing for values in held for one in values.values())
 
     def is_as(self, before: Held) -> bool:
         """Return whether names and members hold the very same as a snapshot: order and all."""

@@ -16,6 +16,7 @@ EXAMPLES = """\
 LIBRARIES = (
     "jinja2",
     "msgspec",
+    "pygments",
     "starlette",
     "tree-sitter",
     "tree-sitter-cpp",

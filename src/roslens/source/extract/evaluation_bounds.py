@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-MOST_STEPS = 60_000
+MOST_STEPS = 150_000
 """Statements and expressions of one evaluation."""
 MOST_OF_PLUGIN = 15_000
 """Further ones for each plug-in that is followed."""

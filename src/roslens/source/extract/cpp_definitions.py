@@ -75,6 +75,10 @@ class Definitions:
             else:
                 self._statements.add((node,), out)
 
+    def end(self) -> None:
+        """Let go of who lowers the rest: holding each other, they and the tree would wait as garbage."""
+        del self._expressions.on_lambda, self._statements.on_definition
+
     def _definition(self, node: Node, out: Statements) -> bool:
         handler = _HANDLERS.get(node.type)
         if handler is not None:

@@ -30,7 +30,9 @@ def lower_cpp(source: bytes, tree: Tree, content: bytes | None = None) -> Progra
     """
     lowered = Lowered(source)
     root = tree.root_node
-    Definitions(lowered).add(root.named_children, lowered.body)
+    definitions = Definitions(lowered)
+    definitions.add(root.named_children, lowered.body)
+    definitions.end()
     lowered.body += registrations(source if content is None else content, tree)
     if root.has_error:
         for node in fault_nodes(tree):

@@ -20,5 +20,21 @@ def test_the_condition_of_the_node_is_told():
     assert one.severity is Severity.WARNING
 
 
+def test_a_file_of_several_nodes_that_run_may_have_nothing_for_one_of_them():
+    given = Ignored("/manager", launched(2, "config/all.yaml"), ("/amcl", "/planner"), launched(9))
+    (one,) = found(configuration(node("/amcl"), node("/manager")), Surroundings(ignored=(given,)))
+    assert one.severity is Severity.NOTE
+    assert one.message == (
+        "launch/robot.launch.xml:9 gives config/all.yaml to /manager, but it is keyed to other nodes that run, "
+        "`/amcl`, `/planner`: all of it is ignored. Key it to `/manager` or to `/**`, if it is meant."
+    )
+
+
+def test_a_name_that_is_nearly_it_is_a_mistake_whoever_else_runs():
+    given = Ignored("/robot/slam", launched(2, "config/all.yaml"), ("/amcl", "/slam"), launched(9))
+    (one,) = found(configuration(node("/robot/slam"), node("/amcl")), Surroundings(ignored=(given,)))
+    assert one.severity is Severity.ERROR
+
+
 def test_none_is_none():
     assert not list(found(configuration(node("/robot/slam")), Surroundings()))

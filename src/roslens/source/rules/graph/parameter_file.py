@@ -20,7 +20,7 @@ RULE = RuleInfo(
     Severity.ERROR,
     ("ros", "graph", "parameters", "launch"),
     "The whole file is ignored without a word; the node runs with its defaults, and asking it for its parameters "
-    "confirms them.",
+    "confirms them. It is a note only where the file is of other nodes that run: one file for many is usual.",
     tool=TOOL,
     scope="configuration",
 )
@@ -30,18 +30,20 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     """Yield a finding for each file that is ignored by the node it is given to."""
     conditions = {node.name: node.conditions for node in configuration.nodes}
     for one in surroundings.ignored:
-        yield _told(one, conditions.get(one.node, ()))
+        yield _told(one, conditions.get(one.node, ()), not conditions.keys().isdisjoint(one.keys))
 
 
-def _told(one: Ignored, conditions: tuple[str, ...]) -> Finding:
-    severity, doubt = weighed(RULE.severity, (one.proof, one.given), conditions)
+def _told(one: Ignored, conditions: tuple[str, ...], of_others: bool) -> Finding:
     last = one.node.rpartition("/")[2]
     same = [key for key in one.keys if key.rpartition("/")[2] == last]
     near = same[0] if same else nearest_name(one.node, list(one.keys))
+    shared = of_others and not near
+    severity, doubt = weighed(Severity.NOTE if shared else RULE.severity, (one.proof, one.given), conditions)
     hint = f" `{near}` is nearly it." if near else ""
     keys = listed([f"`{key}`" for key in one.keys])
+    whose, perhaps = ("other nodes that run, ", ", if it is meant") if shared else ("", "")
     message = (
-        f"{one.given.place} gives {one.proof.path} to {one.node}, but it is keyed to {keys}: "
-        f"all of it is ignored.{hint} Key it to `{one.node}` or to `/**`.{doubt}"
+        f"{one.given.place} gives {one.proof.path} to {one.node}, but it is keyed to {whose}{keys}: "
+        f"all of it is ignored.{hint} Key it to `{one.node}` or to `/**`{perhaps}.{doubt}"
     )
     return told(RULE, message, one.proof, entity=f"node:{one.node}", severity=severity, context=one.proof.path)

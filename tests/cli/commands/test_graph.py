@@ -99,6 +99,16 @@ def test_without_a_launch_file_all_that_packages_make_is_shown(workspace, capsys
     assert (topic["endpoint"]["name"], topic["proof"]["sure"]) == ("/chatter", "likely")
 
 
+def test_why_there_are_no_nodes_is_told(tmp_path, capsys):
+    (tmp_path / "p").mkdir()
+    (tmp_path / "p" / "package.xml").write_text('<package format="3"><name>p</name><version>1.0.0</version></package>')
+    (tmp_path / "p" / "CMakeLists.txt").write_text("made_elsewhere(a b)\n")
+    assert main(["graph", str(tmp_path)]) == 3
+    told = capsys.readouterr()
+    assert told.out == "no nodes\n"
+    assert "p/CMakeLists.txt:1: made_elsewhere(): the command is not defined in the workspace" in told.err
+
+
 def test_a_hint_completes_what_code_cannot_tell(workspace, capsys):
     Path(workspace, "roslens.toml").write_text(
         '[graph.hints."talk/talker"]\nserves = ["~/reset std_srvs/srv/Empty"]\n'

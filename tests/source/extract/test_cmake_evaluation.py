@@ -88,3 +88,11 @@ def test_conditions_are_kept_while_a_branch_is_run():
 def test_what_a_function_sets_outside_in_a_branch_is_either():
     found = run("function(f)\nif(X_FOUND)\nset(R 1 PARENT_SCOPE)\nendif()\nendfunction()\nset(R 0)\nf()")
     assert shown(found.get("R")) == "{R depends on X_FOUND}"
+
+
+def test_what_follows_a_macro_that_calls_itself_is_read():
+    found = run("macro(again)\n  again()\nendmacro()\nset(A 1)\nagain()\nset(B 2)")
+    assert (found.get("A"), found.get("B")) == ("1", "2")
+    (told,) = found.unresolved
+    assert (told.text, told.evidence.line) == ("again()", 5)
+    assert "nested more than 40 deep" in told.reason

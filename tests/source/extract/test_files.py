@@ -1,6 +1,8 @@
 import os
 
-from roslens.source.extract.files import FolderFiles, joined
+import pytest
+
+from roslens.source.extract.files import FolderFiles, folders_in_common, joined
 
 
 def test_paths_are_joined_without_dots():
@@ -29,3 +31,10 @@ def test_what_has_no_end_is_not_read(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     assert FolderFiles(tmp_path, {}).content("pipe") is None
     assert FolderFiles(tmp_path, {}).content(".") is None
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "count"), [("a/b/c.py", "a/b/d.py", 2), ("a/b/c.py", "a/d.py", 1), ("c.py", "c.py", 0)]
+)
+def test_folders_in_common_are_counted_from_the_top(one, other, count):
+    assert folders_in_common(one, other) == count

@@ -105,9 +105,20 @@ def run(options: argparse.Namespace) -> int:
             draw(source, found, options)
             return _complete(source, found)
         code = _complete(source, found)
+        if not found:
+            _say_why(source)
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
     write_result(_text(shown, options), options.output)
     return code
+
+
+def _say_why(source: GraphSource) -> None:
+    """Tell what was not understood, where that may be why there are no nodes."""
+    missed = source.facts.unresolved
+    for one in missed[:_MOST_REASONS]:
+        print(f"roslens: {one.evidence.path}:{one.evidence.line}: {one.text}: {one.reason}", file=sys.stderr)
+    if len(missed) > _MOST_REASONS:
+        print(f"roslens: and {len(missed) - _MOST_REASONS} more places that were not understood", file=sys.stderr)
 
 
 def _complete(source: GraphSource, found: tuple[Configuration, ...]) -> int:
@@ -153,6 +164,7 @@ def _writer(form: str) -> Callable[[Configuration], str]:
     return found
 
 
+_MOST_REASONS = 10
 _WRITERS = {
     "text": ("graph_text", "to_graph_text"),
     "dot": ("to_dot", "to_dot"),

@@ -389,6 +389,11 @@ class Evaluation:
         except ReturnedError as signal:
             if function.macro or signal.what == "stop":
                 raise
+        except ExhaustedError as error:
+            # What calls itself for ever is left out from its outermost call on; what follows that call is not.
+            if len(self._calls) > 1 or self._steps > MOST_STEPS or self._text > MOST_TEXT:
+                raise
+            self.fail(f"{command.name}()", self.evidence(command), str(error))
         finally:
             self.scope, self._bound, self.path = before
             self._calls.pop()

@@ -59,3 +59,13 @@ class FolderFiles:
             return found.read_bytes()
         except (OSError, ValueError, RuntimeError):
             return None
+
+
+def folders_in_common(one: str, other: str) -> int:
+    """Return how many folders two paths have in common."""
+    count = 0
+    for left, right in zip(one.split("/")[:-1], other.split("/")[:-1], strict=False):
+        if left != right:
+            break
+        count += 1
+    return count

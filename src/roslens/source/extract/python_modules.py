@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 
+from roslens.source.extract.files import folders_in_common
 from roslens.source.extract.program import Program
 
 _DEEPEST = 4
@@ -41,18 +42,8 @@ class PythonModules:
             for place in range(len(pieces) - 1, 0, -1):
                 found = self._paths.get(".".join(pieces[:place]))
                 if found:
-                    near = max(found, key=lambda one: (_together(one, path), -len(one)))
+                    near = max(found, key=lambda one: (folders_in_common(one, path), -len(one)))
                     inside = ".".join(pieces[place:])
                     yield f"{near}:{inside}"
                     if depth < _DEEPEST and near != path and near.endswith("/__init__.py"):
                         yield from self.imported(inside, near, depth + 1)
-
-
-def _together(one: str, other: str) -> int:
-    """Return how many folders two paths have in common."""
-    count = 0
-    for left, right in zip(one.split("/")[:-1], other.split("/")[:-1], strict=False):
-        if left != right:
-            break
-        count += 1
-    return count

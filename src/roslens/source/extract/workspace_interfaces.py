@@ -10,6 +10,7 @@ import msgspec
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Language, Location, Package, SourceFile
+from roslens.source.extract.files import folders_in_common
 from roslens.source.extract.interface import Checksum, Interface, Lookup
 from roslens.source.extract.interface_file import read_interface
 from roslens.source.extract.message_md5 import md5_of
@@ -78,16 +79,7 @@ def interfaces_of(
 
 def nearest(known: Sequence[KnownInterface], path: str) -> KnownInterface:
     """Return which of several interfaces of one name is meant in a file: the one with the most folders in common."""
-    return max(known, key=lambda one: _together(one.path, path))
-
-
-def _together(one: str, other: str) -> int:
-    count = 0
-    for left, right in zip(one.split("/")[:-1], other.split("/")[:-1], strict=False):
-        if left != right:
-            break
-        count += 1
-    return count
+    return max(known, key=lambda one: folders_in_common(one.path, path))
 
 
 def _lookup(

@@ -199,6 +199,12 @@ def test_statements_that_only_tell_people_something(statement: bytes, expected: 
         "nh.param<int>(a)",
         "ros::param::get(a)",
         "A * a = new A;",
+        "a = b ? nullptr : new demo::A<int>(b);",
+        "A * a = new (place) A(b);",
+        "A * a = new demo::A[3];",
+        "future_ = std::async(std::launch::async, [this]() {work();});",
+        "std::thread spinner(&A::work, this);",
+        "thread_ = boost::thread([this] {work();});",
         "ros::init (a)",
         "node->create_generic_publisher(a)",
         "nh.createWallTimer(a)",
@@ -228,7 +234,13 @@ def test_a_long_function_that_names_an_interface_matters_as_a_whole(written: str
     assert Relevance(source, 0, len(source)).level is Level.WHOLE
 
 
-@pytest.mark.parametrize("written", ["renew x", "reinit(a)", "recreate_publisher", "myparams", "Timers", "a_add_node"])
+@pytest.mark.parametrize(
+    "written",
+    [
+        "renew x", "reinit(a)", "recreate_publisher", "myparams", "Timers", "a_add_node", "// a new plan of it\n",
+        "a = new double[n]", "a = new unsigned char[n]",
+    ],
+)  # fmt: skip
 def test_letters_inside_another_word_name_no_interface(written: str) -> None:
     source = b"{" + FILLING + written.encode() + b";\n}"
     assert Relevance(source, 0, len(source)).level is not Level.WHOLE

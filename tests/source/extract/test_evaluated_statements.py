@@ -1,3 +1,5 @@
+import pytest
+
 PUB = "pub_ = create_publisher<std_msgs::msg::String>({}, 1);"
 
 
@@ -131,3 +133,36 @@ def test_a_base_is_meant_by_its_name_whatever_else_is_named_like_it(units):
         ' create_publisher<std_msgs::msg::String>("a", 1); } };'
     )
     assert [one.name.known for one in units(a_cpp=text, tree_hpp=tree)] == ["named"]
+
+
+def test_an_object_that_a_function_keeps_is_the_same_in_each_call(main_of):
+    before = "struct Names { std::string topic; };\nNames & names() { static Names n; return n; }\n"
+    made = "auto pub = nh.advertise<std_msgs::String>(names().topic, 1);"
+    facts = main_of(f'ros::NodeHandle nh; names().topic = "kept"; {made}', before)
+    assert [str(one.name) for one in facts.endpoints] == ["kept"]
+    facts = main_of(f'ros::NodeHandle nh; names().topic = "kept"; {made}', before.replace("static ", ""))
+    assert [one.name.known for one in facts.endpoints] == [None]
+
+
+def test_what_a_kept_object_makes_is_made_by_each_call_that_may_be_the_first(main_of):
+    before = 'struct Out { Out() { ros::NodeHandle n; pub = n.advertise<std_msgs::String>("out", 1); }\n'
+    before += "  ros::Publisher pub; };\nvoid log() { static Out * out = new Out(); }\n"
+    facts = main_of("if (ask()) { log(); } log();", before)
+    assert [one.conditions for one in facts.endpoints] == [()]
+
+
+@pytest.mark.parametrize(
+    "members",
+    [
+        "bool which() { if (ask()) { return compute(); } return false; }",
+        "bool which() { if (ask()) { return false; } return compute(); }",
+        "int which() { if (ask()) { return 0; } else { return compute(); } }",
+        "bool which() { if (ask()) { return true; } if (tell()) { return compute(); } return true; }",
+    ],
+)
+def test_a_function_that_may_return_what_is_unknown_decides_nothing(node_of, members: str):
+    facts = node_of("if (which()) {" + PUB.format('"a"') + "} else {" + PUB.format('"b"') + "}", members)
+    assert [(str(one.name), one.conditions) for one in facts.endpoints] == [
+        ("a", ("which()",)),
+        ("b", ("not which()",)),
+    ]

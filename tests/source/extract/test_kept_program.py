@@ -33,7 +33,13 @@ def test_numbers_of_any_size(number: str):
     assert unpack(pack(program)) == program
 
 
-@pytest.mark.parametrize("kept", [b"", b"no", zlib.compress(b"no"), zlib.compress(b"")])
+@pytest.mark.parametrize("lines", [1, 10, 100, 1000])
+def test_small_and_large_ones_come_back(lines: int):
+    program = program_of_python(b"".join(b"a%d = b(%d)\n" % (n, n) for n in range(lines)))
+    assert unpack(pack(program)) == program
+
+
+@pytest.mark.parametrize("kept", [b"", b"x", b"no", zlib.compress(b"no"), zlib.compress(b"")])
 def test_what_is_no_program_is_told(kept: bytes):
     with pytest.raises(msgspec.DecodeError):
         unpack(kept)

@@ -1,10 +1,10 @@
 """Which functions and statements of C++ may say something about the graph, judged by text before any node is read.
 
-Most functions compute. What names an interface of ROS, or is short, is lowered whole, and so is what makes texts or
-options of nodes of what it is given: names are made there. Of the others only statements
-stay that call what may lead to such an interface (``initPublishers();``, ``costmap->configure(node)``), with the
-returns and the control structure around them; those without such calls have no body in the program. A test (``TEST``,
-``TEST_F``) is lowered whole where it names an endpoint or a parameter, else it has no body.
+Most functions compute. What names an interface of ROS, makes an object or is short is lowered whole, and so is what
+makes texts or options of nodes of what it is given: names are made there. Of the others only statements stay that call
+what may lead to such an interface (``initPublishers();``, ``costmap->configure(node)``), with the returns and the
+control structure around them; those without such calls have no body in the program. A test (``TEST``, ``TEST_F``) is
+lowered whole where it names an endpoint or a parameter, else it has no body.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _ENDPOINTS = rb"create_(?:%s)|advertise|subscribe|[sS]erviceClient|service::call
 _ENDPOINT = re.compile(rb"(?:%s|[pP]aram|declare_)\w*\s*[<(]" % _ENDPOINTS)
 _WORDS = {
     b"aram": rb"\b(?:get_param|set_param|has_param|[gs]etParam|hasParam|searchParam|param(?:Cached)?\s*[<(]|param::)",
-    b"new": rb"new(?<!\wnew)\s",
+    b"new": rb"new(?<!\wnew)\s+(?:\(|[A-Za-z_:][\w:]*\s*[<({;,)]|(?:\w*::)*[A-Z]\w*\s*\[)",
     b"init": rb"init(?<!\winit)\s*\(",
     b"create": rb"create(?<!\wcreate)(?:_(?:%s)|\w*Timer|\w*(?:Instance|Server|Client))" % _CREATED,
     b"ubscri": rb"\bsubscribe|Subscri(?:ber|ption)",
@@ -36,6 +36,8 @@ _WORDS = {
     b"registerCallback": rb"\bregisterCallback",
     b"resolve": rb"\bresolve_?[nN]ame",
     b"get_node_": rb"\bget_node_\w+_interface",
+    b"async": rb"\bstd::async\b",
+    b"::thread": rb"::thread\s*(?:\w+\s*)?[({]",
     b"add_node": rb"\badd_node",
     b"waitForMessage": rb"\bwaitForMessage",
     b"]->": rb"\]->(?:on_?)?(?:[cC]onfigure|[iI]nit(?:ialize)?)\s*\(",

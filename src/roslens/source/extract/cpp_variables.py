@@ -75,7 +75,8 @@ class Variables:
             made = self._initial(node, type_, declarator, written, value)
         target = target_of(written, prefix or "")
         if target is not None:
-            out.append(Assign(target, made, declared_type(before, written), "=", node.start_point.row + 1))
+            once = "static" if prefix is None and before[:6] == b"static" else "="
+            out.append(Assign(target, made, declared_type(before, written), once, node.start_point.row + 1))
 
     def _initial(self, node: Node, type_: Node, declarator: Node, written: bytes, value: Node) -> Expression:
         """Return the value of a declared variable: ``= value``, ``(values)`` or ``{values}``."""

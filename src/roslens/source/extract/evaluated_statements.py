@@ -127,6 +127,9 @@ def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
 
 
 def _assigned(engine: Evaluation, statement: Assign) -> None:
+    if statement.operator == "static" and isinstance(statement.target, Name):
+        engine.frame.names[statement.target.name] = _once(engine, statement)
+        return
     if statement.value is None:
         engine.written_at(statement.line)
         if isinstance(statement.target, Name):
@@ -141,6 +144,22 @@ def _assigned(engine: Evaluation, statement: Assign) -> None:
         engine.frame.names[statement.target.name] = value
     else:
         assign(engine, statement.target, value)
+
+
+def _once(engine: Evaluation, statement: Assign) -> Any:
+    """Return the object of a variable that lives on between calls: the one that the first call made, if silently."""
+    frame, touched = engine.frame, engine.touches
+    key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
+    if key in engine.once:
+        return engine.once[key]
+    if statement.value is None:
+        engine.written_at(statement.line)
+        value = engine.declared(statement.declared)
+    else:
+        value = engine.converted(statement.declared, engine.value(statement.value))
+    if isinstance(value, Obj) and engine.touches == touched:
+        engine.once[key] = value
+    return value
 
 
 def assign(engine: Evaluation, target: Expression, value: Any) -> None:

@@ -63,6 +63,7 @@ class Evaluation(Objects):
         conditions: around what is evaluated, outermost first.
         asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
+        once: objects of variables that functions keep between calls, by their place.
         words: of the command line, where they are known.
         steps: that were made so far.
         most_steps: that may be made.
@@ -93,6 +94,7 @@ class Evaluation(Objects):
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
+        self.once: dict[tuple[str | int, ...], Obj] = {}
         self.steps, self.most_steps = 0, MOST_STEPS
         self._again = Again()
         self._stack: list[tuple[str, int]] = []
@@ -115,6 +117,11 @@ class Evaluation(Objects):
     def touched(self) -> None:
         """Note that a word of the vocabulary is said, or a callback given away."""
         self._again.touched += 1
+
+    @property
+    def touches(self) -> int:
+        """How often a word of the vocabulary was said, or a callback given away."""
+        return self._again.touched
 
     def more_steps(self) -> None:
         """Let a plug-in that is followed take steps of its own."""

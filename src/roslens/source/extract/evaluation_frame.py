@@ -19,6 +19,7 @@ Held = tuple[dict[str, Any], dict[str, Any]]
 
 
 _PLAIN = (Unknown, Text, bool, int, float)
+_DECIDES = (Unknown, bool, int, float)
 
 
 class WayOut(msgspec.Struct, frozen=True):
@@ -129,11 +130,11 @@ class Frame:
         both = one_of(before, value, self._given, self._given_test)
         if both is not None:
             return both
-        if before is None or isinstance(before, Unknown):
+        if before is None:
             return value
-        if isinstance(before, bool | int | float) and isinstance(value, bool | int | float) and value != before:
+        if isinstance(before, _DECIDES) and isinstance(value, _DECIDES) and value != before:
             return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {self._given}")
-        return before
+        return value if isinstance(before, Unknown) else before
 
     def snapshot(self) -> Held:
         """Return what names and members of the object hold."""

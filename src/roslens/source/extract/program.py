@@ -112,7 +112,8 @@ class Assign(msgspec.Struct, frozen=True, array_like=True, tag="assign"):
     """``target = value``, a declaration with a value or constructor arguments included.
 
     ``declared`` is the type as written, white space squeezed (``auto`` and Python without annotation: empty);
-    ``operator`` is ``=`` or ``+=``. A declaration without value has ``value`` None.
+    ``operator`` is ``=``, ``+=``, or ``static`` of a variable of a function of C++ that is initialised once.
+    A declaration without value has ``value`` None.
     """
 
     target: Expression

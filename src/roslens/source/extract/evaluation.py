@@ -94,7 +94,7 @@ class Evaluation(Objects):
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
-        self.once: dict[tuple[str | int, ...], Obj] = {}
+        self.once: dict[tuple[object, ...], Obj] = {}
         self.steps, self.most_steps = 0, MOST_STEPS
         self._again = Again()
         self._stack: list[tuple[str, int]] = []

@@ -170,9 +170,10 @@ class Frame:
 
 def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Asked | None = None) -> None:
     """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
-    for name, value in other.items():
-        before = names.get(name)
-        if value is before or value == before:
+    known = names.get
+    for name, value in [item for item in other.items() if known(item[0]) is not item[1]]:
+        before = known(name)
+        if value == before:
             continue
         if before is None:
             names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value

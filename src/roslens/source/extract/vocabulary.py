@@ -56,7 +56,11 @@ _ANYWHERE: dict[str, Word] = {}
 _NAMES: set[str] = set()
 """Of methods that are known of any kind of object."""
 _QUIET: set[Word] = set()
-_BETTER = {"tf2_ros.Buffer": ("tf2_ros.Buffer", ""), "Buffer": ("tf2_ros.Buffer", "/tf2_ros/buffer.py")}
+_BETTER = {
+    "rosbag.Bag": ("rosbag.Bag", ""),
+    "tf2_ros.Buffer": ("tf2_ros.Buffer", ""),
+    "Buffer": ("tf2_ros.Buffer", "/tf2_ros/buffer.py"),
+}
 """By the qualified name of a class of a library its whole name, and the end of the path of the file that has it."""
 LISTENER = "ParamListener"
 """The class that generate_parameter_library makes, in whatever namespace: it declares parameters."""
@@ -71,6 +75,7 @@ _MODULES = (
     "vocabulary_listeners",
     "vocabulary_values",
     "vocabulary_ros1",
+    "vocabulary_bags",
     "vocabulary_nodelets",
     "vocabulary_plugins",
     "vocabulary_markers",

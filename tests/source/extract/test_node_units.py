@@ -136,13 +136,17 @@ class A(LifecycleNode):
         super().__init__('a')
     def on_configure(self, state):
         self.create_lifecycle_publisher(String, 'b', 1)
+    def on_activate(self, state):
+        self.heard = self.create_subscription(String, 'c', self.on_heard, 1)
+    def on_deactivate(self, state):
+        self.destroy_subscription(self.heard)
 def main():
     rclpy.spin(A())
 if __name__ == '__main__':
     main()
 """
     (facts,) = facts_of_module(index_of(a_py=text), "pkg/a.py", "main")
-    assert [one.name.known for one in facts.endpoints] == ["b"]
+    assert [one.name.known for one in facts.endpoints] == ["b", "c"]
 
 
 def test_a_script_is_followed_through_what_it_does_on_its_outermost_level(index_of):

@@ -44,6 +44,28 @@ def test_what_is_known_of_a_camera_is_beside_its_images(node_of):
     ]
 
 
+def test_constructors_with_a_node_and_a_topic_make_endpoints_in_ros2(node_of):
+    members = (
+        'image_transport::CameraSubscriber camera_{this, "a", [](auto, auto) {},\n'
+        "#ifdef QOS\nrclcpp::QoS{rclcpp::QoSInitialization::from_rmw(\n#endif\n"
+        'profiles.at("default")\n#ifdef QOS\n)}\n#endif\n};\n'
+        "image_transport::Subscriber sub_; image_transport::Publisher pub_; image_transport::CameraPublisher cam_;"
+    )
+    body = (
+        'std::function<void()> f; sub_ = image_transport::Subscriber(this, "b", f, "raw", rmw_qos_profile_default);\n'
+        'pub_ = image_transport::Publisher(this, "c", rmw_qos_profile_default);\n'
+        'cam_ = image_transport::CameraPublisher(this, "d");'
+    )
+    assert told(node_of(body, members, IMAGES)) == [
+        ("subscription", "a", "Image"),
+        ("subscription", "camera_info", "CameraInfo"),
+        ("subscription", "b", "Image"),
+        ("publisher", "c", "Image"),
+        ("publisher", "d", "Image"),
+        ("publisher", "camera_info", "CameraInfo"),
+    ]
+
+
 def test_callbacks_that_options_hold_are_followed(node_of, names):
     body = (
         "rclcpp::PublisherOptions options;\n"

@@ -199,11 +199,11 @@ def facts_of_module(
 
 
 def _run_lifecycle(engine: Evaluation) -> None:
-    """Run what managed nodes do before they are active: nobody in their own program asks for it."""
+    """Run what managed nodes do until they are active: nobody in their own program asks for it."""
     for one in [made for made in engine.made if made.node is not None and made.node.kind == "lifecycle"]:
         outer, engine.node = engine.node, one.node or engine.node
         try:
-            for name in _FIRST[:2]:
+            for name in _FIRST[:3]:
                 method = engine.method(one, name)
                 if method is not None:
                     engine.call(method, [], {})

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import msgspec
+
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Callable, Handle, Obj, Unknown
 from roslens.source.extract.record import endpoint
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.vocabulary_ros2 import free_function
 from roslens.source.extract.vocabulary_shared import follow_visitors, handle_of
 
 if TYPE_CHECKING:
@@ -57,11 +60,24 @@ def image_subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
 @outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
 def camera(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """An image with what is known of its camera, in ROS 2."""
-    role = Role.PUBLISHER if called.name.endswith("publisher") else Role.SUBSCRIPTION
+    role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
     callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
     made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
     endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
     return made
+
+
+@outer("image_transport.CameraPublisher", "image_transport.CameraSubscriber", "image_transport.Publisher",
+       "image_transport.Subscriber")  # fmt: skip
+def made_at_once(engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """What ROS 2 also makes by constructors, of a node and a topic; others hold what is made later, or copy."""
+    if len(called.arguments) < 2:
+        return Unknown(called.name)
+    kind = called.name.rpartition(".")[2]
+    if kind.startswith("Camera"):
+        return camera(engine, _thing, called)
+    made = "create_publisher" if kind == "Publisher" else "create_subscription"
+    return free_function(engine, _thing, msgspec.structs.replace(called, name=f"image_transport.{made}"))
 
 
 @outer("camera_info_manager.CameraInfoManager")

@@ -43,3 +43,16 @@ def body(written: str) -> list[str]:
 )  # fmt: skip
 def test_statements(written: str, expected: list[str]) -> None:
     assert body(written) == expected
+
+
+def test_a_case_without_break_is_followed_by_the_next(node_of, names):
+    body = "switch (ask()) { case 1: { {a} } case 2: {b} break; case 3: {c} default: {d} }"
+    for one in "abcd":
+        body = body.replace(f"{{{one}}}", f'create_publisher<std_msgs::msg::String>("{one}", 1);')
+    facts = node_of(body)
+    assert {str(one.name): one.conditions for one in facts.endpoints} == {
+        "a": ("ask() == 1",),
+        "b": ("ask() == 1 or ask() == 2",),
+        "c": ("not ask() == 1", "not ask() == 2", "ask() == 3"),
+        "d": ("not ask() == 1", "not ask() == 2"),
+    }

@@ -79,3 +79,16 @@ int main() { auto node = rclcpp::Node::make_shared("n"); m::Monitor monitor(node
 """
     (facts,) = units(m_hpp=header, m_cpp=source, main_cpp=main)
     assert [one.name.known for one in facts.endpoints] == ["monitored", "monitor"]
+
+
+def test_a_constructor_calls_virtual_methods_of_its_own_class(units):
+    text = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+class Root : public rclcpp::Node { public: Root() : Node("a") { hook(); }
+  virtual void hook() { create_publisher<std_msgs::msg::String>("root", 1); } };
+class A : public Root { public: A() { later(); } void later() { hook(); }
+  void hook() override { create_publisher<std_msgs::msg::String>("own", 1); } };
+"""
+    facts = next(one for one in units(a_cpp=text) if one.unit == "A")
+    assert sorted(str(one.name) for one in facts.endpoints) == ["own", "root"]

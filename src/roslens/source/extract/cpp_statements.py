@@ -245,8 +245,7 @@ class StatementLowering:
         subject = self._condition(node.child_by_field_name("condition"), out)
         body = node.child_by_field_name("body")
         labels: list[Expression] = []
-        cases: list[_Arm] = []
-        otherwise: tuple[Statement, ...] = ()
+        groups: list[tuple[Expression | None, Statements, bool, int]] = []
         default = False
         for case in body.named_children if body is not None else ():
             if case.type != "case_statement":
@@ -260,12 +259,19 @@ class StatementLowering:
             if value is not None:
                 labels.append(Operation("==", (subject, self._lower(value))))
             if inner:
-                if default:
-                    otherwise = tuple(statements)
-                elif labels:
-                    condition = labels[0] if len(labels) == 1 else Operation("or", tuple(labels))
-                    cases.append(([], condition, tuple(statements), case.start_point.row + 1))
+                condition = None if default else labels[0] if len(labels) == 1 else Operation("or", tuple(labels))
+                groups.append((condition, statements, _ends(inner), case.start_point.row + 1))
                 labels, default = [], False
+        cases: list[_Arm] = []
+        otherwise: tuple[Statement, ...] = ()
+        following: tuple[Statement, ...] = ()
+        for condition, statements, ends, line in reversed(groups):
+            # Without ``break`` the next case follows.
+            following = tuple(statements) if ends else (*statements, *following)
+            if condition is None:
+                otherwise = following
+            else:
+                cases.insert(0, ([], condition, following, line))
         self._chain(cases, otherwise, node, out)
         self._leaves = around
         self._lowered.depth -= 1
@@ -377,6 +383,20 @@ _HANDLERS: dict[str, Callable[[StatementLowering, Node, Statements], None]] = {
 
 def _says_nothing(condition: Expression | None) -> bool:
     return condition is None or isinstance(condition, _SAYING_NOTHING)
+
+
+def _ends(nodes: list[Node]) -> bool:
+    """Whether statements of a case end so that the next one does not follow."""
+    last = next((one for one in reversed(nodes) if one.type != "comment"), None)
+    if last is not None and last.type == "compound_statement":
+        return _ends(last.named_children)
+    return last is not None and last.type in _ENDING
+
+
+_ENDING = frozenset(
+    {"break_statement", "return_statement", "throw_statement", "continue_statement", "goto_statement",
+     "co_return_statement"}
+)  # fmt: skip
 
 
 def _owned(call: Call, node: Node) -> tuple[Expression, Expression] | None:

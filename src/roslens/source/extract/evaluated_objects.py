@@ -118,7 +118,12 @@ class Objects(Calls):
         found = engine.index.methods(defined, name)
         chosen = overload(engine.index, found, len(arguments) + len(keywords), arguments)
         if chosen is not None and isinstance(chosen.what, Function):
+            whole = thing.defined
+            if not python:
+                # While a base is constructed, its own virtual methods are called.
+                thing.defined = defined
             engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)
+            thing.defined = whole
             return
         for base in engine.index.chain(defined)[1:2]:
             engine.construct_as(thing, base, arguments, keywords)

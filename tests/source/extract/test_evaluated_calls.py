@@ -112,3 +112,39 @@ if __name__ == "__main__":
     index = Index({path: program_of_python(text.encode()) for path, text in texts.items()})
     (found,) = facts_of_module(index, "pkg/scripts/talker")
     assert [(str(one.name), one.evidence.path) for one in found.endpoints] == [("said", "pkg/src/talker/__init__.py")]
+
+
+@pytest.mark.parametrize("base", ["Own", "lib.Own"])
+def test_a_method_of_a_class_that_is_called_with_the_object(units, base):
+    module = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+class Own(Node):
+    def __init__(self):
+        self.ready = False
+    def start(self, name, topic):
+        super().__init__(name)
+        self.pub = self.create_publisher(String, topic, 10)
+    @staticmethod
+    def serve(node, topic):
+        node.pub = node.create_publisher(String, topic, 10)
+"""
+    script = f"""
+import lib
+from lib import Own
+class Talker({base}):
+    def __init__(self):
+        {base}.__init__(self)
+    def main(self):
+        {base}.start(self, 'talker', 'said')
+        {base}.serve(self, 'served')
+        self.create_subscription(String, 'heard', print, 10)
+def main():
+    Talker().main()
+if __name__ == '__main__':
+    main()
+"""
+    found = {one.path: one for one in units(lib_py=module, run_py=script)}["pkg/run.py"]
+    assert str(found.name) == "talker"
+    assert [str(one.name) for one in found.endpoints] == ["said", "served", "heard"]

@@ -42,6 +42,12 @@ _HOLDERS = (Text, list, dict)
 _LISTS = (list, dict)
 _KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *_OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
 _WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
+_OF_NO_OBJECT = (Name("staticmethod"), Name("classmethod"))
+
+
+def _takes_object(function: Function) -> bool:
+    """Return whether a function of a class of Python is called on an object of it."""
+    return not any(one in _OF_NO_OBJECT for one in function.decorators)
 
 
 def _dotted(expression: Expression) -> str:
@@ -234,6 +240,9 @@ class Calls(Expressions):
         inside = engine.function(_dotted(function), len(arguments) + len(keywords)) or self._class_of_module(function)
         if inside is not None:
             return self._apply(inside, expression, arguments, keywords, templates)
+        beside = self._class_of_module(function.of) if isinstance(function.of, Member) else None
+        if beside is not None:
+            return self._of_class(beside, expression, function.name, arguments, keywords)
         return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, (*of.templates, *templates))
 
     def _class_of_module(self, function: Member) -> Class | None:
@@ -279,7 +288,11 @@ class Calls(Expressions):
             engine.construct_as(arguments[0], of.defined, arguments[1:], keywords)
             return None
         if found and isinstance(found[0].what, Function):
-            return engine.call(Callable(found[0].what, found[0].path), arguments, keywords, expression.arguments)
+            what, path, given, thing = found[0].what, found[0].path, expression.arguments, None
+            if arguments and _takes_object(what) and engine.index.programs[path].language == "python":
+                # What the class is asked for gets the object as its first argument, which parameters leave out.
+                thing, arguments, given = arguments[0], arguments[1:], given[1:]
+            return engine.call(Callable(what, path, thing), arguments, keywords, given)
         return Unknown(f"result of {name}()")
 
     def _apply(

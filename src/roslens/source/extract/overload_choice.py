@@ -13,6 +13,7 @@ from roslens.source.extract.workspace_index import Defined, Index, type_name
 _TEXTS = frozenset({"string", "char", "QString", "string_view"})
 _NUMBERS = frozenset({"int", "double", "float", "bool", "size_t", "unsigned", "long", "short", "uint8_t", "uint16_t",
                       "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t"})  # fmt: skip
+_TAGS = {"true_type": True, "false_type": False}
 _FITS, _UNFIT = 1, -4
 _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
 
@@ -84,6 +85,8 @@ def _fit(declared: str, value: Any) -> int:
         # A text with a hole may be any parameter.
         return _FITS if text else 0 if value.holes else _UNFIT if number else 0
     if isinstance(value, bool):
+        if name in _TAGS:
+            return 2 * _FITS if _TAGS[name] is value else _UNFIT
         return 2 * _FITS if name == "bool" else _FITS if number else _UNFIT
     if isinstance(value, int | float):
         return _FITS if number else _UNFIT if text else 0

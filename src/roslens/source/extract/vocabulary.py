@@ -83,6 +83,7 @@ _MODULES = (
     "vocabulary_lists",
     "vocabulary_numbers",
     "vocabulary_texts",
+    "vocabulary_tags",
     "vocabulary_argparse",
     "vocabulary_shared",
     "vocabulary_reconfigure",

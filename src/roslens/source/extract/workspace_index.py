@@ -199,6 +199,15 @@ class Index:
             meaning = program.imports.get(before + head) or self._aliases.get(before + head)
             if meaning is not None:
                 yield dotted(meaning) + dot + rest
+                if before:
+                    yield f"{before}{dotted(meaning)}{dot}{rest}"
+        second, dot, rest = rest.partition(".")
+        for before in around if dot and second in self._last_aliases else ():
+            # A name for a namespace that another namespace has: ``outer::short::Class``.
+            meaning = self._aliases.get(f"{before}{head}.{second}")
+            if meaning is not None:
+                yield f"{before}{head}.{dotted(meaning)}.{rest}"
+                yield f"{dotted(meaning)}.{rest}"
         for using in program.using:
             yield f"{using}.{name}"
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.source.extract.condition import negated
+from roslens.source.extract.many_choices import MANY
 from roslens.source.extract.node_facts import EndpointFact, Sure
 from roslens.source.extract.text import Asked, Choice, Hole, Text
 
@@ -42,7 +43,7 @@ def alternatives(text: Text, values: Values) -> tuple[Alternative, ...]:
     if not any(hole.choice for hole in text.holes):
         return (Alternative(text),)
     found = [one for one in _expanded(text, values) if one.text.parts and not _is_not_set(one.text)]
-    if not found or len(found) > MOST:
+    if not found or len(found) > MOST or any(_is_of_many(one.text) for one in found):
         return (Alternative(text),)
     if len({one.text for one in found}) == 1 and len(found) > 1:
         return (Alternative(found[0].text, (), doubt(*(one.sure for one in found)), found[0].how),)
@@ -77,6 +78,10 @@ def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
 
 def _is_not_set(text: Text) -> bool:
     return len(text.parts) == 1 and isinstance(hole := text.parts[0], Hole) and hole.reason.endswith(_NOT_SET)
+
+
+def _is_of_many(text: Text) -> bool:
+    return any(MANY in hole.reason for hole in text.holes)
 
 
 def _expanded(text: Text, values: Values) -> Iterator[Alternative]:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
+from roslens.source.extract.many_choices import MANY
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts
 from roslens.source.extract.program import Call, Function
 from roslens.source.extract.workspace_index import Defined, Index
@@ -88,7 +89,9 @@ def _both(first: Sequence[EndpointFact], second: Sequence[EndpointFact]) -> tupl
 
 
 def _vague(fact: EndpointFact) -> bool:
-    return any(hole.default is None and not hole.parameter and not hole.choice for hole in fact.name.holes)
+    # One of many texts is a choice too, of which more is known than of what nobody has looked at.
+    unknown = (hole for hole in fact.name.holes if not hole.choice and MANY not in hole.reason)
+    return any(hole.default is None and not hole.parameter for hole in unknown)
 
 
 def _place(evidence: Evidence) -> tuple[str, int, int]:

@@ -9,6 +9,7 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Class, Made, Named, Obj, Unknown, as_text
+from roslens.source.extract.many_choices import of_many
 from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.program import Function
 from roslens.source.extract.quality import one_of as one_quality
@@ -20,6 +21,8 @@ Held = tuple[dict[str, Any], dict[str, Any]]
 
 _PLAIN = (Unknown, Text, bool, int, float)
 _DECIDES = (Unknown, bool, int, float)
+_LONG = 400
+"""So much of the words for a choice is kept; one of few texts has fewer."""
 
 
 class WayOut(msgspec.Struct, frozen=True):
@@ -281,9 +284,12 @@ def either(one: Text, other: Text, condition: str, test: Asked | None = None) ->
             return below
     shown = [str(text) if text.parts else "nothing" for text in (one, other)]
     reason = f"{shown[0]} if {condition[:60]}, else {shown[1]}"
+    many = of_many(condition, one, other) if len(reason) > _LONG else None
+    if many is not None:
+        return many
     parameter = next((hole.parameter for hole in (*one.holes, *other.holes) if hole.parameter), "")
     choice = Choice(condition, one, other, () if test is None else (test,))
-    return Text((Hole(reason[:400], parameter, choice=(choice,)),))
+    return Text((Hole(reason[:_LONG], parameter, choice=(choice,)),))
 
 
 def _chooses(*texts: Text) -> bool:

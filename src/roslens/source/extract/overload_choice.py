@@ -35,8 +35,9 @@ def overload(
         return functions[0] if functions else None
     best = taking(index, functions, count) or functions
     if len(best) > 1 and arguments:
-        most = max(fit(one, arguments) for one in best)
-        best = [one for one in best if fit(one, arguments) == most]
+        fits = [fit(one, arguments) for one in best]
+        most = max(fits)
+        best = [one for one, fitting in zip(best, fits, strict=True) if fitting == most]
         best = [one for one in best if (one.path, getattr(one.what, "line", 0)) != running] or best
     return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)
 

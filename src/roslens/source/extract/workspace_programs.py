@@ -101,6 +101,8 @@ def _known(keys: Mapping[str, str], cache: Cache) -> dict[str, Program]:
                 except msgspec.DecodeError:
                     # What a damaged cache holds is read from the file again.
                     continue
+        # Programs form no cycles: the collector, which would look at each part of them, can pass them by.
+        gc.freeze()
     finally:
         if collecting:
             gc.enable()

@@ -10,7 +10,7 @@ from tree_sitter import Node
 from roslens.source.extract.cpp_expressions import Expressions
 from roslens.source.extract.cpp_lowered import Lowered, name_of
 from roslens.source.extract.cpp_types import declared_name, declared_type, name_and_templates
-from roslens.source.extract.program import Assign, Call, Expression, Item, Name, Sequence, Statement
+from roslens.source.extract.program import Assign, Call, Expression, Item, Member, Name, Sequence, Statement
 from roslens.source.syntax.cpp_names import function_declarator
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
@@ -75,8 +75,20 @@ class Variables:
             made = self._initial(node, type_, declarator, written, value)
         target = target_of(written, prefix or "")
         if target is not None:
-            once = "static" if prefix is None and before[:6] == b"static" else "="
-            out.append(Assign(target, made, declared_type(before, written), once, node.start_point.row + 1))
+            how = "="
+            if prefix is None and before[:6] == b"static":
+                how = "static"
+            elif prefix is None and isinstance(made, Name | Member) and written[:1] in (b"&", b"*"):
+                how = self._referring(before, written, value)
+            out.append(Assign(target, made, declared_type(before, written), how, node.start_point.row + 1))
+
+    def _referring(self, before: bytes, written: bytes, value: Node | None) -> str:
+        """Return ``&`` of what is another name of a variable, ``*`` of what points to one, ``=`` of what is neither."""
+        if b"const" in before or value is None:
+            return "="
+        if written[:1] == b"&":
+            return "&"
+        return "*" if self._lowered.text(value)[:1] == b"&" else "="
 
     def _initial(self, node: Node, type_: Node, declarator: Node, written: bytes, value: Node) -> Expression:
         """Return the value of a declared variable: ``= value``, ``(values)`` or ``{values}``."""

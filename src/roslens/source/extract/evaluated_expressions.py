@@ -75,6 +75,8 @@ class Expressions:
         frame, name = engine.frame, expression.name
         if name in frame.names:
             return frame.names[name]
+        if name in frame.aliases:
+            return self.value(frame.aliases[name][0])
         thing = frame.self
         if name == "self" or name == "this":
             return thing if thing is not None else Unknown("self")
@@ -316,7 +318,10 @@ class Expressions:
         engine: Evaluation = self  # type: ignore[assignment]
         frame = engine.frame
         program = engine.index.programs[frame.path]
-        return Callable(program.functions[expression.function], frame.path, frame.self, frame.names)
+        names = frame.names
+        if frame.aliases:
+            names = {**names, **{name: self.value(one) for name, (one, _) in frame.aliases.items()}}
+        return Callable(program.functions[expression.function], frame.path, frame.self, names)
 
     def opaque(self, expression: Opaque) -> Unknown:
         """Return that nothing is known."""

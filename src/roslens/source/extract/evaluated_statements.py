@@ -15,6 +15,7 @@ from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.made_texts import with_sign
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
+from roslens.source.extract.other_names import assign_referred, refer
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -130,6 +131,8 @@ def _assigned(engine: Evaluation, statement: Assign) -> None:
     if statement.operator == "static" and isinstance(statement.target, Name):
         engine.frame.names[statement.target.name] = _once(engine, statement)
         return
+    if statement.operator in _REFERRING and refer(engine, statement):
+        return
     if statement.value is None:
         engine.written_at(statement.line)
         if isinstance(statement.target, Name):
@@ -206,6 +209,9 @@ def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
 
 def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
     frame = engine.frame
+    if name in frame.aliases and name not in frame.names:
+        assign_referred(engine, name, value)
+        return
     whole = "" if name in frame.names else engine.index.global_name(name, frame.path, frame.scope)
     if not whole:
         frame.names[name] = value
@@ -290,6 +296,7 @@ def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
         engine.conditions.pop()
 
 
+_REFERRING = ("&", "*")
 _STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
     Assign: _assigned,
     Evaluate: _evaluated,

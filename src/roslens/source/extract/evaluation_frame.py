@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from operator import is_
+from types import MappingProxyType
 from typing import Any
 
 import msgspec
@@ -11,7 +12,7 @@ import msgspec
 from roslens.source.extract.abstract_value import Class, Made, Named, Obj, Unknown, as_text
 from roslens.source.extract.many_choices import of_many
 from roslens.source.extract.plain_methods import is_namespace
-from roslens.source.extract.program import Function
+from roslens.source.extract.program import Expression, Function
 from roslens.source.extract.quality import one_of as one_quality
 from roslens.source.extract.text import Asked, Choice, Hole, Text, unknown
 
@@ -74,6 +75,9 @@ class Frame:
         tests: what decides the conditions of branches, as written, where that is known.
         around: what was held before each branch that is followed, outermost first.
     """
+
+    aliases: Mapping[str, tuple[Expression, bool]] = MappingProxyType({})
+    """Other names of plain values: what they are names of, and whether they point to it."""
 
     def __init__(self, path: str, scope: str, self_: Any = None, names: dict[str, Any] | None = None) -> None:
         self.path = path

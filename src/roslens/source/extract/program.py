@@ -112,7 +112,8 @@ class Assign(msgspec.Struct, frozen=True, array_like=True, tag="assign"):
     """``target = value``, a declaration with a value or constructor arguments included.
 
     ``declared`` is the type as written, white space squeezed (``auto`` and Python without annotation: empty);
-    ``operator`` is ``=``, ``+=``, or ``static`` of a variable of a function of C++ that is initialised once.
+    ``operator`` is ``=``, ``+=``, or of variables of functions of C++ ``static`` where it is initialised once, ``&``
+    where it is another name of what stands there, and ``*`` where it points to that.
     A declaration without value has ``value`` None.
     """
 

@@ -133,7 +133,8 @@ class _Writer:
         at = self._at(statement.line)
         if isinstance(statement, Assign):
             target = self.expression(statement.target) + (f": {statement.declared}" if statement.declared else "")
-            value = "" if statement.value is None else f" {statement.operator} {self.expression(statement.value)}"
+            sign = "+=" if statement.operator == "+=" else "="
+            value = "" if statement.value is None else f" {sign} {self.expression(statement.value)}"
             yield f"{target}{value}{at}"
         elif isinstance(statement, Evaluate):
             yield f"{self.expression(statement.expression)}{at}"

@@ -1,0 +1,47 @@
+"""Other names of plain values of C++: ``std::string & name = options.name;``, ``bool * found = &found_;``.
+
+Objects are the same under each of their names. A text or number is a value to evaluation: what is set under the other
+name has to be set where it stands, and is read there.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.abstract_value import QosValue, Unknown
+from roslens.source.extract.program import Assign, Expression, Member, Name
+from roslens.source.extract.text import Text, unknown
+
+if TYPE_CHECKING:
+    from roslens.source.extract.evaluation import Evaluation
+
+_PLAIN = (Text, bool, int, float, QosValue)
+
+
+def refer(engine: Evaluation, statement: Assign) -> bool:
+    """Let a declared name be another one of what it is declared to be; return whether it is one of a plain value."""
+    frame, name, value = engine.frame, statement.target, statement.value
+    if not isinstance(name, Name) or value is None or value == name or not _stays(value):
+        return False
+    if not isinstance(engine.value(value), _PLAIN):
+        frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
+        return False
+    frame.names.pop(name.name, None)
+    frame.aliases = {**frame.aliases, name.name: (value, statement.operator == "*")}
+    return True
+
+
+def assign_referred(engine: Evaluation, name: str, value: Any) -> None:
+    """Put a value where another name of it leads; a pointer may point elsewhere meanwhile."""
+    expression, pointer = engine.frame.aliases[name]
+    if pointer:
+        reason = f"what {name} points to"
+        value = unknown(reason) if isinstance(engine.value(expression), Text) else Unknown(reason)
+    engine.assign(expression, value)
+
+
+def _stays(value: Expression) -> bool:
+    """Whether an expression means the same place later on: a name, or a member of what is one."""
+    while isinstance(value, Member):
+        value = value.of
+    return isinstance(value, Name)

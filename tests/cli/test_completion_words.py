@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.cli.completion_words import arguments, launches
+from roslens.cli.completion_words import arguments, ids, launches
 from roslens.cli.main import main
 from roslens.model.errors import UsageError
 
@@ -41,6 +41,18 @@ def test_arguments_are_offered_with_values_that_hold_anywhere(workspace):
         list(arguments(str(workspace), "talk/none.launch.xml"))
 
 
+def test_what_can_be_explained_is_offered(workspace):
+    assert {"his", "cyclomatic_complexity", "graph.qos"} <= set(ids(str(workspace)))
+
+
+def test_no_colon_in_what_stands_for_a_value_ends_it_in_zsh(capsys):
+    assert main(["completion", "zsh"]) == 0
+    script = capsys.readouterr().out
+    assert ":NAME\\:=VALUE:_roslens_arguments" in script
+    assert ":HOST\\:PORT:" in script
+    assert ":[HOST\\:]PORT:" in script
+
+
 @pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
 def test_every_shell_gets_a_script(shell, capsys):
     assert main(["completion", shell]) == 0
@@ -54,6 +66,7 @@ def test_every_shell_gets_a_script(shell, capsys):
         (["graph", "--launch", "ta"], OFFERED),
         (["graph", "--launch", "talk/more.launch.xml", "--arg", "li"], ["listening:=true", "listening:=false"]),
         (["graph", "--form"], ["--format"]),
+        (["explain", "cycl"], ["cycle", "cyclomatic_complexity"]),
     ],
 )
 def test_bash_offers_them(workspace, capsys, tmp_path, line, offered):

@@ -1,4 +1,4 @@
-"""What a shell offers where a launch file or one of its arguments is asked for, and how it asks roslens for that."""
+"""What a shell offers where a launch file, one of its arguments or an id is asked for, and how it asks roslens."""
 
 from __future__ import annotations
 
@@ -11,6 +11,9 @@ LAUNCHES = {"bash": "_roslens_launches", "zsh": "_roslens_launches"}
 
 ARGUMENTS = {"bash": "_roslens_arguments", "zsh": "_roslens_arguments"}
 """Those that complete an argument of the launch file that stands in the line."""
+
+IDS = {"bash": "_roslens_ids", "zsh": "_roslens_ids"}
+"""Those that complete the id of what can be explained."""
 
 PREAMBLE = {
     "bash": """\
@@ -34,6 +37,9 @@ _roslens_arguments() {
   _roslens_asked
   compgen -W "$(roslens completion arguments "${asked[@]}" 2>/dev/null)" -- "$1"
 }
+_roslens_ids() {
+  compgen -W "$(roslens completion ids 2>/dev/null)" -- "$1"
+}
 """,
     "zsh": """\
 _roslens_asked() {
@@ -56,6 +62,11 @@ _roslens_arguments() {
   found=(${(f)"$(roslens completion arguments "${asked[@]}" 2>/dev/null)"})
   compadd -S '' -a found
 }
+_roslens_ids() {
+  local -a found
+  found=(${(f)"$(roslens completion ids 2>/dev/null)"})
+  compadd -a found
+}
 """,
 }
 """Definitions of these functions, by shell."""
@@ -74,6 +85,14 @@ def launches(path: str) -> Iterator[str]:
     with open_source(_options(path)) as source:
         yield from source.settings.graph.configurations
         yield from sorted(set(source.launch_files()))
+
+
+def ids(path: str) -> Iterator[str]:
+    """Yield what can be explained: names of models, keys of quantities, ids of rules."""
+    from roslens.cli.commands.explain import known
+
+    for kind in known(path, None):
+        yield from sorted(kind)
 
 
 def arguments(path: str, launch: str) -> Iterator[str]:

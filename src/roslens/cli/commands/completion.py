@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 
 from roslens.model.errors import UsageError
 
@@ -13,7 +14,7 @@ EXAMPLES = """\
   roslens completion tcsh >> ~/.tcshrc"""
 
 _SHELLS = ("bash", "zsh", "tcsh")
-_WORDS = ("launches", "arguments")
+_WORDS = ("launches", "arguments", "ids")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -37,16 +38,23 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.completion_words import PREAMBLE
     from roslens.cli.main import parser
 
-    print(shtab.complete(parser(), shell=options.shell, preamble=PREAMBLE.get(options.shell, "")))
+    script = shtab.complete(parser(), shell=options.shell, preamble=PREAMBLE.get(options.shell, ""))
+    if options.shell == "zsh":
+        # There a colon ends what stands for a value (``NAME:=VALUE``), unless it is escaped.
+        script = re.sub(r":([\w\[\]]+):(=?[\w\]]+):", r":\1\\:\2:", script)
+    print(script)
     return 0
 
 
 def _print_words(options: argparse.Namespace) -> int:
-    from roslens.cli.completion_words import arguments, launches
+    from roslens.cli.completion_words import arguments, ids, launches
 
     if options.shell == "arguments" and not options.launch:
         raise UsageError("arguments of no launch file", expected="--launch PACKAGE/FILE")
-    found = launches(options.path) if options.shell == "launches" else arguments(options.path, options.launch)
+    if options.shell == "arguments":
+        found = arguments(options.path, options.launch)
+    else:
+        found = (launches if options.shell == "launches" else ids)(options.path)
     for word in found:
         print(word)
     return 0

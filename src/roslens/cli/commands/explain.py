@@ -8,6 +8,8 @@ import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli.completion_words import IDS
+
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
     from roslens.model.finding import RuleInfo
@@ -22,24 +24,24 @@ EXAMPLES = """\
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what to explain."""
-    parser.add_argument("id", metavar="ID", help="id of a rule, key of a quantity or name of a model")
+    what = parser.add_argument("id", metavar="ID", help="id of a rule, key of a quantity or name of a model")
+    what.complete = IDS  # type: ignore[attr-defined]
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="whose roslens.toml counts (default: .)")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
 
 
-def run(options: argparse.Namespace) -> int:
-    """Print the explanation.
+Known = tuple["dict[str, QualityModel]", "dict[str, Quantity]", "dict[str, RuleInfo]"]
+"""Models by name, quantities by key and rules by id."""
 
-    Raises:
-        UsageError: nothing has that id.
-    """
+
+def known(path: str, config: str | None) -> Known:
+    """Return what can be explained: of roslens, and of what the configuration of a workspace adds."""
     from roslens.cli.configuration import find_configuration
     from roslens.judge.quality_model import builtin_models, load_model, rules_of
-    from roslens.model.errors import UsageError
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
 
-    configuration = find_configuration(Path(options.path).resolve(), options.config)
+    configuration = find_configuration(Path(path).resolve(), config)
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     quantities = dict(QUANTITIES)
     rules: dict[str, RuleInfo] = {}
@@ -51,6 +53,18 @@ def run(options: argparse.Namespace) -> int:
         model = load_model(name, quantities, base=Path(configuration.base or "."))
         models[model.name] = model
         rules.update({rule.id: rule for rule in rules_of(model)})
+    return models, quantities, rules
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the explanation.
+
+    Raises:
+        UsageError: nothing has that id.
+    """
+    from roslens.model.errors import UsageError
+
+    models, quantities, rules = known(options.path, options.config)
     wanted = options.id
     if wanted in models:
         print(_of_model(models[wanted]))

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Obj, Unknown, as_text
-from roslens.source.extract.evaluation_frame import either
+from roslens.source.extract.abstract_value import Unknown, as_text
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import Call, Expression, Member, Name
 from roslens.source.extract.text import Text, unknown
@@ -22,6 +21,7 @@ _OF_TEXTS = frozenset({"append", "push_back", "insert", "replace", "erase", "ass
 _OF_LISTS = frozenset({"insert", "extend", "remove", "pop", "reverse", "sort", "clear", "pop_back", "push_front",
                        "pop_front", "erase"})  # fmt: skip
 _OF_TABLES = frozenset({"update", "pop", "setdefault", "clear", "popitem", "erase"})
+_GROWING = frozenset({"insert", "push_front", "reverse", "sort"})
 CHANGING = _OF_TEXTS | _OF_LISTS | _OF_TABLES
 _MOST_LENGTH = 10_000
 
@@ -56,31 +56,15 @@ def is_open(engine: Evaluation) -> str:
 
 
 def put_item(engine: Evaluation, of: dict[Any, Any] | list[Any], key: Any, value: Any) -> None:
-    """Put an item into a table or list; under an open condition it is the one or the other."""
-    place = hashable(key) if isinstance(of, dict) else key
-    if isinstance(of, list):
-        if not isinstance(key, int) or isinstance(key, bool) or not -len(of) <= key < len(of):
-            _forget(of, "an item of a list that was changed")
-            return
-    elif place not in of:
-        of[place] = value
-        return
-    condition = is_open(engine)
-    of[place] = _one_of(value, of[place], condition) if condition else value
-
-
-def put_member(engine: Evaluation, of: Obj, name: str, value: Any) -> None:
-    """Set a member of an object; in a branch that may not be taken it is the one or the other."""
-    condition = is_open(engine) if name in of.fields and engine.frame.around else ""
-    if condition and engine.frame.was_before(of):
-        value = _one_of(value, of.fields[name], condition)
-    of.fields[name] = value
-
-
-def _one_of(value: Any, before: Any, condition: str) -> Any:
-    if isinstance(value, Text) and isinstance(before, Text):
-        return either(value, before, condition)
-    return value if value == before else Unknown(f"{as_text(value)} if {condition}, else {as_text(before)}"[:200])
+    """Put an item into a table or list."""
+    if isinstance(of, dict):
+        engine.changes.put(of, hashable(key), value)
+    elif isinstance(key, int) and not isinstance(key, bool) and -len(of) <= key < len(of):
+        engine.changes.items(of)
+        of[key] = value
+    else:
+        engine.changes.items(of)
+        _forget(of, "an item of a list that was changed")
 
 
 def _root(written: Expression) -> Expression:
@@ -150,9 +134,11 @@ def _changed(of: Text, name: str, arguments: list[Any]) -> Text | None:
 
 def _list(engine: Evaluation, of: list[Any], name: str, arguments: list[Any]) -> tuple[Any]:
     if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
+        engine.changes.items(of)
         of += arguments[0]
         return (None,)
     first = arguments[0] if arguments else None
+    engine.changes.items(of, less=name not in _GROWING)
     if not is_open(engine):
         if name == "insert" and len(arguments) == 2 and type(first) is int:
             of.insert(first, arguments[1])
@@ -201,7 +187,10 @@ def _table(
             put_item(engine, of, key, value)
         return (None,)
     if name == "setdefault" and arguments:
-        return (of.setdefault(hashable(first), arguments[1] if len(arguments) > 1 else None),)
+        if hashable(first) not in of:
+            engine.changes.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
+        return (of[hashable(first)],)
+    engine.changes.items(of, less=True)
     if not is_open(engine):
         if name == "clear":
             of.clear()

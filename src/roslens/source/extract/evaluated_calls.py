@@ -38,6 +38,7 @@ _BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.
 _TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
 _PLACES = (Name, Member)
 _FUNCTIONS = (Callable, Class)
+_ADDING = frozenset({"append", "push_back", "emplace_back", "add"})
 _HOLDERS = (Text, list, dict)
 _LISTS = (list, dict)
 _KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *_OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
@@ -223,6 +224,8 @@ class Calls(Expressions):
         change = changed_by(engine, function.of, of, name, arguments, keywords) if name in CHANGING else None
         if change is not None:
             return change[0]
+        if name in _ADDING and engine.changes.open and isinstance(of, list):
+            engine.changes.items(of)
         found = plain_method(of, name, arguments)
         if arguments and not isinstance(of, _HOLDERS):
             self._may_set(expression, arguments, name)

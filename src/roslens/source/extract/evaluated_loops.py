@@ -97,13 +97,23 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
             if not _turn(engine, statement):
                 return
         return
-    before = engine.frame.snapshot()
+    before, changes = engine.frame.snapshot(), engine.changes
+    since = changes.count
+    changes.open += 1
     _forget_counters(engine, statement)
     if statement.target is not None:
         engine.assign(statement.target, _each(over, statement))
     _turn(engine, statement)
     frame = engine.frame
-    if statement.target is None and (statement.over is None or isinstance(statement.over, Literal)):
+    once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
+    if changes.count > since and not once:
+        way = changes.taken_back(since, frame.members)
+        why = (_written(engine, statement), "")
+        changes.came_to(way, changes.count, frame.members, (False, False), why, None)
+    changes.open -= 1
+    if not changes.open and changes.count:
+        changes.ended()
+    if once:
         return
     # It may have no turn at all.
     after, returned = frame.snapshot(), frame.returned

@@ -53,10 +53,12 @@ class Objects(Calls):
         thing = Obj(defined.what.qualified_name, defined, {})
         names = getattr(defined.what, "templates", ())
         thing.templates.update(zip(names, templates, strict=False))
-        site, written = engine.site, engine.written
+        site, written, since = engine.site, engine.written, engine.changes.count
         engine.prepare(thing)
         engine.site, engine.written = site, written
         engine.construct_as(thing, defined, arguments, keywords)
+        if engine.changes.count > since:
+            engine.changes.made(thing.fields, since)
         if thing.node is not None:
             engine.made.append(thing)
         return thing

@@ -6,7 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue, Remappings, Unknown, as_text, test_of
-from roslens.source.extract.changed_values import put_item, put_member
+from roslens.source.extract.changed_values import put_item
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
@@ -170,13 +170,13 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
     if isinstance(target, Name):
         thing = engine.frame.self
         if target.name not in engine.frame.names and isinstance(thing, Obj) and _is_field(engine, thing, target.name):
-            thing.fields[target.name] = value
+            engine.changes.put(thing.fields, target.name, value)
         else:
             _assign_name(engine, target.name, value)
     elif isinstance(target, Member):
         of = engine.value(target.of)
         if isinstance(of, Obj):
-            put_member(engine, of, target.name, value)
+            engine.changes.put(of.fields, target.name, value)
         elif isinstance(of, QosValue | Named) and (quality := quality_of(of)) is not None:
             refine(engine, target.of, of, changed(quality, target.name, value))
         if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
@@ -250,9 +250,10 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
         return
     written, frame = engine.index.lookups.condition(statement.condition), engine.frame
     before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
-    otherwise = negated(written)
+    otherwise, changes = negated(written), engine.changes
+    since = changes.count
+    changes.open += 1
     frame.know(written, otherwise, test_of(decides))
-    frame.around.append(before)
     if written == "no exception":
         block(engine, statement.then)
     else:
@@ -260,11 +261,20 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     returned, gone, plainly = frame.returned, frame.returned or frame.stopped, frame.plainly
     after = before if frame.is_as(before) else frame.snapshot()
     frame.restore(before)
+    second = changes.count
+    way = changes.taken_back(since, frame.members) if second > since else {}
     frame.returned = frame.stopped = False
     if statement.otherwise:
         _noted(engine, otherwise, statement.otherwise)
-    frame.around.pop()
     other_returned, other_gone = frame.returned, frame.returned or frame.stopped
+    if way or changes.count > second:
+        test = frame.tests.get(written)
+        changes.came_to(way, second, frame.members, (gone, other_gone), (written, otherwise), test)
+    changes.open -= 1
+    if not changes.open and changes.count:
+        changes.ended()
+    if returned is not other_returned and (after is not before or other_returned):
+        frame.leave(after[1] if returned else dict(frame.members or {}), before[1], written if returned else otherwise)
     # A way that leaves the function, or the loop, has no say in what holds after it.
     if other_gone and not gone:
         frame.restore(after)

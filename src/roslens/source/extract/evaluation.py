@@ -21,11 +21,12 @@ from roslens.source.extract.abstract_value import (
     QosValue,
     Unknown,
 )
+from roslens.source.extract.changed_in_ways import Changes
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_objects import Objects
 from roslens.source.extract.evaluated_statements import assign, block, initialise
 from roslens.source.extract.evaluation_bounds import MOST_DEPTH, MOST_OF_PLUGIN, MOST_STEPS, SpentError
-from roslens.source.extract.evaluation_frame import Frame, bind_rest
+from roslens.source.extract.evaluation_frame import Frame, bind_rest, join
 from roslens.source.extract.lookups import Found
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
@@ -59,8 +60,8 @@ class Evaluation(Objects):
         chosen: what is set that decides which plug-ins are loaded; None where that is not known yet.
         plugin_names: the class of each plug-in that has another name.
         plugged: objects of plug-ins and the nodes they are loaded into.
-        refined: what was changed under a name of several, and what it became, by its identity.
         conditions: around what is evaluated, outermost first.
+        changes: what is changed in objects while ways of open conditions are followed.
         asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
         once: objects of variables that functions keep between calls, by their place.
@@ -83,9 +84,10 @@ class Evaluation(Objects):
         self.chosen = chosen
         self.plugin_names = plugin_names
         self.plugged: list[tuple[Obj, Building]] = []
-        self.refined: dict[int, tuple[QosValue, QosValue]] = {}
         self.others: list[Building] = []
         self.conditions: list[str] = []
+        self.changes = Changes()
+        self.refined = self.changes.refined
         self.asked: dict[int, tuple[str, Asked | None]] = {}
         self.frame = Frame(node.path, "")
         self.words: Words | None = None
@@ -197,6 +199,9 @@ class Evaluation(Objects):
         else:
             result, names, self.site = done.result, done.names, done.site
             if isinstance(function.self, Obj):
+                if self.changes.open:
+                    for name, value in done.fields.items():
+                        self.changes.put(function.self.fields, name, value)
                 function.self.fields.update(done.fields)
         for parameter, expression in zip(what.parameters, written, strict=False):
             if parameter.type.endswith("&") and "const" not in parameter.type.split() and parameter.name:
@@ -240,6 +245,9 @@ class Evaluation(Objects):
             self.frame = outer
             self._stack.pop()
             self.calls.pop()
+        if frame.left and isinstance(thing, Obj):
+            for fields, condition in frame.left:
+                join(thing.fields, fields, condition)
         again.cuts.discard(key)
         if self.steps - steps > HEAVY and again.touched == touched and not keywords and not function.names:
             given = (arguments, templates)

@@ -73,7 +73,7 @@ class Frame:
         passed: how many of the conditions hold because the function was not left before.
         plainly: whether the last return told no failure.
         tests: what decides the conditions of branches, as written, where that is known.
-        around: what was held before each branch that is followed, outermost first.
+        left: what ways that left the function changed in members of the object, and their conditions.
     """
 
     aliases: Mapping[str, tuple[Expression, bool]] = MappingProxyType({})
@@ -93,7 +93,7 @@ class Frame:
         self.passed = 0
         self.plainly = False
         self.tests: dict[str, Asked] = {}
-        self.around: list[Held] = []
+        self.left: list[tuple[dict[str, Any], str]] = []
         self._given = ""
         self._given_test: Asked | None = None
 
@@ -147,10 +147,16 @@ class Frame:
         """Return what names and members of the object hold."""
         return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
 
-    def was_before(self, thing: Obj) -> bool:
-        """Return whether an object was there before the branch that is followed, so that either way of it has it."""
-        held = self.around[-1] if self.around and thing is not self.self else ({}, {})
-        return any(one is thing for values in held for one in values.values())
+    @property
+    def members(self) -> dict[str, Any] | None:
+        """What the members of the object hold; None of none."""
+        return self.self.fields if isinstance(self.self, Obj) else None
+
+    def leave(self, fields: dict[str, Any], before: dict[str, Any], condition: str) -> None:
+        """Remember what members of the object a way that leaves the function came to, for when it has ended."""
+        changed = {name: value for name, value in fields.items() if before.get(name) is not value}
+        if changed:
+            self.left.append((changed, condition))
 
     def is_as(self, before: Held) -> bool:
         """Return whether names and members hold the very same as a snapshot: order and all."""

@@ -30,7 +30,7 @@ def hold(engine: Evaluation, thing: Obj, key: Any, value: Any) -> None:
     uncertain = len(engine.conditions) > engine.frame.depth + engine.frame.passed
     if (uncertain or place is _EACH) and held.get(place, value) != value:
         value = Unknown("an item of a list")
-    held[place] = value
+    engine.changes.put(held, place, value)
 
 
 def item_held(thing: Obj, key: Any) -> Any:

@@ -15,7 +15,7 @@ def changed_for_all(engine: Evaluation, holder: Name | Member, before: Any, afte
     """Let a quality of service be what it was changed to under its other names too."""
     python = engine.index.programs[engine.frame.path].language == "python"
     if isinstance(before, QosValue) and before is not after and (python or _is_reference(engine, holder)):
-        engine.refined[id(before)] = (before, after)
+        engine.changes.refine(before, after)
         if python:
             _in_constants(engine, before, after)
             changed_by_call(engine)
@@ -36,7 +36,7 @@ def changed_by_call(engine: Evaluation) -> None:
     for held in (engine.frame.names, thing.fields if isinstance(thing, Obj) else {}):
         for name, value in held.items():
             if isinstance(value, QosValue) and id(value) in engine.refined:
-                held[name] = newest(engine, value)
+                engine.changes.put(held, name, newest(engine, value))
 
 
 def _in_constants(engine: Evaluation, before: QosValue, after: QosValue) -> None:

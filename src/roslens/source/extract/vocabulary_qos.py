@@ -125,11 +125,10 @@ def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
         "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
 def refined(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A quality of service with one policy changed."""
-    del engine
     base = thing.fields["qos"] if isinstance(thing, Obj) else thing
     found = _refined(base, called)
     if isinstance(thing, Obj):
-        thing.fields["qos"] = found
+        engine.changes.put(thing.fields, "qos", found)
         return thing
     return found
 

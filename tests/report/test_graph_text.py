@@ -1,6 +1,13 @@
 import msgspec
 
-from roslens.model.configuration import ConfiguredParameter, Proof
+from roslens.model.configuration import (
+    Configuration,
+    ConfiguredNode,
+    ConfiguredParameter,
+    Origin,
+    Proof,
+    Unresolved,
+)
 from roslens.report.graph_text import to_graph_text
 
 
@@ -102,3 +109,16 @@ def test_where_what_starts_a_node_is_not_wholly_known_neither_are_its_parameters
     nodes = (msgspec.structs.replace(node, parameters=(one,)),)
     text = to_graph_text(msgspec.structs.replace(graph, nodes=nodes, unresolved=(missing,)))
     assert "  parameters, as far as is known" in text.splitlines()
+
+
+def test_a_name_that_is_guessed_is_marked_and_its_settings_are_not_doubted():
+    started = Proof("pkg/launch/a.launch.py", 7, sure="likely", origin=Origin.LAUNCH)
+    setting = ConfiguredParameter("rate", value="1", set_by=Proof("pkg/launch/a.launch.py", 7))
+    node = ConfiguredNode(
+        "/spawner", started, package="p", executable="spawner", conditions=("sim", "sim"), parameters=(setting,)
+    )
+    missing = Unresolved("p/spawner", started, "package p is not in the workspace")
+    text = to_graph_text(Configuration("a", "ros2", (node,), unresolved=(missing,)))
+    assert "\n~ /spawner  (p/spawner)" in text
+    assert text.count("if sim") == 1
+    assert "no code is known" not in text

@@ -216,6 +216,11 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
     remaps: tuple[ConfiguredRemap, ...] = ()
     timers: tuple[ConfiguredTimer, ...] = ()
 
+    @property
+    def name_is_guessed(self) -> bool:
+        """Whether only its code names it, which is unknown: its executable stands for its name."""
+        return self.defined is None and self.proof.sure != "certain"
+
 
 class ConfiguredArgument(msgspec.Struct, frozen=True, omit_defaults=True):
     """An argument of a launch file; ``default`` None must be given."""

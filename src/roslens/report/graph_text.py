@@ -67,11 +67,11 @@ def _is_topic(one: ConfiguredEndpoint) -> bool:
 def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Iterator[str]:
     what = "/".join(one for one in (node.package, node.executable) if one)
     about = [what, node.kind if node.kind != "node" else "", f"in {node.container}" if node.container else ""]
-    mark = "" if node.resolved else "? "
+    mark = ("~ " if node.name_is_guessed else "") if node.resolved else "? "
     yield f"{mark}{node.name}  ({', '.join(one for one in about if one)})  {node.proof.place}"
     if node.defined is not None:
         yield f"  defined in {_from(node.defined)}"
-    for condition in node.conditions:
+    for condition in dict.fromkeys(node.conditions):
         yield f"  if {condition}"
     if node.machine:
         yield f"  on {node.machine}"
@@ -83,6 +83,9 @@ def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Ite
     # Where a part of what starts a node is unknown, as a file of parameters, other values may hold.
     head = "parameters, as far as is known" if set_by_unknown else "parameters"
     everywhere = _OF_EVERY_NODE if generation == "ros2" else frozenset[str]()
+    if node.defined is None and set_by_unknown:
+        # No code is known that could take any of them, which is told once.
+        everywhere = frozenset(one.name for one in node.parameters)
     yield from _parameters(head, node.parameters, everywhere)
     remaps = [one for one in node.remaps if not one.used]
     if remaps:

@@ -5,6 +5,7 @@ from roslens.model.configuration import Origin
 from roslens.model.graph import Role
 from roslens.source.extract.assemble import assemble, targets_started
 from roslens.source.extract.assemble_units import KnownUnits, Meant
+from roslens.source.extract.catalogue import known_node
 from roslens.source.extract.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
 from roslens.source.extract.node_facts import (
     EndpointFact,
@@ -504,3 +505,20 @@ def test_a_name_that_a_parameter_leaves_empty_is_not_resolved():
     assert one.endpoint.name == "*"
     assert "which is empty" in one.proof.how
     assert any("parameter detector" in missing.reason for missing in configuration.unresolved)
+
+
+@pytest.mark.parametrize(("name", "guessed"), [("", True), ("driver", False)])
+@pytest.mark.parametrize("generation", ["ros1", "ros2"])
+def test_a_node_without_code_is_named_by_its_executable_only_as_a_guess(name, guessed, generation):
+    start = Launched(Text.of("other"), Text.of("other_node"), START, name=Text.of(name) if name else Text())
+    node = only(configured((), start, targets=(), generation=generation))
+    assert (node.name, node.resolved) == (f"/{name or 'other_node'}", True)
+    assert node.name_is_guessed == (guessed and generation == "ros2")
+
+
+def test_the_manager_of_controllers_is_known_by_its_own_name():
+    start = Launched(Text.of("controller_manager"), Text.of("ros2_control_node"), START)
+    node = only(configured((), start, targets=(), known=known_node))
+    assert node.name == "/controller_manager"
+    assert not node.name_is_guessed
+    assert "/controller_manager/list_controllers" in {one.endpoint.name for one in explicit(node)}

@@ -254,8 +254,11 @@ class _Whole:
 
 
 def _nothing(launched: Launched, generation: str) -> NodeFacts:
-    """Return facts of a node of which nothing is known."""
-    return NodeFacts("", launched.evidence.path, launched.evidence.line, generation, name=launched.executable)
+    """Return facts of a node of which nothing is known; in ROS 2 its code names it where its launch file does not."""
+    guessed = generation == "ros2" and launched.kind == "node" and not launched.name.parts
+    doubt = "named like its executable, as the name that its code gives it is unknown" if guessed else ""
+    evidence = launched.evidence
+    return NodeFacts("", evidence.path, evidence.line, generation, name=launched.executable, doubt=doubt)
 
 
 def _is_container(launched: Launched) -> bool:

@@ -33,6 +33,14 @@ def test_a_name_that_is_not_known_is_not_held_against_a_file():
     assert not given("/slam", name="/*/slam", resolved=False)
 
 
+def test_a_name_that_only_code_which_is_unknown_gives_is_not_held_against_a_file():
+    setting = Setting(Text.of("rate"), Text.of("1"), Evidence("a.yaml", 3), node="/controller_manager")
+    start = Launched(Text.of("slam"), Text.of("slam"), PLACE, settings=(setting,))
+    guessed = node("/slam", known=False, proof=launched(4, sure="likely"))
+    assert not list(ignored_files(configuration(guessed), Launch("ros2", (start,))))
+    assert list(ignored_files(configuration(node("/slam", line=4, known=False)), Launch("ros2", (start,))))
+
+
 def loaded(*keys, **more):
     settings = tuple(Setting(Text.of("rate"), Text.of("1"), Evidence("nav.yaml", 3), node=key) for key in keys)
     start = Launched(Text.of("rclcpp_components"), Text.of("component_container"), PLACE, settings=settings)

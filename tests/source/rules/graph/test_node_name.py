@@ -1,7 +1,7 @@
 from roslens.model.finding import Severity
 from roslens.source.rules.graph.node_name import found
 from roslens.source.rules.graph.surroundings import Surroundings
-from testbed.configured import configuration, node
+from testbed.configured import configuration, launched, node
 
 
 def findings(*nodes, **more):
@@ -34,3 +34,9 @@ def test_a_condition_lowers_it():
     (one,) = findings(node("/a", conditions=("debug",)), node("/a", line=2), generation="ros1")
     assert one.severity is Severity.WARNING
     assert "only if `debug`" in one.message
+
+
+def test_a_name_that_only_code_which_is_unknown_gives_is_no_name():
+    guessed = [node("/spawner", known=False, proof=launched(line, sure="likely")) for line in (3, 7)]
+    assert not findings(*guessed)
+    assert findings(*(node("/spawner", known=False, line=line) for line in (3, 7)))

@@ -29,7 +29,7 @@ def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Igno
         # What a container is given holds for all nodes of its process.
         names = {node.name for node in nodes}
         nodes = [*nodes, *(node for node in configuration.nodes if node.container in names)]
-        if not nodes or not all(node.resolved for node in nodes):
+        if not nodes or not all(node.resolved and not node.name_is_guessed for node in nodes):
             continue
         for settings in _keyed(launched).values():
             keys = tuple(dict.fromkeys(one.node for one in settings))

@@ -14,8 +14,9 @@ from roslens.source.rules.graph.told import TOOL, told
 RULE = RuleInfo(
     "graph.node_name",
     "Two nodes of one name",
-    "Two nodes that run together have the same resolved name. Nodes whose names get a random end, and those of which "
-    "only one is started because of opposite conditions, are left out. Give each a name or a namespace of its own.",
+    "Two nodes that run together have the same resolved name. Nodes whose names get a random end, those that "
+    "only their own code names, which is unknown, and those of which only one is started because of opposite "
+    "conditions, are left out. Give each a name or a namespace of its own.",
     Severity.ERROR,
     ("ros", "graph", "names", "launch"),
     "ROS 1 shuts the first one down when the second comes. In ROS 2 both run, but services, parameters and life cycle "
@@ -29,7 +30,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     """Yield a finding for each name that several nodes have."""
     by_name: dict[str, list[ConfiguredNode]] = {}
     for node in configuration.nodes:
-        if node.resolved and not node.anonymous and node.kind not in ("process", "test"):
+        if node.resolved and not node.anonymous and not node.name_is_guessed and node.kind not in ("process", "test"):
             by_name.setdefault(node.name, []).append(node)
     for name, nodes in sorted(by_name.items()):
         pairs = [pair for pair in combinations(nodes, 2) if _collide(*pair)]

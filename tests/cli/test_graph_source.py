@@ -71,3 +71,28 @@ def test_the_environment_of_the_robot_is_that_of_the_settings(tmp_path):
     settings = SourceSettings(workspace=WorkspaceSettings(environment={"ROBOT": "r1", "THERE": "1"}))
     with GraphSource(str(tmp_path), settings, "roslens.toml", {}) as found:
         assert [node.name for node in found.launched(str(launch), {}).nodes] == ["/r1"]
+
+
+NODE_OF_ROS2 = """
+#include <rclcpp/rclcpp.hpp>
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); auto node = std::make_shared<rclcpp::Node>("a"); }
+"""
+
+
+@pytest.mark.parametrize(
+    ("manifest", "cmake", "generation"),
+    [
+        ("<depend>rclcpp</depend>", "", "ros2"),
+        ("<buildtool_depend>ament_cmake</buildtool_depend>", "", "ros2"),
+        ("", "find_package(ament_cmake REQUIRED)", "ros2"),
+        ("<buildtool_depend>catkin</buildtool_depend>", "find_package(rclcpp)", "ros1"),
+        ("", "find_package(catkin REQUIRED COMPONENTS roscpp)", "ros1"),
+    ],
+)
+def test_a_package_without_a_build_type_is_of_the_generation_that_it_depends_on(tmp_path, manifest, cmake, generation):
+    (tmp_path / "package.xml").write_text(f'<package format="3"><name>a</name>{manifest}</package>')
+    build = "add_executable(a a.cpp)\ninstall(TARGETS a DESTINATION lib/a)\n"
+    (tmp_path / "CMakeLists.txt").write_text(f"project(a)\n{cmake}\n{build}")
+    (tmp_path / "a.cpp").write_text(NODE_OF_ROS2)
+    with source(str(tmp_path)) as found:
+        assert [one.generation for one in found.packages([])] == [generation]

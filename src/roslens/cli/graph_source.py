@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.model.errors import UsageError
-from roslens.model.source import Role
+from roslens.model.source import Package, Role
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
@@ -130,7 +130,7 @@ class GraphSource:
             chosen = [
                 one.name
                 for one in self.facts.packages
-                if (one.name in names or not names) and (one.build_type == "catkin") == (generation == "ros1")
+                if (one.name in names or not names) and self._is_of_ros1(one) == (generation == "ros1")
             ]
             nodes = [node for name in chosen for node in targets_started(name, self.facts, generation).nodes]
             if not nodes:
@@ -211,6 +211,13 @@ class GraphSource:
             expected="PACKAGE/FILE or a path",
             advice=f'Did you mean "{near[0]}"?' if near else "",
         )
+
+    def _is_of_ros1(self, package: Package) -> bool:
+        if package.build_type != "catkin" or any(one.name == "catkin" for one in package.dependencies):
+            return package.build_type == "catkin"
+        # A manifest that says nothing means catkin by REP-149, which is not so where its build asks for ament.
+        content = self.facts.files.content(f"{package.path}/CMakeLists.txt") or b""
+        return b"find_package(catkin" in content or not (b"find_package(ament_" in content or b"(rclcpp" in content)
 
     def _is_ros1(self, path: str) -> bool:
         if path.endswith((".py", ".yaml", ".yml")):

@@ -251,3 +251,23 @@ def test_a_manifest_of_the_largest_size_is_read_in_seconds() -> None:
     assert turned_s(started) < 20
     assert package is not None
     assert len(package.dependencies) > 50_000
+
+
+@pytest.mark.parametrize(
+    ("depends", "build_type"),
+    [
+        ("", "catkin"),
+        ("<depend>rclcpp</depend>", "ament_cmake"),
+        ("<buildtool_depend>ament_cmake</buildtool_depend><depend>std_msgs</depend>", "ament_cmake"),
+        ("<buildtool_depend>ament_cmake_auto</buildtool_depend>", "ament_cmake"),
+        ("<buildtool_depend>ament_python</buildtool_depend><depend>rclpy</depend>", "ament_python"),
+        ("<buildtool_depend>catkin</buildtool_depend><depend>rclcpp</depend>", "catkin"),
+        ("<depend>roscpp</depend>", "catkin"),
+        ('<depend condition="$ROS_VERSION == 1">roscpp</depend><depend>rclcpp</depend>', "ament_cmake"),
+    ],
+)
+def test_without_a_build_type_what_it_depends_on_tells_the_generation(depends: str, build_type: str) -> None:
+    content = f"<package format='3'><name>a</name>{depends}</package>".encode()
+    package, _ = read_manifest(content, "a/package.xml", ROS_2)
+    assert package is not None
+    assert package.build_type == build_type

@@ -24,6 +24,21 @@ MAXIMUM_SIZE = 1 << 20
 DEFAULT_BUILD_TYPE = "catkin"
 """What REP-149 says a manifest without a build type has."""
 
+_BUILD_TYPES_OF = {
+    "catkin": "catkin",
+    "ament_cmake": "ament_cmake",
+    "ament_cmake_auto": "ament_cmake",
+    "ament_cmake_ros": "ament_cmake",
+    "ament_cmake_python": "ament_cmake",
+    "ament_python": "ament_python",
+    "roscpp": "catkin",
+    "rospy": "catkin",
+    "rclcpp": "ament_cmake",
+    "rosidl_default_generators": "ament_cmake",
+    "rclpy": "ament_cmake",
+}
+"""What a manifest without a build type is written for, by what it depends on; what stands first here decides."""
+
 
 def read_manifest(
     content: bytes, path: str, environment: Mapping[str, str]
@@ -97,6 +112,7 @@ class _Reader:
         if not name:
             return None
         exports = tuple(self._export(e) for block in parts.get("export", ()) for e in block.elements())
+        dependencies = self._dependencies(e for e in root.elements() if e.tag in DEPENDENCY_TAGS)
         description = " ".join(parts["description"][0].full_text().split()) if "description" in parts else ""
         return Package(
             id=name,
@@ -105,11 +121,11 @@ class _Reader:
             manifest=self._location(name_element) if name_element else Location(self._path),
             format=_format(root),
             version=_first_text(parts, "version")[0],
-            build_type=self._build_type(exports),
+            build_type=self._build_type(exports, dependencies),
             description=description,
             metapackage=any(e.tag == "metapackage" and e.active for e in exports),
             deprecated=next((e.text or "deprecated" for e in exports if e.tag == "deprecated" and e.active), ""),
-            dependencies=self._dependencies(e for e in root.elements() if e.tag in DEPENDENCY_TAGS),
+            dependencies=dependencies,
             member_of_groups=self._dependencies(parts.get("member_of_group", ())),
             maintainers=tuple(self._person(e) for e in parts.get("maintainer", ())),
             authors=tuple(self._person(e) for e in parts.get("author", ())),
@@ -149,10 +165,12 @@ class _Reader:
             active=self._holds(element),
         )
 
-    def _build_type(self, exports: tuple[Export, ...]) -> str:
+    def _build_type(self, exports: tuple[Export, ...], dependencies: tuple[Dependency, ...]) -> str:
         active = [export for export in exports if export.tag == "build_type" and export.active]
         if not active:
-            return DEFAULT_BUILD_TYPE
+            # The default is older than ROS 2: many manifests of ROS 2 lack one, and what they depend on tells so.
+            named = {one.name for one in dependencies if one.active}
+            return next((kind for name, kind in _BUILD_TYPES_OF.items() if name in named), DEFAULT_BUILD_TYPE)
         first = active[0]
         if not first.text or first.content:
             advice = f'Write one; "{DEFAULT_BUILD_TYPE}" was taken.'

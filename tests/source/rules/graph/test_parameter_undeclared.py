@@ -53,7 +53,33 @@ def test_doubt_makes_it_a_note():
 
 def test_where_code_has_none_all_that_are_set_are_one_finding():
     (one,) = findings(node("/a", end("pub", "/x"), parameters=tuple(parameter(name, set_by=FILE) for name in "xyz")))
-    assert "parameters `x` and 2 more are set for /a (src/a.cpp:1), which never declares any." in one.message
+    assert "parameters `x`, `y` and `z` are set for /a (src/a.cpp:1), which never declares any." in one.message
+
+
+def test_many_of_one_file_and_one_doubt_are_one_finding_that_names_the_others():
+    other = launched(9, "config/b.yaml")
+    many = [parameter(f"plugin.p{number:02}", set_by=launched(number, "config/a.yaml")) for number in range(1, 31)]
+    few = [parameter("plugin.x", set_by=other), parameter("plugin.y", set_by=other)]
+    one, x, y = findings(node("/a", parameters=(KNOWN, *many, *few)))
+    assert "parameters `plugin.p01`, `plugin.p02`, `plugin.p03` and 27 more are set for /a" in one.message
+    assert "which never declares them." in one.message
+    assert (one.line, one.entity, one.severity) == (1, "parameter:/a:plugin.p01", Severity.NOTE)
+    assert one.others == tuple(f"plugin.p{number:02} (config/a.yaml:{number})" for number in range(2, 31))
+    assert [(each.entity, each.others) for each in (x, y)] == [
+        ("parameter:/a:plugin.x", ()),
+        ("parameter:/a:plugin.y", ()),
+    ]
+
+
+def test_what_looks_mistyped_is_told_by_itself():
+    names = ("speed_max", "gain_left", "gain_right", "height", "weight_of_all", "colour")
+    known = parameter("max_speeds", access="declared", proof=CODE)
+    found = findings(
+        node("/a", parameters=(known, parameter("max_speed", set_by=FILE), *(parameter(n, set_by=FILE) for n in names)))
+    )
+    assert sorted(len(one.others) for one in found) == [0, 5]
+    (mistyped,) = (one for one in found if not one.others)
+    assert "Did you mean `max_speeds`?" in mistyped.message
 
 
 def test_ros1_asks_for_its_own_parameters_that_no_node_reads():

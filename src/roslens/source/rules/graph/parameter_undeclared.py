@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import msgspec
+
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
@@ -16,7 +18,8 @@ RULE = RuleInfo(
     "graph.parameter_undeclared",
     "Parameter that nobody knows",
     "A launch file or a file of parameters sets a parameter that the node never declares (ROS 2) or reads (ROS 1). "
-    "Nodes whose code is unknown are left out, and so is what every node has. Correct the name, or remove it.",
+    "Nodes whose code is unknown are left out, and so is what every node has. Correct the name, or remove it. "
+    "Many of one file and one doubt are one finding; `others` in the JSON of `roslens graph --check` names the rest.",
     Severity.WARNING,
     ("ros", "graph", "parameters", "launch"),
     "The value is ignored without a word and the node runs with its default.",
@@ -24,6 +27,9 @@ RULE = RuleInfo(
     scope="configuration",
 )
 _OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
+_FEW = 3
+"""So many of one cause are told one by one."""
+_SHOWN = 3
 _PREFIXES = ("qos_overrides.", "diagnostic_updater.")
 
 
@@ -42,11 +48,34 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
             for one in node.parameters
             if (spaces is None or _above(one.name) in spaces) and _is_unknown(one, node, known, read, ros1=ros1)
         ]
+        is_open = node.name in open_nodes
+        for group in _groups(unknown, known, ros1=ros1, is_open=is_open):
+            yield _told(node, group, known, ros1=ros1, is_open=is_open)
+
+
+def _groups(
+    unknown: list[ConfiguredParameter], known: list[str], *, ros1: bool, is_open: bool
+) -> Iterator[list[ConfiguredParameter]]:
+    """Yield parameters of one cause together where they are many: those of one file, with one doubt."""
+    if not known:
         # Where the code is not known to have any, all of them are one problem.
-        for one in unknown if known else unknown[:1]:
-            yield _told(
-                node, one, known, ros1=ros1, is_open=node.name in open_nodes, more=0 if known else len(unknown) - 1
-            )
+        yield from [unknown] if unknown else []
+        return
+    causes: dict[tuple[str, bool, bool], list[ConfiguredParameter]] = {}
+    for one in unknown:
+        path = one.set_by.path if one.set_by is not None else ""
+        doubtful = is_open or _may_be_of_plugin(one, ros1=ros1)
+        mistyped = not doubtful and bool(nearest_name(one.name, known))
+        causes.setdefault((path, doubtful, mistyped), []).append(one)
+    for (_path, _doubtful, mistyped), ones in causes.items():
+        if mistyped or len(ones) <= _FEW:
+            yield from ([one] for one in ones)
+        else:
+            yield ones
+
+
+def _may_be_of_plugin(one: ConfiguredParameter, *, ros1: bool) -> bool:
+    return "." in one.name and not ros1
 
 
 def _spaces(node: ConfiguredNode) -> set[str] | None:
@@ -97,8 +126,9 @@ def _fits(name: str, pattern: str) -> bool:
 
 
 def _told(
-    node: ConfiguredNode, one: ConfiguredParameter, known: list[str], *, ros1: bool, is_open: bool, more: int
+    node: ConfiguredNode, group: list[ConfiguredParameter], known: list[str], *, ros1: bool, is_open: bool
 ) -> Finding:
+    one, others = group[0], group[1:]
     proof = one.set_by
     assert proof is not None  # noqa: S101 - only parameters that are set are told
     why = ""
@@ -106,19 +136,35 @@ def _told(
         why = f"not all of the code of {node.name} was understood"
     elif not known:
         why = f"no parameter of the code of {node.name} is known"
-    elif "." in one.name and not ros1:
+    elif _may_be_of_plugin(one, ros1=ros1):
         why = "a plug-in that the node loads may declare it"
     severity, doubt = weighed(RULE.severity, (proof,), node.conditions, more=why)
-    near = nearest_name(one.name, known)
+    near = "" if others else nearest_name(one.name, known)
     verb = "reads" if ros1 else "declares"
     advice = f"Did you mean `{near}`?" if near else f"Correct the name or remove it; {_knows(known)}."
     where = f" ({node.defined.place})" if node.defined is not None else ""
-    what = f"`{one.name}` and {more} more are" if more else f"`{one.name}` is"
     message = (
-        f"parameter{'s' if more else ''} {what} set for {node.name}{where}, which never {verb} "
-        f"{'any' if more else 'it'}. {advice}{doubt}"
+        f"parameter{'s' if others else ''} {_named(group)} set for {node.name}{where}, which never {verb} "
+        f"{_it(known, others)}. {advice}{doubt}"
     )
-    return told(RULE, message, proof, entity=f"parameter:{node.name}:{one.name}", severity=severity, context=proof.path)
+    entity = f"parameter:{node.name}:{one.name}"
+    found = told(RULE, message, proof, entity=entity, severity=severity, context=proof.path)
+    same = tuple(f"{other.name} ({other.set_by.place})" for other in others if other.set_by is not None)
+    return msgspec.structs.replace(found, others=same)
+
+
+def _named(group: list[ConfiguredParameter]) -> str:
+    if len(group) == 1:
+        return f"`{group[0].name}` is"
+    shown, rest = [f"`{one.name}`" for one in group[:_SHOWN]], len(group) - _SHOWN
+    last = f"{rest} more" if rest > 0 else shown.pop()
+    return f"{', '.join(shown)} and {last} are"
+
+
+def _it(known: list[str], others: list[ConfiguredParameter]) -> str:
+    if not others:
+        return "it"
+    return "them" if known else "any"
 
 
 def _knows(known: list[str]) -> str:

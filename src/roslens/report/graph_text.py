@@ -83,8 +83,9 @@ def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Ite
     # Where a part of what starts a node is unknown, as a file of parameters, other values may hold.
     head = "parameters, as far as is known" if set_by_unknown else "parameters"
     everywhere = _OF_EVERY_NODE if generation == "ros2" else frozenset[str]()
-    if node.defined is None and set_by_unknown:
-        # No code is known that could take any of them, which is told once.
+    without_code = node.defined is None and set_by_unknown
+    if without_code or (node.defined is not None and node.defined.origin is Origin.CATALOGUE):
+        # What takes them is not read at all, which is told once.
         everywhere = frozenset(one.name for one in node.parameters)
     yield from _parameters(head, node.parameters, everywhere)
     remaps = [one for one in node.remaps if not one.used]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import groupby
+from operator import attrgetter
 from typing import Any
 
 import msgspec
@@ -46,10 +48,11 @@ class Values:
         self.used: set[Rule] = set()
         node = place.node.pattern
         meant: dict[str, bool] = {"": True}
-        for one in settings:
-            if one.node not in meant:
-                meant[one.node] = node_pattern_matches(one.node, node)
-            if meant[one.node]:
+        # A file says many things of one node after the other: most files hold those of all nodes that run.
+        for pattern, group in groupby(settings, attrgetter("node")):
+            if pattern not in meant:
+                meant[pattern] = node_pattern_matches(pattern, node)
+            for one in group if meant[pattern] else ():
                 name = self._setting_name(one)
                 self.set.pop(name, None)
                 self.set[name] = one

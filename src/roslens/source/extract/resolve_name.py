@@ -73,6 +73,8 @@ def absolute(namespace: Text, given: Text) -> Text:
 
 def tidy(name: Text) -> Text:
     """Return a name without doubled separators and without one at its end."""
+    if len(name.parts) == 1 and isinstance(whole := name.parts[0], str) and "//" not in whole and not whole.endswith("/"):
+        return name
     parts = [_SLASHES.sub("/", part) if isinstance(part, str) else part for part in name.parts]
     if len(parts) > 1 and isinstance(last := parts[-1], str):
         parts[-1] = last.rstrip("/")
@@ -132,6 +134,8 @@ def resolve(name: Text, place: Place, rules: Sequence[Rule]) -> tuple[Text, Rule
 
 def may_match(one: Rule, name: Text, place: Place) -> bool:
     """Return whether a remapping may be meant for a name of which a part is unknown."""
+    if not (name.holes or one.source.holes or place.namespace.holes or place.node.holes):
+        return False
     source, expanded = expand(one.source, place), expand(name, place)
     if not (source.holes or expanded.holes):
         return False

@@ -73,7 +73,8 @@ def absolute(namespace: Text, given: Text) -> Text:
 
 def tidy(name: Text) -> Text:
     """Return a name without doubled separators and without one at its end."""
-    if len(name.parts) == 1 and isinstance(whole := name.parts[0], str) and "//" not in whole and not whole.endswith("/"):
+    whole = name.parts[0] if len(name.parts) == 1 else None
+    if isinstance(whole, str) and "//" not in whole and not whole.endswith("/"):
         return name
     parts = [_SLASHES.sub("/", part) if isinstance(part, str) else part for part in name.parts]
     if len(parts) > 1 and isinstance(last := parts[-1], str):

@@ -1,3 +1,4 @@
+from roslens.model.configuration import Unresolved
 from roslens.source.extract.launched import Launch, Launched, Setting
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.text import Text
@@ -47,6 +48,16 @@ def loaded(*keys, **more):
     held = node("/robot/amcl", line=9, container="/container", **more)
     system = configuration(node("/container", line=4, kind="container"), held)
     return list(ignored_files(system, Launch("ros2", (start,))))
+
+
+def test_a_file_of_a_container_may_be_for_a_node_that_others_load():
+    setting = Setting(Text.of("rate"), Text.of("1"), Evidence("nav.yaml", 3), node="/amcl")
+    start = Launched(Text.of("rclcpp_components"), Text.of("component_container"), PLACE, settings=(setting,))
+    container, held = node("/container", line=4, kind="container"), node("/map", line=9, container="/container")
+    missing = Unresolved("other.launch.py", launched(8), "there is no such file", opens=True)
+    for nodes, unresolved, count in [([], (), 0), ([held], (), 1), ([held], (missing,), 0)]:
+        system = configuration(container, *nodes, unresolved=unresolved)
+        assert len(list(ignored_files(system, Launch("ros2", (start,))))) == count
 
 
 def test_a_file_of_a_container_may_be_for_a_node_in_it():

@@ -31,6 +31,9 @@ def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Igno
         nodes = [*nodes, *(node for node in configuration.nodes if node.container in names)]
         if not nodes or not all(node.resolved and not node.name_is_guessed for node in nodes):
             continue
+        if nodes[0].kind == "container" and (nodes == [nodes[0]] or any(one.opens for one in configuration.unresolved)):
+            # What it is given may be for components that others load: no launch file that was read says which.
+            continue
         for settings in _keyed(launched).values():
             keys = tuple(dict.fromkeys(one.node for one in settings))
             # A name in a file may have a part that is not known either.

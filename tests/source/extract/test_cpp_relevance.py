@@ -259,3 +259,29 @@ def test_of_what_is_lowered_whole_nothing_is_left_out():
         b'{ a_ = 1; pub_ = create_publisher<String>("topic", 1); a_ = compute(3, 4) + compute(5, 6) * compute(7, 8); }'
     )
     assert Relevance(body, 0, len(body)).sets == ()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "auto future = client_->async_send_request(request);",
+        "auto handle = client_->async_send_goal(goal);",
+        "const std::chrono::nanoseconds period = get_nanos_from_secs_parameter(this, name);",
+        "params->hz = getRosParam<int>(name, nh);",
+    ],
+)
+def test_declarations_that_send_or_read_a_parameter_may_lead(line: str) -> None:
+    text = b"{ " + b"double a = b * 2.0; if (a > 3.0) { a -= 1.0; } " * 4 + line.encode() + b" }"
+    found = Relevance(text, 0, len(text))
+    assert found.level is Level.CALLS
+    start = text.index(line.encode())
+    assert found.may_lead(start, start + len(line))
+
+
+def test_a_main_function_is_lowered_whole() -> None:
+    body = b"{ " + b"QApplication app(argc, argv); MainWindow window(argc, argv); window.show(); " * 3 + b"}"
+    text = b"int main(int argc, char ** argv) " + body
+    start = text.index(b"{")
+    assert Relevance(text, start, len(text), head=0).level is Level.WHOLE
+    other = b"int domain(int argc, char ** argv) " + body
+    assert Relevance(other, other.index(b"{"), len(other), head=0).level is not Level.WHOLE

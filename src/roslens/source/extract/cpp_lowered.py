@@ -22,6 +22,7 @@ class Lowered:
         scope: qualified name of the namespace, class or function around, joined by dots.
         class_name: qualified name of the class around; of a function that of its class.
         depth: how deep the lowering is nested.
+        left_out: where the bodies of functions begin and end of which not all is lowered, in turn.
     """
 
     def __init__(self, source: bytes) -> None:
@@ -39,6 +40,7 @@ class Lowered:
         self.using: list[str] = []
         self.includes: list[tuple[str, int]] = []
         self.incomplete: set[tuple[int, str]] = set()
+        self.left_out: list[int] = []
 
     def text(self, node: Node) -> bytes:
         """Return the text of a node."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 from tree_sitter import Tree
 
 from roslens.source.extract.cpp_definitions import Definitions
+from roslens.source.extract.cpp_flags import unsettled
 from roslens.source.extract.cpp_lowered import Lowered
 from roslens.source.extract.cpp_macros import registrations
 from roslens.source.extract.program import Program
@@ -33,6 +34,8 @@ def lower_cpp(source: bytes, tree: Tree, content: bytes | None = None) -> Progra
     definitions = Definitions(lowered)
     definitions.add(root.named_children, lowered.body)
     definitions.end()
+    if lowered.left_out and lowered.body:
+        lowered.body = unsettled(lowered.body, source, lowered.left_out)
     lowered.body += registrations(source if content is None else content, tree)
     if root.has_error:
         for node in fault_nodes(tree):

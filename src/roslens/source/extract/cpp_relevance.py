@@ -56,7 +56,8 @@ _SET = re.compile(
 """Finds the names of members that are set in a text that runs backwards: ``count_ =``, ``m_count +=``, ``mCount =``."""
 _LEADING = re.compile(
     rb"(?:on_|do_?)?(?:init|setup|set_?[uU]p|configure|create|add|register|load|start|activate|advertise|connect|open|spawn|enable"
-    rb"|declare|make|build|publish|read_?[pP]ar|get_?[pP]ar|update_?[pP]ar|reconfigure|run|on[A-Z_])",
+    rb"|declare|make|build|publish|read_?[pP]ar|get_?[pP]ar|update_?[pP]ar|reconfigure|run|on[A-Z_]"
+    rb"|async_send|send_?(?:goal|request)|(?:get|read|load)\w*_?param)",
     re.IGNORECASE,
 )
 _CALL_STATEMENT = re.compile(rb"(?:this\s*->\s*)?(?:[A-Za-z_]\w*(?:::|\.|->))*([A-Za-z_]\w*)\s*\(")
@@ -124,7 +125,12 @@ class Relevance:
         if test:
             self.level = Level.WHOLE if _ENDPOINT.search(source, start, end) else Level.NOTHING
             return
-        if end - start < _SHORT or (head >= 0 and _makes_names(source, head, start, end)) or _whole(source, start, end):
+        if (
+            end - start < _SHORT
+            or (head >= 0 and _makes_names(source, head, start, end))
+            or _whole(source, start, end)
+            or (head >= 0 and source.find(b" main(", head, start) >= 0)
+        ):
             self.level = Level.WHOLE
             return
         body = source[start:end]

@@ -57,6 +57,8 @@ class StatementLowering:
         """Return what the body of a function, or of a ``test``, says, as far as it may matter."""
         head = node.parent.start_byte if node.parent is not None else -1
         relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test, head)
+        if relevance.level is not Level.WHOLE:
+            self._lowered.left_out += (node.start_byte, node.end_byte)
         if relevance.level is Level.NOTHING:
             self.sets = relevance.sets
             return ()

@@ -112,3 +112,36 @@ def test_a_callback_that_is_given_away_again_counts_once(node_of, followed):
 def test_a_short_call_is_followed_each_time(node_of, followed):
     node_of("fill();\nfill();", "void fill() { write(level_); } int level_;")
     assert followed.count("fill") == 2
+
+
+def test_a_call_that_sets_what_all_functions_see_sets_it_each_time(node_of):
+    before = 'std::string topic = "a";'
+    members = f'void fill() {{ {HEAVY} topic = "filled"; write(level_); }} int level_;'
+    body = 'fill();\ntopic = "empty";\nfill();\npub_ = create_publisher<std_msgs::msg::String>(topic, 1);'
+    (one,) = node_of(body, members, before).endpoints
+    assert one.name.known == "filled"
+
+
+def test_a_call_sees_what_all_functions_see_now(node_of):
+    members = f'std::string named() {{ {HEAVY} return "of_" + topic; }} int level_;'
+    body = 'named();\ntopic = "b";\npub_ = create_publisher<std_msgs::msg::String>(named(), 1);'
+    (one,) = node_of(body, members, 'std::string topic = "a";').endpoints
+    assert one.name.known == "of_b"
+
+
+def test_a_call_sees_what_its_object_holds_now(node_of):
+    members = f'std::string named() {{ {HEAVY} return "of_" + topic_; }} int level_; std::string topic_ = "a";'
+    body = 'named();\ntopic_ = "b";\npub_ = create_publisher<std_msgs::msg::String>(named(), 1);'
+    (one,) = node_of(body, members).endpoints
+    assert one.name.known == "of_b"
+
+
+def test_overrides_keep_the_conditions_of_each_call(node_of):
+    members = (
+        f"rclcpp::PublisherOptions options() {{ {HEAVY} rclcpp::PublisherOptions o;"
+        " o.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies(); return o; } int level_;"
+    )
+    body = 'if (far()) { options(); }\nauto o = options();\npub_ = create_publisher<std_msgs::msg::String>("a", 1, o);'
+    (one,) = node_of(body, members).endpoints
+    assert one.overrides.policies
+    assert not one.overrides.conditions

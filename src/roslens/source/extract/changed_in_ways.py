@@ -41,11 +41,11 @@ class Changes:
 
     def put(self, held: dict[Any, Any], key: Any, value: Any) -> None:
         """Put a value into members of an object, or a table; what nothing was before is there after either way."""
-        if self.open and (before := held.get(key, _MISSING)) is not _MISSING:
-            # Why a value is unknown does not matter for what it makes.
-            if type(before) is not Unknown or type(value) is not Unknown:
-                self._done.append((held, key, before))
-                self.count += 1
+        before = held.get(key, _MISSING) if self.open else _MISSING
+        # Why a value is unknown does not matter for what it makes.
+        if before is not _MISSING and (type(before) is not Unknown or type(value) is not Unknown):
+            self._done.append((held, key, before))
+            self.count += 1
         held[key] = value
 
     def refine(self, before: QosValue, after: QosValue) -> None:
@@ -137,7 +137,7 @@ def _join_items(held: Any, other: Any, condition: str, test: Test, *, lost: bool
         return
     reason = Unknown(f"an item of a list or table that is changed if {condition}"[:200])
     if isinstance(held, dict):
-        _put(held, _ITEMS, {key: reason for key in (*held, *other)})
+        _put(held, _ITEMS, dict.fromkeys((*held, *other), reason))
         return
     both = reason if lost else one_of(other, held, condition, test)
     if isinstance(both, Unknown):

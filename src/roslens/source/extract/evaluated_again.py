@@ -9,10 +9,12 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
+
 from roslens.source.extract.abstract_value import Obj, Unknown
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.program import Function
+from roslens.source.extract.program import Assign, Function, Member, Name
 from roslens.source.extract.workspace_index import assigned_names
 
 HEAVY = 100
@@ -37,7 +39,7 @@ class Done:
         site: the last call in it.
     """
 
-    __slots__ = ("_depth", "_given", "_thing", "cuts", "fields", "names", "result", "site")
+    __slots__ = ("_depth", "_given", "_seen", "_thing", "cuts", "fields", "names", "result", "site")
 
     def __init__(
         self,
@@ -56,6 +58,8 @@ class Done:
         self._depth = depth
         self.result = frame.result if frame.returned else None
         self.names = frame.names
+        named = _names(function.body)
+        self._seen = {name: value for name, value in before.items() if name in named}
         after = thing.fields if isinstance(thing, Obj) else {}
         own = assigned_names(function.body)
         self.fields = {
@@ -75,7 +79,11 @@ class Done:
             and len(self._given[0]) == len(given[0])
             and all(map(_same, self._given[0], given[0]))
             and self.cuts.issubset(stack)
+            and (not self._seen or self._sees_the_same(thing.fields))
         )
+
+    def _sees_the_same(self, fields: dict[str, Any]) -> bool:
+        return all(name in fields and _same(value, fields[name]) for name, value in self._seen.items())
 
 
 class Again:
@@ -100,9 +108,29 @@ class Again:
                 return one
         return None
 
+    def forget(self) -> None:
+        """Forget what calls did: they may see something else from now on."""
+        self._done.clear()
+
     def keep(self, key: Key, done: Done) -> None:
         """Remember what a call did."""
         self._done.setdefault(key, []).append(done)
+
+
+def _names(one: Any) -> set[str]:
+    """Return the last names of all that statements name, but for what they only assign."""
+    found: set[str] = set()
+    waiting = [one]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, tuple):
+            waiting += one
+        elif isinstance(one, Assign) and isinstance(one.target, Name) and one.operator == "=":
+            waiting.append(one.value)
+        elif isinstance(one, msgspec.Struct):
+            found.update({one.name} if isinstance(one, Name | Member) else ())
+            waiting += [getattr(one, field) for field in one.__struct_fields__]
+    return found
 
 
 def _same(one: Any, other: Any) -> bool:

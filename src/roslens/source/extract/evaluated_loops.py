@@ -97,22 +97,9 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
             if not _turn(engine, statement):
                 return
         return
-    before, changes = engine.frame.snapshot(), engine.changes
-    since = changes.count
-    changes.open += 1
-    _forget_counters(engine, statement)
-    if statement.target is not None:
-        engine.assign(statement.target, _each(over, statement))
-    _turn(engine, statement)
-    frame = engine.frame
+    before, frame = engine.frame.snapshot(), engine.frame
     once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
-    if changes.count > since and not once:
-        way = changes.taken_back(since, frame.members)
-        why = (_written(engine, statement), "")
-        changes.came_to(way, changes.count, frame.members, (False, False), why, None)
-    changes.open -= 1
-    if not changes.open and changes.count:
-        changes.ended()
+    _turn_for_all(engine, statement, over, once=once)
     if once:
         return
     # It may have no turn at all.
@@ -122,6 +109,24 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
     if not returned:
         frame.join(after, _written(engine, statement))
         _keep_filled(frame.names, after[0])
+
+
+def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool) -> None:
+    """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
+    changes, frame = engine.changes, engine.frame
+    since = changes.count
+    changes.open += 1
+    _forget_counters(engine, statement)
+    if statement.target is not None:
+        engine.assign(statement.target, _each(over, statement))
+    _turn(engine, statement)
+    if changes.count > since and not once:
+        way = changes.taken_back(since, frame.members)
+        why = (_written(engine, statement), "")
+        changes.came_to(way, changes.count, frame.members, (False, False), why, None)
+    changes.open -= 1
+    if not changes.open and changes.count:
+        changes.ended()
 
 
 def _gone_through(engine: Evaluation, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:

@@ -13,9 +13,9 @@ from roslens.source.extract.evaluated_objects import is_list
 from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.made_texts import with_sign
+from roslens.source.extract.other_names import assign_referred, refer
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
-from roslens.source.extract.other_names import assign_referred, refer
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -215,7 +215,9 @@ def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
     whole = "" if name in frame.names else engine.index.global_name(name, frame.path, frame.scope)
     if not whole:
         frame.names[name] = value
-    elif len(engine.conditions) > frame.passed:
+        return
+    engine.forget_calls()
+    if len(engine.conditions) > frame.passed:
         engine.globals.setdefault(whole, engine.value(Name(name)))
         join(engine.globals, {whole: value}, engine.conditions[-1])
     else:

@@ -120,6 +120,11 @@ class Evaluation(Objects):
         """Note that a word of the vocabulary is said, or a callback given away."""
         self._again.touched += 1
 
+    def forget_calls(self) -> None:
+        """Note that what all functions see is changed: none does again what it did."""
+        self._again.touched += 1
+        self._again.forget()
+
     @property
     def touches(self) -> int:
         """How often a word of the vocabulary was said, or a callback given away."""

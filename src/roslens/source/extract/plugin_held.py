@@ -23,6 +23,7 @@ def held_in(thing: Obj) -> dict[int | None, Any]:
 
 def hold(engine: Evaluation, thing: Obj, key: Any, value: Any) -> None:
     """Put something at a place of a list; what is only there under a condition of its function is unknown."""
+    engine.touched()
     place = key if isinstance(key, int) and not isinstance(key, bool) else _EACH
     if not isinstance(value, Text | Obj) or (place is _EACH and isinstance(value, Text) and not value.holes):
         value = Unknown("an item of a list")

@@ -15,6 +15,7 @@ def changed_for_all(engine: Evaluation, holder: Name | Member, before: Any, afte
     """Let a quality of service be what it was changed to under its other names too."""
     python = engine.index.programs[engine.frame.path].language == "python"
     if isinstance(before, QosValue) and before is not after and (python or _is_reference(engine, holder)):
+        engine.forget_calls()
         engine.changes.refine(before, after)
         if python:
             _in_constants(engine, before, after)

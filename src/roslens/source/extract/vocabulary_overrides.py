@@ -59,6 +59,7 @@ def usual(engine: Evaluation, _thing: Any, called: Called) -> Overrides:
 
 def _overrides(engine: Evaluation, called: Called, kinds: Any, rest: list[Any]) -> Overrides:
     """Return overrides of policies by their kinds (None means the usual ones), with an id where one is given."""
+    engine.touched()
     given = called.keywords.get("entity_id", rest[1] if len(rest) > 1 else None)
     number = "" if given is None else as_text(given).known
     names = list(_USUAL) if kinds is None else _names(kinds)

@@ -106,19 +106,17 @@ def run(options: argparse.Namespace) -> int:
             return _complete(source, found)
         code = _complete(source, found)
         if not found:
-            _say_why(source)
+            _say_why(source, options)
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
     write_result(_text(shown, options), options.output)
     return code
 
 
-def _say_why(source: GraphSource) -> None:
-    """Tell what was not understood, where that may be why there are no nodes."""
-    missed = source.facts.unresolved
-    for one in missed[:_MOST_REASONS]:
-        print(f"roslens: {one.evidence.path}:{one.evidence.line}: {one.text}: {one.reason}", file=sys.stderr)
-    if len(missed) > _MOST_REASONS:
-        print(f"roslens: and {len(missed) - _MOST_REASONS} more places that were not understood", file=sys.stderr)
+def _say_why(source: GraphSource, options: argparse.Namespace) -> None:
+    from roslens.cli.graph_without_nodes import reasons
+
+    for line in () if options.quiet else reasons(source, options.launch):
+        print(f"roslens: {line}", file=sys.stderr)
 
 
 def _complete(source: GraphSource, found: tuple[Configuration, ...]) -> int:
@@ -164,7 +162,6 @@ def _writer(form: str) -> Callable[[Configuration], str]:
     return found
 
 
-_MOST_REASONS = 10
 _WRITERS = {
     "text": ("graph_text", "to_graph_text"),
     "dot": ("to_dot", "to_dot"),

@@ -79,3 +79,15 @@ def test_opposite():
 def test_nesting_is_bounded():
     assert of("(" * 5000 + "SET" + ")" * 5000) == Answer(None)
     assert of("NOT " * 5000 + "SET") == Answer(True)
+
+
+def test_what_versions_of_cmake_read_differently_is_unknown():
+    # Of 3.16 and before, AND binds tighter; later it does not, or the last two of three are joined first.
+    assert of("1 OR 1 AND 0") == Answer(None)
+    assert of("0 AND 1 AND 0 OR NOT 0") == Answer(None)
+    assert of("0 AND 1 OR 1") == Answer(True)
+    assert of("1 AND 0 OR 0") == Answer(False)
+
+
+def test_whether_what_may_not_be_set_is_defined_is_unknown():
+    assert of("DEFINED HOLE") == Answer(None)

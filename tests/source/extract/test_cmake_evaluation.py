@@ -96,3 +96,73 @@ def test_what_follows_a_macro_that_calls_itself_is_read():
     (told,) = found.unresolved
     assert (told.text, told.evidence.line) == ("again()", 5)
     assert "nested more than 40 deep" in told.reason
+
+
+def test_a_block_has_variables_of_its_own():
+    found = run("set(a 1)\nset(b 1)\nblock(PROPAGATE b)\nset(a 2)\nset(b 2)\nset(c 2 PARENT_SCOPE)\nendblock()")
+    assert [found.get(name) for name in "abc"] == ["1", "2", "2"]
+    assert run("set(a 1)\nblock(SCOPE_FOR POLICIES)\nset(a 2)\nendblock()").get("a") == "2"
+
+
+def test_return_gives_variables_to_the_caller():
+    found = run("function(f)\nset(a 1)\nblock()\nset(b 2)\nreturn(PROPAGATE a b)\nendblock()\nendfunction()\nf()")
+    assert (found.get("a"), found.get("b")) == ("1", "2")
+
+
+def test_what_is_set_for_the_caller_is_not_seen_here():
+    found = run("set(a 1)\nfunction(f)\nset(a 2 PARENT_SCOPE)\nset(b ${a} PARENT_SCOPE)\nendfunction()\nf()")
+    assert (found.get("a"), found.get("b")) == ("2", "1")
+
+
+def test_lists_are_gone_through_at_once():
+    found = run('set(x 1 2)\nset(y a)\nforeach(i j IN ZIP_LISTS x y)\nstring(APPEND r "${i}${j},")\nendforeach()')
+    assert found.get("r") == "1a,2,"
+    assert (
+        run('set(x 1 2)\nforeach(i IN ZIP_LISTS x x)\nstring(APPEND r "${i_0}${i_1}")\nendforeach()').get("r") == "1122"
+    )
+
+
+def test_a_loop_that_is_not_gone_through_leaves_what_it_sets_unknown():
+    found = run("set(a 1)\nset(b 1)\nforeach(i RANGE 0 999999)\nset(a ${i})\nendforeach()")
+    assert is_unknown(found.get("a"))
+    assert found.get("b") == "1"
+    assert found.unresolved
+
+
+def test_arguments_of_macros_are_read_once_more():
+    found = run('set(v 7)\nmacro(m p)\nset(r "${p}")\nset(s "${A${v}}")\nendmacro()\nm([[<${v}>]])')
+    assert found.get("r") == "<7>"
+
+
+def test_commands_that_run_what_they_are_given():
+    seen = []
+    found = evaluation(mark=lambda _, call: seen.append((call.arguments, call.evidence.line)))
+    run('\ncmake_language(CALL mark a "b;c")\ncmake_language(EVAL CODE "\n\n\nmark(${x}d)\nset(v 1)")', found)
+    assert seen == [(["a", "b;c"], 2), (["d"], 3)]
+    assert found.get("v") == "1"
+    run("cmake_language(DEFER CALL mark late)", found)
+    assert [one.text for one in found.unresolved] == ["cmake_language(DEFER)"]
+
+
+def test_a_variable_that_is_unset_uncovers_the_cache():
+    found = run(
+        'set(a kept CACHE STRING "")\nset(a 1)\nunset(a)\nset(b x CACHE INTERNAL "")\nset(b y CACHE STRING "" FORCE)'
+    )
+    assert (found.get("a"), found.get("b")) == ("kept", "y")
+
+
+def test_what_follows_a_return_that_may_be_is_under_its_condition():
+    seen = []
+    found = evaluation(mark=lambda one, call: seen.append((call.arguments[0], [*one.conditions])))
+    run(
+        "function(f)\nif(X_FOUND)\nreturn()\nendif()\nmark(in)\nendfunction()\nf()\nmark(out)\n"
+        "foreach(i 1 2)\nif(Y_FOUND)\nif(Z_FOUND)\ncontinue()\nendif()\nendif()\nmark(${i})\nendforeach()\nmark(end)",
+        found,
+    )
+    loop = ["NOT (Y_FOUND)"]
+    assert seen == [("in", ["NOT (X_FOUND)"]), ("out", []), ("1", loop), ("2", loop), ("end", [])]
+
+
+def test_what_is_matched_is_forgotten_at_the_next_match():
+    found = run('string(REGEX MATCH "(a)(b)" x ab)\nstring(REGEX MATCH "(c)" y c)\nif(ab MATCHES "(z)")\nendif()')
+    assert [found.get(f"CMAKE_MATCH_{at}") for at in (0, 1, 2, "COUNT")] == ["", "", "", "0"]

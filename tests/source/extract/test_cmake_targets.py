@@ -92,3 +92,24 @@ def test_scripts_of_python_packages():
 def test_a_name_is_made_once():
     found = collected("while(1)\nadd_library(a x.c)\nendwhile()")
     assert len(found.made["a"]) == 1
+
+
+def test_sources_for_those_that_link_are_no_sources_of_the_library():
+    found = collected("add_library(a x.cpp)\ntarget_sources(a PRIVATE y.cpp INTERFACE i.cpp PUBLIC p.cpp)")
+    (made,) = found.made["a"]
+    assert texts(made.sources) == ["x.cpp", "y.cpp", "p.cpp"]
+    assert texts(made.given) == ["i.cpp", "p.cpp"]
+
+
+def test_names_of_files_are_those_of_the_kind():
+    rename = "PROPERTIES RUNTIME_OUTPUT_NAME r LIBRARY_OUTPUT_NAME l ARCHIVE_OUTPUT_NAME a OUTPUT_NAME o)"
+    found = collected(
+        "add_executable(e x.cpp)\nadd_library(s STATIC x.cpp)\nadd_library(d SHARED x.cpp)\n"
+        f"set_target_properties(e s d {rename}"
+    )
+    assert [found.made[name][0].output for name in "esd"] == ["r", "a", "l"]
+
+
+def test_folders_of_types():
+    found = collected("install(FILES a TYPE SYSCONF)\ninstall(FILES b TYPE DATA)\ninstall(PROGRAMS c TYPE SBIN)")
+    assert [one.destination for one in found.installed] == ["etc", "share", "sbin"]

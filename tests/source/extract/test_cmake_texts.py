@@ -6,14 +6,15 @@ import pytest
 
 from roslens.source.extract.cmake_blocks import BLOCKS
 from roslens.source.extract.cmake_evaluation import Evaluation, ExhaustedError
+from roslens.source.extract.cmake_lists import LIST
 from roslens.source.extract.cmake_syntax import parse_cmake
-from roslens.source.extract.cmake_texts import LIST_AND_STRING
+from roslens.source.extract.cmake_texts import STRING
 from roslens.source.extract.cmake_value import hole, is_unknown
 from roslens.source.extract.files import FolderFiles
 
 
 def after(text, **first):
-    run = Evaluation("", FolderFiles(Path(), {}), [], LIST_AND_STRING, frozenset(), BLOCKS)
+    run = Evaluation("", FolderFiles(Path(), {}), [], {**LIST, **STRING}, frozenset(), BLOCKS)
     for name, value in first.items():
         run.set(name, value)
     run.run_file("CMakeLists.txt", parse_cmake(text.encode()))

@@ -10,6 +10,7 @@ from pace import turned_s
 from roslens.source.extract.cmake_value import (
     expression_of,
     hole,
+    is_off,
     is_unknown,
     items_of,
     number_of,
@@ -17,7 +18,7 @@ from roslens.source.extract.cmake_value import (
     searchable,
     shown,
     truth_of,
-    version_of,
+    versions_compared,
 )
 
 
@@ -43,7 +44,8 @@ def test_empty_items_count_in_lists():
 @pytest.mark.parametrize(
     ("value", "truth"),
     [("ON", True), ("y", True), ("1", True), ("-2.5", True), ("0", False), ("0.0", False), ("", False),
-     ("x-NOTFOUND", False), ("IGNORE", False), ("text", None), ("1x", None)],
+     ("x-NOTFOUND", False), ("IGNORE", False), ("text", None), ("1x", None),
+     ("0x10", True), ("-0x0", False), ("inf", True), ("nan", True), (" 1", True), ("1 ", None), ("1e", None)],
 )  # fmt: skip
 def test_truth(value, truth):
     assert truth_of(value) is truth
@@ -51,10 +53,14 @@ def test_truth(value, truth):
 
 def test_numbers_and_versions():
     assert number_of("1.5") == 1.5
-    assert number_of("1.5.2") is None
-    assert version_of("1.10.2.0") == (1, 10, 2)
-    assert version_of("2.x.1") == (2,)
-    assert version_of("1.9") < version_of("1.10")
+    assert number_of("1.5.2") == 1.5
+    assert number_of(" 0x10") == 16
+    assert number_of("x1") is None
+    assert versions_compared("1.10.2.0", "1.10.2") == 0
+    assert versions_compared("2.x.1", "2") == 0
+    assert versions_compared("1.9", "1.10") == -1
+    assert versions_compared("1..2", "1.0.1") == 1
+    assert versions_compared("12", "-3") == -1
 
 
 def test_holes():
@@ -91,3 +97,16 @@ def test_a_search_ends_soon(pattern, text):
         before = time.process_time()
         expression.search(text)
         assert time.process_time() - before < 2 or turned_s(before) < 2
+
+
+def test_brackets_and_escapes_in_lists():
+    assert items_of("a]b;c") == ["a]b;c"]
+    assert items_of("[a;b];c") == ["[a;b]", "c"]
+    assert items_of("a\\;b;c\\[;d") == ["a;b", "c\\[;d"]
+
+
+@pytest.mark.parametrize(
+    ("value", "off"), [("x-NOTFOUND", True), ("x-notfound", False), ("ignore", True), ("0.0", False)]
+)
+def test_values_of_variables_that_are_false(value, off):
+    assert is_off(value) is off

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import re
+import shlex
+from contextlib import suppress
 from fnmatch import translate
 from functools import lru_cache
-from posixpath import basename, dirname, splitext
+from posixpath import basename, dirname, relpath
 
-from roslens.source.extract.cmake_evaluation import BUILD, SOURCE, Call, Evaluation, Handler, ReturnedError
+from roslens.source.extract.cmake_arguments import ARGUMENTS
+from roslens.source.extract.cmake_evaluation import BUILD, SOURCE, Call, Evaluation, Handler
+from roslens.source.extract.cmake_lists import LIST
+from roslens.source.extract.cmake_math import MATH
+from roslens.source.extract.cmake_paths import PATHS
 from roslens.source.extract.cmake_scope import Scope
+from roslens.source.extract.cmake_signals import ReturnedError
 from roslens.source.extract.cmake_syntax import Argument, Body, Command, Script, parse_cmake
-from roslens.source.extract.cmake_texts import LIST_AND_STRING
-from roslens.source.extract.cmake_value import MADE, hole, is_unknown, items_of
+from roslens.source.extract.cmake_texts import STRING
+from roslens.source.extract.cmake_value import MADE, hole, is_unknown, items_of, truth_of
 from roslens.source.extract.files import joined
-from roslens.source.extract.python_expression import UnknownError, evaluate
 
 
 def _set(run: Evaluation, call: Call) -> None:
@@ -21,12 +27,16 @@ def _set(run: Evaluation, call: Call) -> None:
         return
     name, *values = call.arguments
     if name.startswith("ENV{"):
-        run.environment[name[4:-1]] = ";".join(values)
+        run.environment[name[4:-1]] = "".join(values[:1])
         return
     if "CACHE" in values:
-        value = ";".join(values[: values.index("CACHE")])
-        run.cache.setdefault(name, value)
-        run.open.add(name)
+        at = values.index("CACHE")
+        if "FORCE" in values[at:] or "INTERNAL" in values[at:]:
+            run.cache[name] = ";".join(values[:at])
+            run.open.discard(name)
+        else:
+            run.cache.setdefault(name, ";".join(values[:at]))
+            run.open.add(name)
         return
     parent = bool(values) and values[-1] == "PARENT_SCOPE"
     if parent:
@@ -39,6 +49,9 @@ def _assign(run: Evaluation, name: str, value: str | None, *, parent: bool) -> N
     if not parent:
         run.set(name, value)
     elif run.scope.parent is not None:
+        # Here it stays what it was.
+        known, before = run.scope.get(name)
+        run.set(name, before if known or not run.is_foreign(name) else run.get(name))
         if len(run.scope.layers) > 1:
             # Whether this branch is taken is unknown, and the other scope does not know of branches.
             value = run.either("".join(run.conditions[-1:]))(name, [value, run.scope.parent.get(name)[1]])
@@ -254,76 +267,36 @@ def _message(_run: Evaluation, call: Call) -> None:
         raise ReturnedError("stop")
 
 
-def _parse_arguments(run: Evaluation, call: Call) -> None:
-    arguments = call.arguments
-    if arguments and arguments[0] == "PARSE_ARGV":
-        first = int(arguments[1]) if len(arguments) > 2 and arguments[1].isdecimal() else 0
-        given = items_of(run.get("ARGV") or "")[first:]
-        arguments = arguments[2:6] + given
-    if len(arguments) < 4:
+def _language(run: Evaluation, call: Call) -> None:
+    if len(call.arguments) < 2:
         return
-    prefix, options, single, several = arguments[0], *map(items_of, arguments[1:4])
-    for name in options:
-        run.set(f"{prefix}_{name}", "FALSE")
-    for name in (*single, *several):
-        run.set(f"{prefix}_{name}", None)
-    found: dict[str, list[str]] = {}
-    rest: list[str] = []
-    keyword = ""
-    for value in arguments[4:]:
-        if value in options:
-            run.set(f"{prefix}_{value}", "TRUE")
-            keyword = ""
-        elif value in single or value in several:
-            keyword = value
-            if value in several:
-                found.setdefault(value, [])
-        elif keyword:
-            found.setdefault(keyword, []).append(value)
-            if keyword in single:
-                found[keyword] = [value]
-                keyword = ""
-        else:
-            rest.append(value)
-    for name, values in found.items():
-        run.set(f"{prefix}_{name}", ";".join(values) if values else None)
-    run.set(f"{prefix}_UNPARSED_ARGUMENTS", ";".join(rest) if rest else None)
+    form, *rest = call.arguments
+    if form not in ("CALL", "EVAL") or is_unknown("".join(rest[:1] if form == "CALL" else rest)):
+        run.fail(f"cmake_language({form})", call.evidence, "what it runs, or when, is unknown")
+        if form not in ("CALL", "EVAL", "DEFER"):
+            run.set(rest[-1], hole(f"cmake_language({form})"))
+        return
+    if form == "EVAL":
+        run.run_within(call.command, parse_cmake("".join(rest[1:]).encode()).body)
+        return
+    arguments = tuple(Argument(value, "bracket", (value,), value) for value in rest[1:])
+    run.run_within(call.command, (Command(rest[0].lower(), arguments, call.command.line, call.command.column),))
 
 
-def _filename_component(run: Evaluation, call: Call) -> None:
-    if len(call.arguments) < 3:
+def _separate_arguments(run: Evaluation, call: Call) -> None:
+    """Make a list of what is written as in a shell."""
+    if not call.arguments:
         return
-    variable, path, mode = call.arguments[:3]
-    if is_unknown(path):
-        run.set(variable, path)
+    name, *rest = call.arguments
+    if not rest:
+        run.set(name, (run.get(name) or "").replace(" ", ";"))
         return
-    name = basename(path)
-    stem, dot, extension = name.partition(".")
-    simple = {
-        "NAME": name, "NAME_WE": stem, "EXT": dot + extension, "LAST_EXT": splitext(name)[1],
-        "NAME_WLE": splitext(name)[0], "DIRECTORY": dirname(path), "PATH": dirname(path),
-    }  # fmt: skip
-    if mode in simple:
-        run.set(variable, simple[mode])
-    elif mode in ("ABSOLUTE", "REALPATH"):
-        found = run.relative(path)
-        run.set(variable, path if found is None else run.absolute(found))
-    else:
-        run.set(variable, hole(f"{mode} of {path}"))
-
-
-def _math(run: Evaluation, call: Call) -> None:
-    if len(call.arguments) < 3:
-        return
-    variable, expression = call.arguments[1:3]
-    value = hole(f"the number {expression}")
-    if re.fullmatch(r"[0-9+\-*/%() ]{1,200}", expression) and "**" not in expression and "//" not in expression:
-        try:
-            found = evaluate(expression.replace("/", "//"))
-            value = str(found) if isinstance(found, int) else value
-        except UnknownError:
-            pass
-    run.set(variable, value)
+    text = rest[-1]
+    found = hole("separate_arguments()")
+    if rest[0] in ("UNIX_COMMAND", "NATIVE_COMMAND") and len(rest) == 2 and not is_unknown(text):
+        with suppress(ValueError):
+            found = ";".join(piece.replace(";", "\\;") for piece in shlex.split(text))
+    run.set(name, found)
 
 
 def _file(run: Evaluation, call: Call) -> None:
@@ -332,46 +305,55 @@ def _file(run: Evaluation, call: Call) -> None:
     mode, variable, *rest = call.arguments
     if mode in ("GLOB", "GLOB_RECURSE"):
         run.set(variable, ";".join(_globbed(run, rest, deep=mode == "GLOB_RECURSE")))
-    elif mode in ("READ", "STRINGS", "RELATIVE_PATH", "SHA256", "MD5", "TIMESTAMP", "REAL_PATH", "TO_CMAKE_PATH"):
-        target = variable if mode == "RELATIVE_PATH" or not rest else rest[0]
-        run.set(target, hole(f"file({mode})"))
+    elif mode == "RELATIVE_PATH" and len(rest) == 2:
+        base, path = map(run.relative, rest)
+        known = base is not None and path is not None
+        run.set(variable, relpath(f"/{path}", f"/{base}") if known else hole(f"file({mode})"))
+    elif mode in _ASKING:
+        run.set(rest[0] if rest else variable, hole(f"file({mode})"))
+
+
+_ASKING = frozenset(
+    {"READ", "STRINGS", "TIMESTAMP", "REAL_PATH", "TO_CMAKE_PATH", "TO_NATIVE_PATH", "SIZE", "READ_SYMLINK", "MD5",
+     "SHA1", "SHA224", "SHA256", "SHA384", "SHA512", "SHA3_224", "SHA3_256", "SHA3_384", "SHA3_512"}
+)  # fmt: skip
 
 
 def _globbed(run: Evaluation, arguments: list[str], *, deep: bool) -> list[str]:
     relative_to: str | None = None
+    folders = not deep
     found: dict[str, None] = {}
-    taking = False
-    for value in arguments:
-        if taking:
-            relative_to, taking = run.relative(value), False
-        elif value == "RELATIVE":
-            taking = True
-        elif value in ("CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS") or value.startswith("LIST_DIRECTORIES"):
-            continue
-        elif value not in ("true", "false"):
+    waiting = iter(arguments)
+    for value in waiting:
+        if value == "RELATIVE":
+            relative_to = run.relative(next(waiting, ""))
+        elif value == "LIST_DIRECTORIES":
+            folders = truth_of(next(waiting, "")) is True
+        elif value not in ("CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"):
             pattern = run.relative(value)
             if pattern is not None:
                 run.spend(len(run.listing) * 10)
-                found.update(dict.fromkeys(matching(pattern, run.listing, run.folders, deep=deep)))
+                found.update(dict.fromkeys(matching(pattern, run.listing, run.folders, deep=deep, folders=folders)))
     if relative_to is None:
         return [run.absolute(path) for path in sorted(found)]
-    prefix = f"{relative_to}/" if relative_to else ""
-    return [path[len(prefix) :] if path.startswith(prefix) else run.absolute(path) for path in sorted(found)]
+    return sorted(relpath(f"/{path}", f"/{relative_to}") if path != relative_to else "" for path in found)
 
 
-def matching(pattern: str, listing: frozenset[str], folders: frozenset[str], *, deep: bool) -> list[str]:
-    """Return the files, and of a pattern that is not deep the folders, that match a pattern of CMake."""
+def matching(
+    pattern: str, listing: frozenset[str], inner: frozenset[str], *, deep: bool, folders: bool | None = None
+) -> list[str]:
+    """Return the files that match a pattern of CMake, and the folders: of one that is not deep where nobody says."""
     *above, last = pattern.split("/")
     expressions = [_segment(piece) for piece in above]
     name = _segment(last)
     found = []
-    for path in listing if deep else listing | folders:
+    for path in listing | inner if (folders is None and not deep) or folders else listing:
         pieces = path.split("/")
         if len(pieces) - 1 < len(above) or (len(pieces) - 1 > len(above) and not deep):
             continue
-        if name.match(pieces[-1]) and all(
-            expression.match(piece) for expression, piece in zip(expressions, pieces, strict=False)
-        ):
+        # Of folders that are gone through, all are listed.
+        named = name.match(pieces[-1]) or (deep and folders and path in inner)
+        if named and all(expression.match(piece) for expression, piece in zip(expressions, pieces, strict=False)):
             found.append(path)
     return found
 
@@ -417,8 +399,7 @@ def _generated(run: Evaluation, call: Call) -> None:
 
 COMMANDS: dict[str, Handler] = {
     "set": _set, "unset": _unset, "option": _option, "project": _project, "find_package": _find_package,
-    "include": _include, "add_subdirectory": _add_subdirectory, "message": _message, "file": _file, "math": _math,
-    "cmake_parse_arguments": _parse_arguments, "get_filename_component": _filename_component,
+    "include": _include, "add_subdirectory": _add_subdirectory, "message": _message, "file": _file,
     "pkg_check_modules": _packages, "pkg_search_module": _packages,
     **dict.fromkeys(("find_library", "find_path", "find_file", "find_program", "try_compile", "try_run"), _found(0)),
     **dict.fromkeys(("check_include_file", "check_include_file_cxx", "check_include_files", "check_cxx_compiler_flag",
@@ -427,11 +408,12 @@ COMMANDS: dict[str, Handler] = {
     **dict.fromkeys(("check_symbol_exists", "check_cxx_symbol_exists", "check_library_exists"), _found(2)),
     "check_function_exists": _found(1),
     **dict.fromkeys(("get_directory_property", "get_property", "get_target_property", "get_source_file_property",
-                     "get_cmake_property", "get_test_property", "execute_process", "cmake_path"), _asked(0)),
+                     "get_cmake_property", "get_test_property", "execute_process"), _asked(0)),
     **dict.fromkeys(("qt_wrap_cpp", "qt_wrap_ui", "qt5_wrap_cpp", "qt5_wrap_ui", "qt6_wrap_cpp", "qt6_wrap_ui",
                      "qt4_wrap_cpp", "qt4_wrap_ui", "qt5_add_resources", "qt4_add_resources", "qt_add_resources"),
                     _generated),
-    **LIST_AND_STRING,
+    "cmake_language": _language, "separate_arguments": _separate_arguments,
+    **LIST, **STRING, **PATHS, **ARGUMENTS, **MATH,
 }  # fmt: skip
 
 IGNORED = frozenset({
@@ -453,7 +435,7 @@ IGNORED = frozenset({
     "include_external_msproject", "include_guard", "link_directories", "link_libraries", "mark_as_advanced",
     "remove_definitions", "rosidl_export_typesupport_targets", "rosidl_get_typesupport_target",
     "rosidl_target_interfaces", "roslaunch_add_file_check", "roslint_add_test", "roslint_cpp", "roslint_custom",
-    "roslint_python", "separate_arguments", "set_directory_properties", "set_source_files_properties",
+    "roslint_python", "set_directory_properties", "set_source_files_properties",
     "set_tests_properties", "site_name", "source_group", "subdirs", "target_compile_definitions",
     "target_compile_features", "target_compile_options", "target_include_directories", "target_link_directories",
     "target_link_options", "target_precompile_headers", "use_c99", "variable_watch",

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import reduce
 from typing import Protocol
 
 import msgspec
 
 from roslens.source.extract.cmake_syntax import Argument
 from roslens.source.extract.cmake_value import (
+    OPEN,
     expression_of,
+    is_off,
     is_unknown,
     items_of,
     number_of,
     searchable,
     truth_of,
-    version_of,
+    versions_compared,
 )
 
 _MOST_DEPTH = 40
@@ -62,8 +65,8 @@ class Surroundings(Protocol):
     def command(self, name: str) -> bool | None:
         """Return whether there is a command."""
 
-    def matched(self, groups: list[str]) -> None:
-        """Take what MATCHES has matched."""
+    def matched(self, groups: Sequence[str]) -> None:
+        """Take what MATCHES has matched: nothing where it has not."""
 
 
 def answer(arguments: tuple[Argument, ...], around: Surroundings) -> Answer:
@@ -92,6 +95,39 @@ def _both(one: Answer, other: Answer) -> Answer:
     return Answer(None, True if one.likely and other.likely else None)
 
 
+def _either(one: Answer, other: Answer) -> Answer:
+    return opposite(_both(opposite(one), opposite(other)))
+
+
+_Joint = Callable[[Answer, Answer], Answer]
+
+
+def _tight(operands: list[Answer], joints: list[_Joint]) -> Answer:
+    groups = [operands[:1]]
+    for joint, operand in zip(joints, operands[1:], strict=True):
+        if joint is _both:
+            groups[-1].append(operand)
+        else:
+            groups.append([operand])
+    return reduce(_either, (reduce(_both, group) for group in groups))
+
+
+def _in_turn(operands: list[Answer], joints: list[_Joint]) -> Answer:
+    found = operands[0]
+    for joint, operand in zip(joints, operands[1:], strict=True):
+        found = joint(found, operand)
+    return found
+
+
+def _in_pairs(operands: list[Answer], joints: list[_Joint]) -> Answer:
+    while joints:
+        paired = [
+            joint(one, other) for joint, one, other in zip(joints[::2], operands[::2], operands[1::2], strict=False)
+        ]
+        operands, joints = [*paired, *operands[2 * len(paired) :]], joints[1::2]
+    return operands[0]
+
+
 class _Reading:
     def __init__(self, words: list[Word], around: Surroundings) -> None:
         self._words = words
@@ -105,14 +141,18 @@ class _Reading:
         return not word.quoted and not word.paren and word.text in names
 
     def alternatives(self, depth: int) -> Answer:
-        # AND does not bind tighter than OR.
-        found = self.negation(depth)
+        joints: list[_Joint] = []
+        found = [self.negation(depth)]
         while self._is("AND", "OR"):
-            both = self._is("AND")
+            joints.append(_both if self._is("AND") else _either)
             self.at += 1
-            other = self.negation(depth)
-            found = _both(found, other) if both else opposite(_both(opposite(found), opposite(other)))
-        return found
+            found.append(self.negation(depth))
+        if len(set(joints)) < 2:
+            return reduce(joints[0], found) if joints else found[0]
+        # Up to 3.20 AND binds tighter than OR, then neither does, and of three operands in a row the last two may be
+        # joined first: what all of them come to is sure.
+        ways = {_tight(found, joints), _in_turn(found, joints), _in_pairs(found, joints)}
+        return ways.pop() if len(ways) == 1 else UNKNOWN
 
     def negation(self, depth: int) -> Answer:
         negated = False
@@ -155,7 +195,7 @@ class _Reading:
         value, open_ = self._around.variable(word.text)
         if value is not None and is_unknown(value):
             return UNKNOWN
-        holds = value is not None and truth_of(value) is not False
+        holds = value is not None and not is_off(value)
         return Answer(None, holds) if open_ else Answer(holds)
 
     def _asked(self, test: str, of: str) -> Answer:
@@ -163,7 +203,7 @@ class _Reading:
             return UNKNOWN
         if test == "DEFINED":
             value, open_ = self._around.variable(of)
-            if open_ and value is not None and is_unknown(value):
+            if value is not None and is_unknown(value) and (open_ or value.startswith(OPEN)):
                 return UNKNOWN
             return Answer(None, value is not None) if open_ else Answer(value is not None)
         if test in ("EXISTS", "IS_DIRECTORY"):
@@ -190,8 +230,7 @@ class _Reading:
             if pattern is None or not searchable(pattern, left):
                 return UNKNOWN
             match = pattern.search(left)
-            if match:
-                self._around.matched([match[0], *(group or "" for group in match.groups())])
+            self._around.matched([match[0], *(group or "" for group in match.groups())] if match else ())
             return Answer(None, bool(match)) if open_left else Answer(bool(match))
         if compare is _in_list:
             value, open_right = self._around.variable(other.text)
@@ -220,8 +259,8 @@ def _numbers(compare: Callable[[float, float], bool]) -> Callable[[str, str], bo
     return compared
 
 
-def _versions(compare: Callable[[tuple[int, ...], tuple[int, ...]], bool]) -> Callable[[str, str], bool]:
-    return lambda left, right: compare(version_of(left), version_of(right))
+def _versions(*accepted: int) -> Callable[[str, str], bool]:
+    return lambda left, right: versions_compared(left, right) in accepted
 
 
 _UNARY = frozenset(
@@ -240,11 +279,11 @@ _BINARY: dict[str, Callable[[str, str], bool | None]] = {
     "STRLESS_EQUAL": lambda one, other: one <= other,
     "STRGREATER_EQUAL": lambda one, other: one >= other,
     "PATH_EQUAL": lambda one, other: one.rstrip("/") == other.rstrip("/"),
-    "VERSION_EQUAL": _versions(lambda one, other: one == other),
-    "VERSION_LESS": _versions(lambda one, other: one < other),
-    "VERSION_GREATER": _versions(lambda one, other: one > other),
-    "VERSION_LESS_EQUAL": _versions(lambda one, other: one <= other),
-    "VERSION_GREATER_EQUAL": _versions(lambda one, other: one >= other),
+    "VERSION_EQUAL": _versions(0),
+    "VERSION_LESS": _versions(-1),
+    "VERSION_GREATER": _versions(1),
+    "VERSION_LESS_EQUAL": _versions(-1, 0),
+    "VERSION_GREATER_EQUAL": _versions(0, 1),
     "MATCHES": _matches,
     "IN_LIST": _in_list,
     "IS_NEWER_THAN": lambda _one, _other: None,

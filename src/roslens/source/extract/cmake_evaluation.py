@@ -6,7 +6,7 @@ The commands themselves are given: see the tables of :mod:`cmake_commands` and :
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from posixpath import dirname
 
@@ -14,7 +14,19 @@ import msgspec
 
 from roslens.source.extract.cmake_condition import Word
 from roslens.source.extract.cmake_scope import Scope
-from roslens.source.extract.cmake_syntax import Argument, Block, Body, Command, Reference, Script, Template, parse_cmake
+from roslens.source.extract.cmake_signals import WAYS_OUT, ExhaustedError, ReturnedError
+from roslens.source.extract.cmake_surroundings import NOT_ON_LINUX, folders_of, may_be_foreign
+from roslens.source.extract.cmake_syntax import (
+    Argument,
+    Block,
+    Body,
+    Command,
+    Reference,
+    Script,
+    Template,
+    parse_cmake,
+    template_of,
+)
 from roslens.source.extract.cmake_value import hole, is_unknown, items_of, reason_of, shown
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Unresolved
@@ -49,18 +61,6 @@ class Defined(msgspec.Struct, frozen=True):
     path: str
 
 
-class ReturnedError(Exception):
-    """``return()``, ``break()`` or ``continue()``, told by ``what``; or ``stop``: configuration would fail here."""
-
-    def __init__(self, what: str) -> None:
-        super().__init__(what)
-        self.what = what
-
-
-class ExhaustedError(Exception):
-    """Evaluation has taken too much; the text says of what."""
-
-
 Handler = Callable[["Evaluation", Call], None]
 BlockHandler = Callable[["Evaluation", Block], None]
 
@@ -90,7 +90,7 @@ class Evaluation:
         self.folder = joined("", folder)
         self.files = files
         self.listing = frozenset(listing)
-        self.folders = _folders(self.listing)
+        self.folders = folders_of(self.listing)
         self.scope = Scope()
         self.cache: dict[str, str] = {}
         self.environment: dict[str, str] = {}
@@ -106,6 +106,10 @@ class Evaluation:
         self.added: dict[str, tuple[str, ...]] = {}
         self.path = ""
         self.loaded: set[str] = set()
+        self.left = ""
+        """By which of :data:`WAYS_OUT` what runs may have been left."""
+        self.branch_left = ""
+        """The same of the branch that was run last."""
         self._commands = commands
         self._ignored = ignored
         self._blocks = blocks
@@ -152,23 +156,20 @@ class Evaluation:
     def get(self, name: str) -> str | None:
         """Return the value of a variable; None where it is not set. What others may have set is a hole."""
         known, value = self.scope.get(name)
-        if known:
+        if value is not None:
             return value
         if name in self.cache:
             return self.cache[name]
-        return hole(f"{name} of the build's surroundings") if self.is_foreign(name) else None
+        return hole(f"{name} of the build's surroundings") if self.is_foreign(name) and not known else None
+
+    def kept(self, name: str) -> str | None:
+        """Return the value that the files read have given to a variable; None where they have not set it."""
+        value = self.scope.get(name)[1]
+        return self.cache.get(name) if value is None else value
 
     def is_foreign(self, name: str) -> bool:
         """Return whether a variable may be set by what is not evaluated."""
-        if name in _PLATFORM:
-            return False
-        return (
-            name in self.foreign
-            or name.startswith("CMAKE_")
-            or name.endswith(_FOREIGN_ENDS)
-            or name.partition("_")[0] in self.prefixes
-            or any(name.startswith(f"{prefix}_") for prefix in self.prefixes if "_" in prefix)
-        )
+        return may_be_foreign(name, self.foreign, self.prefixes)
 
     def set(self, name: str, value: str | None) -> None:
         """Set a variable of the current scope."""
@@ -202,9 +203,18 @@ class Evaluation:
             return self.environment.get(name, hole(f"environment {name}"))
         if reference.of == "CACHE":
             return self.cache.get(name, "")
-        if self._bound is not None and name in self._bound:
-            return self._bound[name]
+        if self._bound is not None and reference.name == (name,) and name in self._bound:
+            return self._replaced(self._bound[name])
         return self.get(name) or ""
+
+    def _replaced(self, value: str) -> str:
+        """Return the value of an argument of a macro: it is put into the text, and read as such."""
+        if "$" not in value and "\\" not in value:
+            return value
+        bound, self._bound = self._bound, None
+        found = self.value(template_of(value))
+        self._bound = bound
+        return found
 
     def expanded(self, arguments: Iterable[Argument]) -> list[str]:
         """Return the values of arguments; lists that are not quoted become several."""
@@ -239,14 +249,18 @@ class Evaluation:
         """Return a variable's value, and whether the user may give it another: those are in capitals."""
         if name.startswith("ENV{"):
             return self.environment.get(name[4:-1], hole(f"environment {name[4:-1]}")), False
+        if name.startswith("CACHE{"):
+            return self.cache.get(name[6:-1]), name[6:-1] in self.open or name[6:-1] not in self.cache
         known, value = self.scope.get(name)
-        if known:
+        if value is not None:
             return value, False
         if name in self.cache:
             return self.cache[name], name in self.open
+        if known:
+            return None, False
         if self.is_foreign(name):
             return hole(name), True
-        return None, name.isidentifier() and name.isupper() and name not in _PLATFORM
+        return None, name.isidentifier() and name.isupper() and name not in NOT_ON_LINUX
 
     def exists(self, path: str, *, folder: bool) -> bool | None:
         """Return whether there is a file or folder; None where that cannot be known."""
@@ -266,11 +280,13 @@ class Evaluation:
         """Return whether there is a command: None of those that nobody here knows."""
         return True if name.lower() in self._commands or name.lower() in self.functions else None
 
-    def matched(self, groups: list[str]) -> None:
-        """Set what a regular expression has matched."""
-        for number, group in enumerate(groups[:10]):
-            self.set(f"CMAKE_MATCH_{number}", group)
-        self.set("CMAKE_MATCH_COUNT", str(len(groups) - 1))
+    def matched(self, groups: Sequence[str]) -> None:
+        """Set what a regular expression has matched, or that it has not."""
+        filled = [number for number, group in enumerate(groups[:10]) if group]
+        for number in range(10):
+            if number in filled or self.scope.get(f"CMAKE_MATCH_{number}")[1] is not None:
+                self.set(f"CMAKE_MATCH_{number}", groups[number] if number in filled else "")
+        self.set("CMAKE_MATCH_COUNT", str(max(filled, default=0)))
 
     # Running
 
@@ -282,6 +298,7 @@ class Evaluation:
         for fault in script.faults:
             self.fail(fault.what, Evidence(path, fault.line, fault.column), "not the language of CMake")
         before = self.path, self._bound, self.get("CMAKE_CURRENT_LIST_DIR"), self.get("CMAKE_CURRENT_LIST_FILE")
+        outer = len(self.conditions), self.left
         self.path, self._bound = path, None
         self._files.append(path)
         self.set("CMAKE_CURRENT_LIST_FILE", self.absolute(path))
@@ -294,6 +311,7 @@ class Evaluation:
                 raise
         finally:
             self._files.pop()
+            self.rejoin(outer)
             self.path, self._bound = before[:2]
             self.set("CMAKE_CURRENT_LIST_DIR", before[2])
             self.set("CMAKE_CURRENT_LIST_FILE", before[3])
@@ -357,9 +375,33 @@ class Evaluation:
         elif name in self.functions:
             self._run_function(command, self.functions[name])
         elif name in ("return", "break", "continue"):
+            if command.arguments:
+                self._propagate(self.expanded(command.arguments))
             raise ReturnedError(name)
         elif name not in self._ignored:
             self._run_unknown(command)
+
+    def _propagate(self, arguments: list[str]) -> None:
+        """Give variables to where the function or folder that returns was called."""
+        outer = self.scope
+        while outer.block and outer.parent is not None:
+            outer = outer.parent
+        if arguments[0] == "PROPAGATE" and outer.parent is not None:
+            for name in arguments[1:]:
+                value = self.scope.get(name)[1]
+                before = outer.parent.get(name)[1]
+                unsure = len(self.scope.layers) > 1 or len(outer.layers) > 1
+                made = self.either("".join(self.conditions[-1:]))(name, [value, before]) if unsure else value
+                outer.parent.set(name, made)
+
+    def run_within(self, command: Command, body: Body) -> None:
+        """Run what a command makes: its place is that of the command."""
+        self._calls.append((self.path, command))
+        try:
+            with self.deeper():
+                self.run(body)
+        finally:
+            self._calls.pop()
 
     def _run_unknown(self, command: Command) -> None:
         arguments = self.expanded(command.arguments)
@@ -377,6 +419,7 @@ class Evaluation:
         bound.update(zip(function.parameters, values, strict=False))
         self.spend(sum(map(len, values)) * 2)
         before = self.scope, self._bound, self.path
+        outer = len(self.conditions), self.left
         self._calls.append((self.path, command))
         if function.macro:
             self._bound = bound
@@ -397,21 +440,37 @@ class Evaluation:
         finally:
             self.scope, self._bound, self.path = before
             self._calls.pop()
+            if not function.macro:
+                self.rejoin(outer)
+
+    def leave(self, condition: str, way: str) -> None:
+        """Note that what follows in this round, loop, function or file is run but where a condition does not hold."""
+        self.conditions.append(f"NOT ({condition})")
+        self.left = max(way, self.left, key=WAYS_OUT.index)
+
+    def rejoin(self, outer: tuple[int, str], way: str = "return") -> None:
+        """Note that what may have been left in a way, or in a lesser one, ends here."""
+        if WAYS_OUT.index(self.left) <= WAYS_OUT.index(way):
+            del self.conditions[outer[0] :]
+            self.left = outer[1]
 
     def perhaps(self, body: Body, conditions: list[str]) -> dict[str, str | None] | None:
         """Run what may not be run; return what it sets, None where configuration would fail there."""
-        count = len(self.conditions)
+        before, self.left = (len(self.conditions), self.left), ""
         self.conditions.extend(conditions)
         scope = self.scope
         scope.enter()
-        failed = False
+        failed, left = False, ""
         try:
             self.run(body)
         except ReturnedError as signal:
             failed = signal.what == "stop"
+            left = "" if failed else signal.what
         finally:
             changes = scope.leave()
-            del self.conditions[count:]
+            del self.conditions[before[0] :]
+            left, self.left = max(left, self.left, key=WAYS_OUT.index), before[1]
+        self.branch_left = left
         return None if failed else changes
 
     def either(self, condition: str) -> Callable[[str, list[str | None]], str | None]:
@@ -427,22 +486,3 @@ class Evaluation:
             return ";".join([*shared, unknown])
 
         return made
-
-
-_FOREIGN_ENDS = ("_FOUND", "_LIBRARIES", "_LIBRARY", "_INCLUDE_DIRS", "_INCLUDE_DIR", "_VERSION", "_DIR", "_EXECUTABLE")
-
-_PLATFORM = frozenset(
-    {"WIN32", "APPLE", "MSVC", "ANDROID", "IOS", "MINGW", "CYGWIN", "BORLAND", "QNX", "QNXNTO", "MSYS", "XCODE", "BSD",
-     "MSVC_VERSION", "CMAKE_HOST_WIN32", "CMAKE_HOST_APPLE", "CMAKE_CROSSCOMPILING", "EMSCRIPTEN", "WATCOM"}
-)  # fmt: skip
-"""Variables that are not set on Linux."""
-
-
-def _folders(listing: frozenset[str]) -> frozenset[str]:
-    found: set[str] = set()
-    for path in listing:
-        folder = dirname(path)
-        while folder and folder not in found:
-            found.add(folder)
-            folder = dirname(folder)
-    return frozenset(found)

@@ -125,6 +125,8 @@ class Linking:
             one = waiting.pop(0)
             sources, linked, certain = self._cached(one)
             parts.sources.update(dict.fromkeys(sources))
+            if one not in made:
+                parts.sources.update((path, None) for item in one.given if (path := self.file(item, "a source")))
             parts.certain = parts.certain and certain
             for name in linked:
                 own = self.own(name)

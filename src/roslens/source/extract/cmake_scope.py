@@ -10,9 +10,12 @@ Layer = dict[str, str | None]
 class Scope:
     """Variables of a folder or function. A value None is of a variable that is known not to be set."""
 
-    def __init__(self, parent: Scope | None = None, first: dict[str, str | None] | None = None) -> None:
-        """Open a scope in which the variables of ``parent`` can be read."""
+    def __init__(
+        self, parent: Scope | None = None, first: dict[str, str | None] | None = None, *, block: bool = False
+    ) -> None:
+        """Open a scope in which the variables of ``parent`` can be read; ``block`` is whether it is one of block()."""
         self.parent = parent
+        self.block = block
         self.layers: list[Layer] = [dict(first or {})]
 
     def get(self, name: str) -> tuple[bool, str | None]:

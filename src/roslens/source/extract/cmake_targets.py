@@ -33,8 +33,10 @@ class Made(msgspec.Struct):
         test: whether it is made by a command for tests.
         form: of a library: ``STATIC``, ``SHARED``, ``MODULE``, ``OBJECT``, ``INTERFACE`` or empty.
         sources: as given.
+        given: sources that it gives to those that link it.
         links: libraries as given.
         output: name of its file where that differs.
+        renamed: whether that was said of this kind of file alone.
         installed: where it is installed to.
     """
 
@@ -45,9 +47,19 @@ class Made(msgspec.Struct):
     test: bool = False
     form: str = ""
     sources: list[Item] = []
+    given: list[Item] = []
     links: list[Item] = []
     output: str = ""
+    renamed: bool = False
     installed: list[str] = []
+
+    @property
+    def output_property(self) -> str:
+        """The property that names the file of targets of its kind."""
+        if self.executable:
+            return "RUNTIME_OUTPUT_NAME"
+        # Where the form is left open, ROS builds what is shared.
+        return "ARCHIVE_OUTPUT_NAME" if self.form == "STATIC" else "LIBRARY_OUTPUT_NAME"
 
 
 class Component(msgspec.Struct, frozen=True):
@@ -167,8 +179,19 @@ class Collected:
         return self.made.get(name, [])
 
     def _sources(self, run: Evaluation, call: Call) -> None:
+        groups: list[tuple[str, list[str]]] = [("", [])]
+        for value in call.arguments[1:]:
+            if value in _SCOPES:
+                groups.append((value, []))
+            else:
+                groups[-1][1].append(value)
         for made in self._named(call.arguments[0] if call.arguments else ""):
-            made.sources.extend(self._items(run, call, [one for one in call.arguments[1:] if one not in _SCOPES]))
+            for scope, given in groups:
+                items = self._items(run, call, given)
+                if scope != "INTERFACE":
+                    made.sources.extend(items)
+                if scope in ("INTERFACE", "PUBLIC"):
+                    made.given.extend(items)
 
     def _link(self, run: Evaluation, call: Call) -> None:
         for made in self._named(call.arguments[0] if call.arguments else ""):
@@ -199,7 +222,9 @@ class Collected:
 
     def _set_property(self, name: str, key: str, value: str) -> None:
         for made in self._named(name):
-            if key in ("OUTPUT_NAME", "RUNTIME_OUTPUT_NAME") and not is_unknown(value):
+            if key == made.output_property and not is_unknown(value):
+                made.output, made.renamed = value, True
+            elif key == "OUTPUT_NAME" and not made.renamed and not is_unknown(value):
                 made.output = value
 
     def _install(self, run: Evaluation, call: Call) -> None:
@@ -213,7 +238,7 @@ class Collected:
             return
         destination = "".join(groups.get("DESTINATION", [])[:1])
         if groups.get("TYPE"):
-            destination = {"BIN": "bin", "LIB": "lib"}.get(groups["TYPE"][0], "share")
+            destination = _FOLDERS.get(groups["TYPE"][0], "share")
         only = _patterns(call.arguments)
         for item in self._items(run, call, given):
             rename = "".join(groups.get("RENAME", [])[:1])
@@ -389,6 +414,8 @@ def _without_keywords(values: list[str]) -> list[str]:
 
 
 _MOST_OF_A_NAME = 20
+_FOLDERS = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc",
+            "SHAREDSTATE": "com", "LOCALSTATE": "var", "RUNSTATE": "var/run"}  # fmt: skip
 _TESTS = (
     "catkin_add_gtest", "catkin_add_gmock", "catkin_add_executable_with_gtest", "catkin_add_executable_with_gmock",
     "ament_add_gtest", "ament_add_gtest_executable", "ament_add_gmock", "ament_add_gmock_executable",

@@ -1,153 +1,84 @@
-"""``list()`` and ``string()`` of CMake."""
+"""``string()`` of CMake; cmake-commands(7), *string*."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from roslens.source.extract.cmake_evaluation import MOST_LENGTH, Call, Evaluation, Handler
-from roslens.source.extract.cmake_value import expression_of, hole, is_unknown, items_of, searchable
+from roslens.source.extract.cmake_value import expression_of, hole, is_unknown, searchable
 
-Change = Callable[[list[str], list[str]], list[str]]
-
-
-def _number(value: str) -> int:
-    if not re.fullmatch(r"[+-]?\d{1,9}", value, re.ASCII):
-        raise ValueError(value)
-    return int(value)
+_SPACE = " \t\n\r\f\v"
 
 
-def _at(items: list[str], value: str) -> int:
-    index = _number(value)
-    if not -len(items) <= index < len(items):
-        raise IndexError(value)
-    return index % len(items)
+def stripped(value: str) -> str:
+    """Return a text without white space around it."""
+    return value.strip(_SPACE)
 
 
-def _removed_at(items: list[str], rest: list[str]) -> list[str]:
-    gone = {_at(items, value) for value in rest}
-    return [item for index, item in enumerate(items) if index not in gone]
-
-
-def _inserted(items: list[str], rest: list[str]) -> list[str]:
-    index = _number(rest[0])
-    return [*items[:index], *rest[1:], *items[index:]]
-
-
-def _filtered(items: list[str], rest: list[str]) -> list[str]:
-    keep = rest[0] == "INCLUDE"
-    return [item for item in items if (_search(rest[2], item) is not None) is keep]
-
-
-def _transformed(items: list[str], rest: list[str]) -> list[str]:
-    action, *more = rest
-    if action == "REPLACE" and len(more) >= 2:
-        return [_substituted(more[0], more[1], item) for item in items]
-    change: dict[str, Callable[[str], str]] = {
-        "APPEND": lambda item: item + more[0],
-        "PREPEND": lambda item: more[0] + item,
-        "TOLOWER": str.lower,
-        "TOUPPER": str.upper,
-        "STRIP": str.strip,
-    }
-    if len(more) > (action in ("APPEND", "PREPEND")):
-        raise ValueError(action)
-    return [change[action](item) for item in items]
-
-
-_CHANGES: dict[str, Change] = {
-    "APPEND": lambda items, rest: items + rest,
-    "PREPEND": lambda items, rest: rest + items,
-    "REMOVE_ITEM": lambda items, rest: [item for item in items if item not in rest],
-    "REMOVE_DUPLICATES": lambda items, _rest: list(dict.fromkeys(items)),
-    "REMOVE_AT": _removed_at,
-    "INSERT": _inserted,
-    "REVERSE": lambda items, _rest: items[::-1],
-    "SORT": lambda items, _rest: sorted(items),
-    "FILTER": _filtered,
-    "TRANSFORM": _transformed,
-}
-_QUERIES: dict[str, Callable[[list[str], list[str]], str]] = {
-    "LENGTH": lambda items, _rest: str(len(items)),
-    "GET": lambda items, rest: ";".join(items[_at(items, value)] for value in rest),
-    "FIND": lambda items, rest: str(items.index(rest[0]) if rest[0] in items else -1),
-    "JOIN": lambda items, rest: rest[0].join(items),
-    "SUBLIST": lambda items, rest: ";".join(_sublist(items, _number(rest[0]), _number(rest[1]))),
-}
-
-
-def _sublist(items: list[str], begin: int, length: int) -> list[str]:
-    return items[begin:] if length < 0 else items[begin : begin + length]
-
-
-def _list(run: Evaluation, call: Call) -> None:
-    if len(call.arguments) < 2:
-        return
-    action, name, *rest = call.arguments
-    value = run.scope.get(name)[1] if run.scope.get(name)[0] else run.cache.get(name)
-    items = items_of(value or "", empty=True)
-    run.spend(len(value or "") + 50)
-    unknown = hole(f"list({action})")
-    try:
-        if action in _CHANGES:
-            if action not in _PLAIN and is_unknown(value or ""):
-                run.set(name, unknown)
-            else:
-                result = _CHANGES[action](items, rest)
-                run.set(name, ";".join(result) if result or value is not None else None)
-        elif action in ("POP_BACK", "POP_FRONT"):
-            taken = (items.pop() if action == "POP_BACK" else items.pop(0)) if items else None
-            run.set(name, ";".join(items))
-            for out in rest[:1]:
-                run.set(out, taken)
-        elif rest:
-            run.set(rest[-1], unknown if is_unknown(value or "") else _QUERIES[action](items, rest[:-1]))
-    except (IndexError, ValueError, LookupError):
-        run.set(rest[-1] if rest and action in _QUERIES else name, unknown)
-
-
-_PLAIN = frozenset({"APPEND", "PREPEND", "REMOVE_DUPLICATES", "REMOVE_ITEM"})
-
-
-def _search(pattern: str, value: str) -> re.Match[str] | None:
+def searched(pattern: str, value: str) -> re.Match[str] | None:
+    """Return what a regular expression finds first; ValueError where that is not to be known."""
     expression = expression_of(pattern)
     if expression is None or not searchable(expression, value):
         raise ValueError(pattern)
     return expression.search(value)
 
 
-def _substituted(pattern: str, replacement: str, value: str) -> str:
-    expression = expression_of(pattern)
-    if expression is None or not searchable(expression, value):
-        raise ValueError(pattern)
-
-    def replaced(match: re.Match[str]) -> str:
-        return re.sub(r"\\(\d)", lambda group: match[int(group[1])] or "", replacement)
-
-    result = expression.sub(replaced, value)
+def substituted(pattern: str, replacement: str, value: str) -> str:
+    """Return a text with what a regular expression finds replaced; ValueError where that is not to be known."""
+    found: list[str] = []
+    rest = value
+    for match in _found_in_turn(pattern, value):
+        found += [rest[: match.start()], _REPLACED.sub(lambda one, match=match: _put(one[0], match), replacement)]  # type: ignore[misc]
+        rest = rest[match.end() :]
+    result = "".join([*found, rest])
     if len(result) > MOST_LENGTH:
         raise ValueError(pattern)
     return result
 
 
+_REPLACED = re.compile(r"\\(?s:.?)")
+
+
+def _put(escape: str, match: re.Match[str]) -> str:
+    sign = escape[1:]
+    if sign.isdecimal():
+        return match[int(sign)] or ""
+    return {"n": "\n", "\\": "\\"}[sign]
+
+
+def _found_in_turn(pattern: str, value: str) -> Iterator[re.Match[str]]:
+    """Yield what is found, each in what the one before has left: ``^`` is the beginning of that too."""
+    expression = expression_of(pattern)
+    if expression is None or not searchable(expression, value):
+        raise ValueError(pattern)
+    rest = value
+    while match := expression.search(rest):
+        if not match[0]:
+            raise ValueError(pattern)
+        yield match
+        rest = rest[match.end() :]
+
+
 def _regex(run: Evaluation, rest: list[str]) -> None:
     action, pattern = rest[0], rest[1]
+    value = "".join(rest[4 if action == "REPLACE" else 3 :])
+    run.matched(())
     if action == "REPLACE":
-        run.set(rest[3], _known("".join(rest[4:]), lambda value: _substituted(pattern, rest[2], value)))
-        return
-    value = "".join(rest[3:])
-    if is_unknown(value):
+        run.set(rest[3], _known(value, lambda value: substituted(pattern, rest[2], value)))
+        last = None if is_unknown(value) else [*_found_in_turn(pattern, value)][-1:]
+    elif is_unknown(value):
         run.set(rest[2], value)
         return
-    if action == "MATCHALL":
-        _search(pattern, value)
-        expression = expression_of(pattern)
-        run.set(rest[2], ";".join(match[0] for match in expression.finditer(value)) if expression else "")
-        return
-    match = _search(pattern, value)
-    if match:
-        run.matched([match[0], *(group or "" for group in match.groups())])
-    run.set(rest[2], match[0] if match else "")
+    elif action == "MATCHALL":
+        last = [*_found_in_turn(pattern, value)]
+        run.set(rest[2], ";".join(match[0] for match in last))
+    else:
+        match = searched(pattern, value)
+        last = [match] if match else []
+        run.set(rest[2], match[0] if match else "")
+    if last:
+        run.matched((last[-1][0], *(group or "" for group in last[-1].groups())))
 
 
 def _known(value: str, change: Callable[[str], str]) -> str:
@@ -165,15 +96,21 @@ def _replaced(run: Evaluation, rest: list[str]) -> None:
 
 
 def _appended(run: Evaluation, rest: list[str], *, first: bool = False) -> None:
-    known, value = run.scope.get(rest[0])
-    before = (value or "") if known else run.cache.get(rest[0], "")
+    before = run.kept(rest[0]) or ""
     more = "".join(rest[1:])
     run.spend(len(before) + len(more))
     run.set(rest[0], more + before if first else before + more)
 
 
+def number_in(value: str) -> int:
+    """Return a whole number; ValueError where it is none."""
+    if not re.fullmatch(r"[+-]?\d{1,9}", value, re.ASCII):
+        raise ValueError(value)
+    return int(value)
+
+
 def _substring(run: Evaluation, rest: list[str]) -> None:
-    begin, length = _number(rest[1]), _number(rest[2])
+    begin, length = number_in(rest[1]), number_in(rest[2])
     run.set(rest[3], _known(rest[0], lambda value: value[begin:] if length < 0 else value[begin : begin + length]))
 
 
@@ -185,7 +122,7 @@ def _found(run: Evaluation, rest: list[str]) -> None:
 
 
 def _repeated(run: Evaluation, rest: list[str]) -> None:
-    times = _number(rest[1])
+    times = number_in(rest[1])
     if times * len(rest[0]) > MOST_LENGTH:
         raise ValueError(rest[1])
     run.set(rest[2], rest[0] * times)
@@ -196,6 +133,8 @@ _COMPARES: dict[str, Callable[[str, str], bool]] = {
     "NOTEQUAL": lambda one, other: one != other,
     "LESS": lambda one, other: one < other,
     "GREATER": lambda one, other: one > other,
+    "LESS_EQUAL": lambda one, other: one <= other,
+    "GREATER_EQUAL": lambda one, other: one >= other,
 }
 
 
@@ -206,6 +145,25 @@ def _compared(run: Evaluation, rest: list[str]) -> None:
     run.set(rest[3], "1" if _COMPARES[rest[0]](rest[1], rest[2]) else "0")
 
 
+def _configured(run: Evaluation, rest: list[str]) -> None:
+    text, out, *options = rest
+    if is_unknown(text) or "ESCAPE_QUOTES" in options or "$" in "".join(re.findall(r"\$\{([^}]*)", text)):
+        raise ValueError(text)
+    escapes = "ESCAPE_QUOTES" in options
+
+    def quoted(value: str) -> str:
+        return value.replace('"', '\\"') if escapes else value
+
+    expression = _AT if "@ONLY" in options else _AT_OR_REFERENCE
+    value = expression.sub(lambda match: quoted(run.get(next(filter(None, match.groups()))) or ""), text)
+    run.spend(len(value))
+    run.set(out, value)
+
+
+_AT = re.compile(r"@([A-Za-z0-9/_.+-]+)@")
+_AT_OR_REFERENCE = re.compile(rf"{_AT.pattern}|\$\{{([A-Za-z0-9/_.+-]+)\}}")
+
+
 def _one(change: Callable[[str], str]) -> Callable[[Evaluation, list[str]], None]:
     return lambda run, rest: run.set(rest[1], _known(rest[0], change))
 
@@ -213,7 +171,7 @@ def _one(change: Callable[[str], str]) -> Callable[[Evaluation, list[str]], None
 _STRINGS: dict[str, Callable[[Evaluation, list[str]], None]] = {
     "TOLOWER": _one(str.lower),
     "TOUPPER": _one(str.upper),
-    "STRIP": _one(str.strip),
+    "STRIP": _one(stripped),
     "LENGTH": _one(lambda value: str(len(value.encode()))),
     "MAKE_C_IDENTIFIER": _one(lambda value: re.sub(r"^(?=\d)", "_", re.sub(r"\W", "_", value, flags=re.ASCII))),
     "REPLACE": _replaced,
@@ -226,6 +184,9 @@ _STRINGS: dict[str, Callable[[Evaluation, list[str]], None]] = {
     "FIND": _found,
     "REPEAT": _repeated,
     "COMPARE": _compared,
+    "CONFIGURE": _configured,
+    "ASCII": lambda run, rest: run.set(rest[-1], "".join(chr(number_in(code)) for code in rest[:-1])),
+    "HEX": _one(lambda value: value.encode().hex()),
 }
 
 
@@ -243,4 +204,4 @@ def _string(run: Evaluation, call: Call) -> None:
                 run.set(name, hole(f"string({action})"))
 
 
-LIST_AND_STRING: dict[str, Handler] = {"list": _list, "string": _string}
+STRING: dict[str, Handler] = {"string": _string}

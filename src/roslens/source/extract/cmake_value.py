@@ -15,8 +15,13 @@ MADE = "files that are made by "
 _HOLE = re.compile(f"{OPEN}([^{OPEN}{CLOSE}]*){CLOSE}")
 
 _TRUE = frozenset({"1", "ON", "YES", "TRUE", "Y"})
-_FALSE = frozenset({"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_FALSE = frozenset({"", "0", "OFF", "NO", "FALSE", "N", "IGNORE"})
+_NUMBER = re.compile(
+    r"\s*([+-]?)(?:(0x(?:[0-9a-f]+\.?[0-9a-f]*|\.[0-9a-f]+)(?:p[+-]?\d+)?)"
+    r"|((?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|inf(?:inity)?|nan))",
+    re.ASCII | re.IGNORECASE,
+)
+"""What ``strtod`` of C takes for a number."""
 _MOST_WORK = 10_000_000
 _NESTED = re.compile(r"[*+?]\)[*+?]|\)[*+][*+]")
 
@@ -51,7 +56,7 @@ def items_of(value: str, *, empty: bool = False) -> list[str]:
     """
     if ";" not in value:
         return [value] if value else []
-    if "[" not in value and "\\" not in value:
+    if "[" not in value and "]" not in value and "\\" not in value:
         return [item for item in value.split(";") if item or empty]
     found: list[str] = []
     start = depth = 0
@@ -59,12 +64,13 @@ def items_of(value: str, *, empty: bool = False) -> list[str]:
     for at, sign in enumerate(value):
         if escaped:
             escaped = False
-        elif sign == "\\":
+        elif sign == "\\" and value.startswith(";", at + 1):
             escaped = True
         elif sign == "[":
             depth += 1
         elif sign == "]":
-            depth = max(0, depth - 1)
+            # A bracket that nothing opens keeps together what follows, too.
+            depth -= 1
         elif sign == ";" and depth == 0:
             found.append(value[start:at])
             start = at + 1
@@ -72,36 +78,57 @@ def items_of(value: str, *, empty: bool = False) -> list[str]:
     return [item.replace("\\;", ";") for item in found if item or empty]
 
 
+def is_off(value: str) -> bool:
+    """Return whether the value of a variable is taken for false."""
+    return value.upper() in _FALSE or value == "NOTFOUND" or value.endswith("-NOTFOUND")
+
+
 def truth_of(value: str) -> bool | None:
     """Return what a constant is taken for; None of other texts."""
-    upper = value.upper()
-    if upper in _TRUE:
+    if value.upper() in _TRUE:
         return True
-    if upper in _FALSE or upper.endswith("-NOTFOUND"):
+    if is_off(value):
         return False
-    if _NUMBER.fullmatch(value):
-        return float(value) != 0
-    return None
+    match = _NUMBER.fullmatch(value)
+    return _number(match) != 0 if match else None
 
 
 def number_of(value: str) -> float | None:
-    """Return a number; None where it is none."""
-    return float(value) if len(value) < 40 and _NUMBER.fullmatch(value.strip()) else None
+    """Return the number that a text begins with; None where it begins with none."""
+    match = _NUMBER.match(value[:60])
+    return _number(match) if match else None
 
 
-def version_of(value: str) -> tuple[int, ...]:
-    """Return the numbers of a version up to the first piece that is none, without zeros at the end."""
-    numbers: list[int] = []
-    for piece in value.split(".")[:10]:
-        match = re.match(r"\d{1,18}", piece, re.ASCII)
-        if match is None:
-            break
-        numbers.append(int(match[0]))
-        if match[0] != piece:
-            break
-    while numbers and numbers[-1] == 0:
-        numbers.pop()
-    return tuple(numbers)
+def _number(match: re.Match[str]) -> float:
+    sign, hexadecimal, decimal = match.groups()
+    try:
+        return float.fromhex(sign + hexadecimal) if hexadecimal else float(sign + decimal)
+    except OverflowError:
+        return float(f"{sign}inf")
+
+
+def versions_compared(left: str, right: str) -> int:
+    """Return -1, 0 or 1: how versions compare. What is no number is 0, and of a negative one C makes a huge one."""
+    at, other = 0, 0
+    while left[at : at + 1] in _DIGITS or right[other : other + 1] in _DIGITS:
+        one, at = _component(left, at)
+        two, other = _component(right, other)
+        if one != two:
+            return -1 if one < two else 1
+    return 0
+
+
+_COMPONENT = re.compile(r"\s*([+-]?)(\d+)", re.ASCII)
+_DIGITS = frozenset("0123456789")
+
+
+def _component(version: str, at: int) -> tuple[int, int]:
+    match = _COMPONENT.match(version, at)
+    if match:
+        at = match.end()
+    number = min(int(match[2][:20]), 2**64 - 1) if match else 0
+    value = (2**64 - number) % 2**64 if match and match[1] == "-" else number
+    return value, at + version.startswith(".", at)
 
 
 @lru_cache(maxsize=512)

@@ -12,8 +12,9 @@ import msgspec
 
 from roslens.source.extract.cmake_blocks import BLOCKS
 from roslens.source.extract.cmake_commands import COMMANDS, IGNORED, run_folder
-from roslens.source.extract.cmake_evaluation import Evaluation, ExhaustedError, ReturnedError
+from roslens.source.extract.cmake_evaluation import Evaluation
 from roslens.source.extract.cmake_linking import INSTALL, Linking, merged
+from roslens.source.extract.cmake_signals import ExhaustedError, ReturnedError
 from roslens.source.extract.cmake_targets import Collected, Item
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Unresolved

@@ -1,5 +1,7 @@
 """Objects of classes of the workspace, and values as their declared type makes them."""
 
+import pytest
+
 PUB = "pub_ = create_publisher<std_msgs::msg::String>({}, 1);"
 HELPER = """
 struct Names { Names() : out("made") {} explicit Names(const std::string & t) : out(t) {} std::string out; };
@@ -92,3 +94,19 @@ class A : public Root { public: A() { later(); } void later() { hook(); }
 """
     facts = next(one for one in units(a_cpp=text) if one.unit == "A")
     assert sorted(str(one.name) for one in facts.endpoints) == ["own", "root"]
+
+
+@pytest.mark.parametrize("written", ["PartPtr part{nullptr};", "PartPtr part;", "auto part = PartPtr(nullptr);"])
+def test_another_name_for_a_pointer_makes_no_object(main_of, written: str):
+    before = "class Part;\ntypedef Part * PartPtr;\nclass Part { public:\n"
+    before += 'Part() { ros::NodeHandle n; pub = n.advertise<std_msgs::String>("part", 1); }\n'
+    before += "PartPtr next{nullptr}; ros::Publisher pub; };\n"
+    facts = main_of(f'{written} auto own = nh.advertise<std_msgs::String>("own", 1);', before)
+    assert [str(one.name) for one in facts.endpoints] == ["own"]
+
+
+def test_a_class_that_seems_to_hold_itself_ends(main_of):
+    before = "struct B; struct A { B b; int x = 3; };\nstruct B { A a; };\n"
+    facts = main_of('A a; auto own = nh.advertise<std_msgs::String>("own", 1);', before)
+    assert [str(one.name) for one in facts.endpoints] == ["own"]
+    assert not facts.unresolved

@@ -123,9 +123,11 @@ class Calls(Expressions):
             found = engine.function(name, key[-1]) or self.defined(name)
             if isinstance(found, Callable) and "." in name:
                 found = self._overload(found, name, arguments)
+            place = (name, frame.path, frame.scope)
+            if isinstance(found, Class) and engine.index.alias(*place).endswith("*"):
+                return arguments[0] if arguments else None
             if isinstance(found, _FUNCTIONS):
                 return self._apply(found, expression, arguments, keywords, templates)
-            place = (name, frame.path, frame.scope)
             meant = engine.index.meaning(*place), engine.index.alias(*place)
             if found is None:
                 lookups.outside[key] = meant

@@ -67,6 +67,10 @@ class Objects(Calls):
         """Give an object the members that its classes declare."""
         engine: Evaluation = self  # type: ignore[assignment]
         bind_bases(engine, thing)
+        if thing.type in engine.preparing:
+            # By value no class holds itself: what is taken for it here is a pointer, or something else of its name.
+            return
+        engine.preparing.append(thing.type)
         for one in reversed(engine.index.chain(thing.defined)) if thing.defined is not None else ():
             for field, always in self._members(one):
                 if always is not _OF_TYPE:
@@ -85,6 +89,7 @@ class Objects(Calls):
                         thing.fields[field.name] = not_set if isinstance(value, Text) else value
                 finally:
                     engine.frame = outer
+        engine.preparing.pop()
 
     def _members(self, defined: Defined) -> tuple[tuple[Field, Any], ...]:
         """Return the members of a class that an object has, and what they are at first if that is always the same."""
@@ -181,6 +186,8 @@ class Objects(Calls):
             return engine.plain(name, arguments)
         name = engine.frame.templates.get(name, name)
         alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
+        if alias.endswith("*"):
+            return arguments[0] if arguments else None
         if "<" in alias:
             name, inside = type_name(alias)
             templates = tuple(engine.template(one) for one in type_arguments(inside))

@@ -60,6 +60,7 @@ class Evaluation(Objects):
         chosen: what is set that decides which plug-ins are loaded; None where that is not known yet.
         plugin_names: the class of each plug-in that has another name.
         plugged: objects of plug-ins and the nodes they are loaded into.
+        preparing: classes whose objects are given their members, the outermost first.
         conditions: around what is evaluated, outermost first.
         changes: what is changed in objects while ways of open conditions are followed.
         asked: what decides conditions, by their place, with the condition that stood there.
@@ -99,6 +100,7 @@ class Evaluation(Objects):
         self.once: dict[tuple[object, ...], Obj] = {}
         self.steps, self.most_steps = 0, MOST_STEPS
         self._again = Again()
+        self.preparing: list[str] = []
         self._stack: list[tuple[str, int]] = []
         self.constants: dict[tuple[str, str], Any] = {}
         self.site = Evidence(node.path, node.line)

@@ -27,9 +27,7 @@ def test_what_a_pointer_sets_is_unknown(node_of):
 
 def test_a_reference_to_what_is_unknown_or_an_object_is_as_it_was(node_of, names):
     body = 'auto & q = quality_; q = rclcpp::QoS(1); Options & o = options_; o.name = "c";'
-    body += PUB.format(
-        "options_.name"
-    )
+    body += PUB.format("options_.name")
     members = 'struct Options { std::string name = "a"; }; Options options_;'
     assert names(node_of(body, members)) == [("publisher", "c")]
 

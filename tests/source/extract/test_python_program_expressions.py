@@ -57,7 +57,7 @@ def body_of(written: str) -> str:
         ("1, 2", "[1, 2]"),
         ("{1, 2}", "[1, 2]"),
         ("{'a': 1, **b}", '{"a": 1, `**`: b}'),
-        ("f(a, *b, c=1, **d)", "f(a, `*b`, c=1, **=d)"),
+        ("f(a, *b, c=1, **d)", "f(a, `*b`, *=b, c=1, **=d)"),
         ("f (a , # why\n b)", "f(a, b)"),
         ("await f()", "f()"),
         ("...", "`...`"),
@@ -83,7 +83,7 @@ def body_of(written: str) -> str:
         ("'%(x)s' % locals()", 'format[locals()["x"]]'),
         ("'%s' % [a]", "format[[a]]"),
         ("'{}/{n}'.format(a, n=b)", 'format[a, "/", b]'),
-        ("'{}'.format(*a)", '"{}"->format(`*a`)'),
+        ("'{}'.format(*a)", '"{}"->format(`*a`, *=a)'),
         ("'{0.x[k]}'.format(a)", 'format[a->x["k"]]'),
         ("'/a/b'.split('/')", '"/a/b"->split("/")'),
         ("'/'.join(['a', b])", '"/"->join(["a", b])'),
@@ -139,7 +139,7 @@ def test_calls_in_something_opaque_are_kept():
 
 def test_what_is_unpacked_is_opaque():
     assert body_of("v = [*a.b(c).d(1)]").splitlines() == ["a->b(c)->d(1)", "v = [`*a.b(c).d(1)`]"]
-    assert body_of("f(*a.b(c))").splitlines() == ["a->b(c)", "f(`*a.b(c)`)"]
+    assert body_of("f(*a.b(c))").splitlines() == ["a->b(c)", "f(`*a.b(c)`, *=`*a.b(c)`)"]
     assert program_of_python(b"f(*a.b(c))").body[0].expression.column == 4
 
 

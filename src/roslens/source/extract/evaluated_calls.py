@@ -14,6 +14,7 @@ from roslens.source.extract.overload_choice import overload
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.refined_values import refine
+from roslens.source.extract.spread_arguments import spread
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, find_method, find_outer, is_method
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
@@ -316,7 +317,11 @@ class Calls(Expressions):
 
     def _arguments(self, expression: Call) -> tuple[list[Any], dict[str, Any]]:
         value = self.value
-        keywords = {name: value(one) for name, one in expression.keywords} if expression.keywords else {}
+        if not expression.keywords:
+            return [value(one) for one in expression.arguments], {}
+        keywords = {name: value(one) for name, one in expression.keywords if name[0] != "*"}
+        if len(keywords) < len(expression.keywords):
+            return spread(self, expression)  # type: ignore[arg-type]
         return [value(one) for one in expression.arguments], keywords
 
     def _bound(self, expression: Call) -> Any:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
 from roslens.source.extract.evaluation_bounds import SpentError
-from roslens.source.extract.evaluation_frame import Frame, either, one_of
+from roslens.source.extract.evaluation_frame import Frame, either, one_of, one_or_none
 from roslens.source.extract.list_slices import is_slice, part_of
+from roslens.source.extract.perhaps import Perhaps, is_counted
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
 from roslens.source.extract.plugin_held import item_held
 from roslens.source.extract.program import (
@@ -174,9 +175,11 @@ class Expressions:
             return part_of(of, expression.key.text)
         key = self.value(expression.key)
         if isinstance(of, dict):
-            return of.get(hashable(key), Unknown(f"an item of {engine.index.lookups.text(expression.of)}"))
+            found = of.get(hashable(key), Unknown(f"an item of {engine.index.lookups.text(expression.of)}"))
+            return found.value if type(found) is Perhaps else found
         if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
-            return of[key] if not isinstance(of, Words) or of.has(key) else self._open(expression)
+            known = of.has(key) if isinstance(of, Words) else is_counted(of)
+            return of[key] if known else self._open(expression)
         inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
         if inside is not None:
             return inside
@@ -230,6 +233,11 @@ class Expressions:
         both = one_of(one, other, condition, test_of(decides))
         if both is not None:
             return both
+        if one is None or other is None:
+            return one_or_none(one, other, condition, test_of(decides))
+        if isinstance(one, _DECIDES) and isinstance(other, _DECIDES):
+            # Neither is taken for the other: what is counted or asked later depends on which one it is.
+            return one if type(one) is type(other) and one == other else self._open(expression)
         return one if not isinstance(one, Unknown) else other
 
     def _boolean(self, expression: Operation) -> Any:
@@ -307,11 +315,19 @@ class Expressions:
 
     def mapping(self, expression: Mapping) -> dict[Any, Any]:
         """Return a dictionary."""
-        return {hashable(self.value(key)): self.value(value) for key, value in expression.items}
+        found: dict[Any, Any] = {}
+        for key, value in expression.items:
+            if type(key) is Opaque and key.text == "**":
+                inner = self.value(value)
+                found.update(inner if isinstance(inner, dict) else {unknown("a key that is not known"): inner})
+            else:
+                found[hashable(self.value(key))] = self.value(value)
+        return found
 
     def format(self, expression: Format) -> Text:
         """Return a text put together."""
-        return Text.of(*(as_text(self.value(one)) for one in expression.parts))
+        values = [self.value(one) for one in expression.parts]
+        return Text.of(*(_TRUTHS[one] if type(one) is bool else as_text(one) for one in values))
 
     def closure(self, expression: Lambda) -> Any:
         """Return a function without name."""
@@ -332,6 +348,8 @@ class Expressions:
         if isinstance(value, Text):
             return None if value.known is None else bool(value.known)
         if isinstance(value, Unknown):
+            return None
+        if isinstance(value, list) and value and all(type(one) is Perhaps for one in value):
             return None
         if value is None or isinstance(value, _DECIDED):
             return bool(value)
@@ -390,9 +408,11 @@ def _shown(value: Any) -> str:
 
 
 # Written once: a union that is written in a call is made in each call.
+_TRUTHS = {True: Text(("True",)), False: Text(("False",))}
 _NUMBER = (int, float)
 _PLAIN = (str, int, float, bool)
 _COMPARED = (Text, str, int, float)
+_DECIDES = (Unknown, bool, int, float)
 _DECIDED = (bool, int, float, list, dict)
 _FUNCTIONS = (Callable, Class)
 _NUMBERS: dict[str, Function1[[Any, Any], Any]] = {

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.abstract_value import Obj, Unknown, test_of
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluation_frame import WayOut, Ways
 from roslens.source.extract.filled_lists import count_of_filled
+from roslens.source.extract.perhaps import Perhaps
 from roslens.source.extract.plugin_held import plugged_in
 from roslens.source.extract.program import (
     Assign,
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
 
 MOST_TURNS = 64
+_RUNS = re.compile(r"ok\(|shutdown", re.IGNORECASE)
+"""What the condition of a loop says that goes on as long as the node runs."""
 MOST_COUNTED = 16
 """So many turns of a loop that counts are followed one by one."""
 
@@ -83,10 +87,7 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
     over = engine.value(statement.over) if statement.over is not None else None
     target, items = _gone_through(engine, statement, over)
     if target is not None and items is not None:
-        for item in items[:MOST_TURNS]:
-            engine.assign(target, item)
-            if not _turn(engine, statement):
-                return
+        _each_in_turn(engine, statement, target, items)
         return
     holds = engine.truth(over) if statement.over is not None else True
     if statement.target is None and holds is False:
@@ -97,7 +98,33 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
             if not _turn(engine, statement):
                 return
         return
+<<<<<<< HEAD
     before, frame = engine.frame.snapshot(), engine.frame
+=======
+    _once_for_all(engine, statement, over)
+
+
+def _each_in_turn(engine: Evaluation, statement: Loop, target: Expression, items: list[Any]) -> None:
+    for item in items[:MOST_TURNS]:
+        if type(item) is Perhaps:
+            _perhaps_with(engine, statement, item)
+            continue
+        engine.assign(target, item)
+        if not _turn(engine, statement):
+            return
+
+
+def _once_for_all(engine: Evaluation, statement: Loop, over: Any) -> None:
+    """Follow one turn that stands for all, of which nobody knows how many there are."""
+    before, changes = engine.frame.snapshot(), engine.changes
+    since = changes.count
+    changes.open += 1
+    _forget_counters(engine, statement)
+    if statement.target is not None:
+        engine.assign(statement.target, _each(over, statement))
+    _perhaps_turned(engine, statement, over)
+    frame = engine.frame
+>>>>>>> bd4980e (tmp)
     once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
     _turn_for_all(engine, statement, over, once=once)
     if once:
@@ -111,6 +138,7 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
         _keep_filled(frame.names, after[0])
 
 
+<<<<<<< HEAD
 def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool) -> None:
     """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
     changes, frame = engine.changes, engine.frame
@@ -127,6 +155,37 @@ def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool)
     changes.open -= 1
     if not changes.open and changes.count:
         changes.ended()
+=======
+def _perhaps_turned(engine: Evaluation, statement: Loop, over: Any) -> None:
+    """Follow the one turn that stands for all, under the condition that there is one.
+
+    A node that is up runs its loop; and whoever knows the list that a parameter gives knows what is made of each item.
+    """
+    written = _written(engine, statement)
+    always = statement.over is None or (engine.truth(over) is True and statement.target is None)
+    if always or isinstance(over, Each | Text) or _RUNS.search(written):
+        _turn(engine, statement)
+        return
+    here = len(engine.conditions)
+    engine.under(written, test_of(over) if statement.target is None else None)
+    _turn(engine, statement)
+    del engine.conditions[here]
+
+
+def _perhaps_with(engine: Evaluation, statement: Loop, item: Perhaps) -> None:
+    """Follow the turn of an item that the list may have."""
+    frame, here, before = engine.frame, len(engine.conditions), engine.frame.snapshot()
+    engine.under(item.condition, item.test)
+    if statement.target is not None:
+        engine.assign(statement.target, item.value)
+    _turn(engine, statement)
+    del engine.conditions[here]
+    after = frame.snapshot()
+    returned, frame.returned = frame.returned, False
+    frame.restore(before)
+    if not returned:
+        frame.join(after, item.condition)
+>>>>>>> bd4980e (tmp)
 
 
 def _gone_through(engine: Evaluation, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:

@@ -8,6 +8,7 @@ from roslens.source.extract.abstract_value import Callable, Obj, Unknown
 from roslens.source.extract.base_templates import bind_bases
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.given_fields import set_fields
 from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.overload_choice import overload
@@ -132,6 +133,8 @@ class Objects(Calls):
             engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)
             thing.defined = whole
             return
+        if python and (arguments or keywords) and set_fields(engine, thing, defined, arguments, keywords):
+            return
         for base in engine.index.chain(defined)[1:2]:
             engine.construct_as(thing, base, arguments, keywords)
         if not engine.index.chain(defined)[1:]:
@@ -154,6 +157,9 @@ class Objects(Calls):
     def typed(self, declared: str, value: Any) -> Any:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
         engine: Evaluation = self  # type: ignore[assignment]
+        if isinstance(value, _MADE_BY_TYPE) and engine.index.programs[engine.frame.path].language == "python":
+            # Annotations make nothing.
+            return value
         if isinstance(value, list):
             if (
                 not isinstance(value, Words | TypedList)
@@ -223,6 +229,7 @@ _OF_TYPE = object()
 """What a member is whose value has to be made for each object."""
 _TEXTS = ("std.string", "string", "QString", "std.string_view")
 _NUMBER = (int, float)
+_MADE_BY_TYPE = (list, int)
 _LISTS = ("std::vector", "std::array", "std::set", "std::list", "std::deque", "std::unordered_set")
 
 

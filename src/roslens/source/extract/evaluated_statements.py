@@ -6,7 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue, Remappings, Unknown, as_text, test_of
-from roslens.source.extract.changed_values import put_item
+from roslens.source.extract.changed_values import is_open, put_item
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
@@ -14,6 +14,10 @@ from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.made_texts import with_sign
 from roslens.source.extract.other_names import assign_referred, refer
+<<<<<<< HEAD
+=======
+from roslens.source.extract.perhaps import Perhaps, is_counted
+>>>>>>> bd4980e (tmp)
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
 from roslens.source.extract.program import (
@@ -136,7 +140,9 @@ def _assigned(engine: Evaluation, statement: Assign) -> None:
     if statement.value is None:
         engine.written_at(statement.line)
         if isinstance(statement.target, Name):
-            engine.frame.names[statement.target.name] = engine.declared(statement.declared)
+            of_module = statement.declared == "global"
+            value = _set_from_here(engine, statement.target) if of_module else engine.declared(statement.declared)
+            engine.frame.names[statement.target.name] = value
         return
     value = engine.value(statement.value)
     if statement.declared:
@@ -147,6 +153,15 @@ def _assigned(engine: Evaluation, statement: Assign) -> None:
         engine.frame.names[statement.target.name] = value
     else:
         assign(engine, statement.target, value)
+
+
+def _set_from_here(engine: Evaluation, name: Name) -> Any:
+    """Return the value of a variable of a module that a function sets; to others it is unknown from now on."""
+    key, value = (engine.frame.path, name.name), engine.value(name)
+    if key in engine.constants and isinstance(value, _PLAIN):
+        reason = f"{name.name}, which {engine.frame.scope.rpartition('.')[2]}() sets"
+        engine.constants[key] = unknown(reason) if isinstance(value, Text) else Unknown(reason)
+    return value
 
 
 def _once(engine: Evaluation, statement: Assign) -> Any:
@@ -185,7 +200,8 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
     elif isinstance(target, Item):
         _assign_item(engine, target, value)
     elif isinstance(target, Sequence):
-        items = value if isinstance(value, list) and len(value) == len(target.items) else None
+        known = isinstance(value, list) and len(value) == len(target.items) and is_counted(value)
+        items = value if known else None
         for place, one in enumerate(target.items):
             assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
 
@@ -197,6 +213,8 @@ def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
         value = unknown(f"{as_text(value)} if {engine.conditions[-1]}")
     if isinstance(of, Remappings):
         of[hashable(key)] = value
+    elif isinstance(of, dict) and (condition := is_open(engine)) and hashable(key) not in of:
+        of[hashable(key)] = Perhaps(value, condition, engine.frame.tests.get(condition))
     elif isinstance(of, dict | list):
         put_item(engine, of, key, value)
     elif isinstance(of, Text) and isinstance(target.of, Name | Member):
@@ -309,6 +327,7 @@ def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
 
 
 _REFERRING = ("&", "*")
+_PLAIN = (Text, bool, int, float)
 _STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
     Assign: _assigned,
     Evaluate: _evaluated,

@@ -22,6 +22,7 @@ from roslens.source.extract.abstract_value import (
     Unknown,
 )
 from roslens.source.extract.changed_in_ways import Changes
+from roslens.source.extract.decorated import decorated
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_objects import Objects
 from roslens.source.extract.evaluated_statements import assign, block, initialise
@@ -43,6 +44,7 @@ from roslens.source.extract.workspace_index import Defined, Index, type_name
 _STOPPED = object()
 _NONE = Text()
 _TYPED = (list, int)
+_SHARED = (list, dict)
 
 KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
 """Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
@@ -66,6 +68,7 @@ class Evaluation(Objects):
         asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
         once: objects of variables that functions keep between calls, by their place.
+        bare: functions without their decorators, by the identity of those with them, which they keep alive.
         words: of the command line, where they are known.
         steps: that were made so far.
         most_steps: that may be made.
@@ -97,7 +100,8 @@ class Evaluation(Objects):
         self.later: list[tuple[Callable, str]] = []
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
-        self.once: dict[tuple[object, ...], Obj] = {}
+        self.once: dict[tuple[object, ...], Any] = {}
+        self.bare: dict[int, tuple[Function, Function]] = {}
         self.steps, self.most_steps = 0, MOST_STEPS
         self._again = Again()
         self.preparing: list[str] = []
@@ -197,12 +201,14 @@ class Evaluation(Objects):
         if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
             lose(function.self, what)
             return self._computed_by(what, [*function.arguments, *arguments])
+        if what.decorators and (made := decorated(self, function)) is not function:
+            return made if isinstance(made, Unknown) else self.call(made, arguments, keywords, written)
         arguments = [*function.arguments, *arguments]
         plain = not keywords and not function.names
         done = self._again.known(key, function.self, (arguments, templates), self._stack) if plain else None
         if done is None:
             frame = self._followed(function, arguments, keywords, written, templates)
-            result, names = frame.result if frame.returned else None, frame.names
+            result, names = frame.outcome(), frame.names
         else:
             result, names, self.site = done.result, done.names, done.site
             if isinstance(function.self, Obj):
@@ -371,8 +377,12 @@ class Evaluation(Objects):
                 if default is None and declared is not None and place < len(declared.parameters):
                     default = declared.parameters[place].default
                 outer, self.frame = self.frame, frame
-                value = self.not_given(what, parameter) if default is None else self.value(default)
+                known = None if "**" in keywords else default
+                value = self.not_given(what, parameter) if known is None else self.value(known)
                 self.frame = outer
+                if isinstance(value, _SHARED):
+                    # A default of Python is one object: what a call puts into it the next one finds there.
+                    value = self.once.setdefault((frame.path, what.line, place, id(what)), value)
                 frame.names[parameter.name] = value
 
     def not_given(self, what: Function, parameter: Parameter) -> Any:

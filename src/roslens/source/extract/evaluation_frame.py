@@ -10,7 +10,9 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Class, Made, Named, Obj, Unknown, as_text
+from roslens.source.extract.condition import negated
 from roslens.source.extract.many_choices import of_many
+from roslens.source.extract.perhaps import perhaps
 from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.program import Expression, Function
 from roslens.source.extract.quality import one_of as one_quality
@@ -111,6 +113,12 @@ class Frame:
         self._given = self._given or "always"
         self.returned = True
 
+    def outcome(self) -> Any:
+        """Return what the call returned, which is None where its end was reached, and may be where it may have been."""
+        if not self.returned and self._given:
+            self.result = self._or_else(None)
+        return self.result
+
     def know(self, condition: str, otherwise: str, test: Asked | None) -> None:
         """Remember what decides a condition and its opposite."""
         if test is not None:
@@ -129,6 +137,8 @@ class Frame:
     def _or_else(self, value: Any) -> Any:
         """Return what is known where a function returns one value or another one."""
         before = self.result
+        if before is None or value is None:
+            return one_or_none(before, value, self._given, self._given_test)
         texts = [unknown(one.reason) if isinstance(one, Unknown) else one for one in (before, value)]
         one, other = texts
         if isinstance(one, Text) and isinstance(other, Text):
@@ -137,8 +147,6 @@ class Frame:
         both = one_of(before, value, self._given, self._given_test)
         if both is not None:
             return both
-        if before is None:
-            return value
         if isinstance(before, _DECIDES) and isinstance(value, _DECIDES) and value != before:
             return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {self._given}")
         return value if isinstance(before, Unknown) else before
@@ -188,7 +196,9 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Ask
         before = known(name)
         if value == before:
             continue
-        if before is None:
+        if (before is None and name in names) or (value is None and isinstance(before, _PLAIN)):
+            names[name] = one_or_none(value, before, condition, test)
+        elif before is None:
             names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value
         elif (both := one_of(value, before, condition, test)) is not None:
             names[name] = both
@@ -198,6 +208,19 @@ def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Ask
             names[name] = value
         elif isinstance(before, Text) and value is not None:
             names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
+
+
+def one_or_none(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
+    """Return what is known of two values of which one is None: of a text that it may be missing.
+
+    Of an object it is taken that it is there where it is used; an endpoint is there, but perhaps not for sure.
+    """
+    found = other if value is None else value
+    if isinstance(found, Text):
+        return either(Text() if value is None else found, Text() if other is None else found, condition, test)
+    if isinstance(found, _DECIDES):
+        return Unknown(f"{as_text(found)} or nothing, by {condition}"[:200])
+    return msgspec.structs.replace(found, certain=False) if isinstance(found, Made) else found
 
 
 def one_of(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
@@ -223,7 +246,10 @@ def _one_list(value: list[Any], other: list[Any], condition: str, test: Asked | 
     """Return the longer list where one goes on where the other ends, as one that is filled does."""
     less, more = sorted((value, other), key=len)
     if more[: len(less)] == less:
-        return more
+        filled = more is value
+        opposite = None if test is None else test.opposite
+        rest = perhaps(more[len(less) :], condition if filled else negated(condition), test if filled else opposite)
+        return [*less, *rest]
     if not any(isinstance(one, Text) for one in (*less, *more)):
         return None
     if len(less) < len(more) or not all(isinstance(one, Text) for one in (*less, *more)):

@@ -6,6 +6,7 @@ import re
 from typing import Any
 
 from roslens.source.extract.abstract_value import Unknown
+from roslens.source.extract.perhaps import is_counted
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.word_list import Words
 
@@ -25,7 +26,7 @@ def part_of(value: Any, written: str) -> Any:
     if ends is not None and isinstance(value, Words):
         part = value.part(*ends)
         return part if part is not None else Unknown(f"words [{written}]")
-    if ends is not None and isinstance(value, list):
+    if ends is not None and isinstance(value, list) and (is_counted(value) or ends == [None, None]):
         return value[ends[0] : ends[1]]
     if isinstance(value, Text):
         if ends is not None and value.known is not None:

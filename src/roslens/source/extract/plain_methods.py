@@ -7,6 +7,7 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Unknown, as_text
+from roslens.source.extract.perhaps import Perhaps, is_counted
 from roslens.source.extract.text import Asked, Hole, Text, unknown
 from roslens.source.extract.word_list import Words
 
@@ -148,15 +149,29 @@ def _of_list(of: list[Any], name: str, arguments: list[Any]) -> Any:
         of.append(arguments[0])
         return None
     if name in ("size", "length", "empty"):
+        if not is_counted(of):
+            return Unknown(f"{name} of a list")
         return not of if name == "empty" else of.length if isinstance(of, Words) else len(of)
-    if name in ("front", "back") and of:
+    if name in ("front", "back") and of and is_counted(of):
         return of[0 if name == "front" else -1]
     return Unknown(f"{name} of a list")
 
 
+def _are_known(key: Any, of: dict[Any, Any]) -> bool:
+    """Whether a key and all keys of a table are known, so that it is sure that the table does not have it."""
+    return all(
+        one.known is not None if isinstance(one, Text) else not isinstance(one, Unknown | str) for one in (key, *of)
+    )
+
+
 def _of_dict(of: dict[Any, Any], name: str, arguments: list[Any]) -> Any:
     if name == "items":
-        return [[key, value] for key, value in of.items()]
+        return [
+            msgspec.structs.replace(value, value=[key, value.value]) if isinstance(value, Perhaps) else [key, value]
+            for key, value in of.items()
+        ]
+    if name in ("get", "at") and arguments and hashable(arguments[0]) not in of and not _are_known(arguments[0], of):
+        return Unknown("an item of a table")
     if name in ("get", "at") and arguments:
         return of.get(hashable(arguments[0]), arguments[1] if len(arguments) > 1 else Unknown("an item"))
     if name in ("keys", "values"):
@@ -180,6 +195,8 @@ def formatted(pattern: Text, values: list[Any]) -> Text:
                 # A truth value is written ``True`` in Python, ``1`` in C++.
                 shown = Text((Hole("a truth value"),)) if isinstance(one, bool) else as_text(one)
                 parts.append(Text((Hole("a value that is missing"),)) if one is None else shown)
+            if any(sign in piece for sign in "{}%"):
+                return unknown(f"the format {pattern}"[:200])
     return Text.of(*parts)
 
 
@@ -190,6 +207,8 @@ def hashable(value: Any) -> Any:
 
 def _joined(separator: Text, values: list[Any]) -> Text:
     parts: list[Text] = []
+    if not is_counted(values):
+        return unknown("a text of a list")
     for place, one in enumerate(values):
         parts += [separator, as_text(one)] if place else [as_text(one)]
     return Text.of(*parts)

@@ -48,7 +48,8 @@ class Call(msgspec.Struct, frozen=True, array_like=True, tag="call"):
     Attributes:
         function: what is called, without template arguments.
         arguments: by position; ``*args`` is :class:`Opaque`.
-        keywords: Python's, by name.
+        keywords: Python's, by name; under ``*`` what is spread out for arguments by position, in their order, and under
+            ``**`` for those by name.
         templates: template arguments as written, white space squeezed: ``std_msgs::msg::String``.
         line: where the call begins, from 1 on.
         column: likewise.

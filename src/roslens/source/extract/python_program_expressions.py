@@ -116,6 +116,7 @@ _KINDS = {_kind(name): method for name, method in _HANDLERS.items()}
 _ARGUMENTS, _KEYWORD = _kind("argument_list"), _kind("keyword_argument")
 _COMMENT, _PAIR = _kind("comment"), _kind("pair")
 _SPLAT, _DOUBLE_SPLAT = _kind("list_splat"), _kind("dictionary_splat")
+_SPREAD = frozenset({"identifier", "attribute", "list", "tuple"})
 _SIGNS = frozenset(_kind(sign, named=False) for sign in "(),[]{}:;") | {_COMMENT}
 _CONSTANTS = {_kind("true"): Literal(True), _kind("false"): Literal(False), _kind("none"): Literal(None)}
 _FOR, _IF = _kind("for_in_clause"), _kind("if_clause")
@@ -254,7 +255,11 @@ class Expressions(Reading):
                 elif kind == _DOUBLE_SPLAT:
                     keywords.append(("**", self.expression(child.children[-1])))
                 else:
-                    arguments.append(self._item(child))
+                    value = self._item(child)
+                    arguments.append(value)
+                    if type(value) is Opaque and value.text[:1] == "*":
+                        plain = child.children[-1:] if child.kind_id == _SPLAT else []
+                        keywords += [("*", self.expression(one) if one.type in _SPREAD else value) for one in plain]
         elif len(children) > 1:
             arguments.append(self.expression(given))
         if isinstance(function, Member) and function.name == "format" and isinstance(function.of, Literal):

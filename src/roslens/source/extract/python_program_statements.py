@@ -7,7 +7,8 @@
   neither is a parameter.
 - In the body of a class, attributes become fields; other statements stand where the class stands.
 - Several handlers of a ``try`` are branches on ``Opaque("except KeyError")``; what ``else`` and ``finally`` hold
-  follows what it is run after. ``raise`` is the evaluation of what it calls; ``else`` of a loop stands behind it.
+  follows what it is run after. ``raise`` is the evaluation of what it calls; ``else`` of a loop stands behind it, on
+  ``Opaque("no break")`` where there is any.
 - A branch without statements whose condition calls nothing is left out.
 - What ``match`` looks at is assigned to ``#1`` before, where it is a call.
 - ``a = b = f()`` is ``a = f()`` and ``b = a``; ``a, b = c, d`` is two assignments where no value reads a target.
@@ -48,6 +49,7 @@ from roslens.source.syntax.python_tree import LANGUAGE
 
 _WORD = re.compile(rb"[A-Za-z_]\w*")
 _NO_EXCEPTION = Opaque("no exception")
+_NO_BREAK = Opaque("no break")
 _KEPT_OPERATORS = frozenset(("-", "*", "/", "%"))
 _CLASS_METHODS = frozenset({"__new__", "__init_subclass__", "__class_getitem__"})
 _ARMS = frozenset({"except_clause", "except_group_clause"})
@@ -295,19 +297,21 @@ class Statements(Patterns):
         target = self.expression(left) if left is not None else Opaque("")
         body = self.block(node.child_by_field_name("body"))
         self.pending.append(Loop(target, over, body, self.line(node)))
-        self._rest(node)
+        self._rest(node, body)
 
     def _on_while(self, node: Node) -> None:
         condition = self._condition(node)
         body = self.block(node.child_by_field_name("body"))
         self.pending.append(Loop(None, condition, body, self.line(node)))
-        self._rest(node)
+        self._rest(node, body)
 
-    def _rest(self, node: Node) -> None:
-        """Append what stands behind ``else``."""
+    def _rest(self, node: Node, body: tuple[Statement, ...]) -> None:
+        """Append what stands behind ``else``: where the loop may be left, under the condition that it was not."""
         rest = node.child_by_field_name("alternative")
-        if rest is not None:
-            self.pending += self.block(rest.child_by_field_name("body"))
+        if rest is None:
+            return
+        found = self.block(rest.child_by_field_name("body"))
+        self.pending += (Branch(_NO_BREAK, found, (), self.line(rest)),) if found and _breaks(body) else found
 
     def _on_try(self, node: Node) -> None:
         depth, then = self._depth, self.block(node.child_by_field_name("body"))
@@ -454,3 +458,13 @@ def _is_field(statement: Assign) -> bool:
     return (
         isinstance(statement.target, Name) and statement.operator == "=" and not statement.target.name.startswith("#")
     )
+
+
+def _breaks(body: tuple[Statement, ...]) -> bool:
+    """Whether a loop with such a body may be left before it has ended."""
+    for one in body:
+        if isinstance(one, Leave) and not one.again:
+            return True
+        if isinstance(one, Branch) and (_breaks(one.then) or _breaks(one.otherwise)):
+            return True
+    return False

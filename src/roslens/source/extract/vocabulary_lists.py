@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import msgspec
+
 from roslens.source.extract.abstract_value import Obj, Unknown
 from roslens.source.extract.parameter_types import ITEM, VECTOR, array_of_cpp
+from roslens.source.extract.perhaps import Perhaps, is_counted
 from roslens.source.extract.text import Text
 from roslens.source.extract.typed_list import TypedList
 from roslens.source.extract.unknown_lists import Each, each_of
@@ -24,10 +27,22 @@ def numbered(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """Items with their numbers."""
     over, first = called.argument(0), called.argument(1, "start", default=0)
     items = engine.items(over)
+    if items is not None and not is_counted(items):
+        return perhaps_numbered(items)
     if items is None:
         return Each([Unknown("a number"), each_of(over)])
     counted = isinstance(first, int)
     return [[number + first if counted else Unknown("a number"), one] for number, one in enumerate(items)]
+
+
+def perhaps_numbered(items: list[Any]) -> list[Any]:
+    """Return items of which some may be missing with numbers that nobody knows."""
+    return [
+        msgspec.structs.replace(one, value=[Unknown("a number"), one.value])
+        if isinstance(one, Perhaps)
+        else [Unknown("a number"), one]
+        for one in items
+    ]
 
 
 @outer("zip", quiet=True)
@@ -35,7 +50,7 @@ def side_by_side(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """Items of several lists, side by side."""
     lists = [engine.items(one) for one in called.arguments]
     known = [one for one in lists if one is not None]
-    if len(known) == len(lists):
+    if len(known) == len(lists) and all(map(is_counted, known)):
         return [list(one) for one in zip(*known, strict=False)]
     items = zip(called.arguments, lists, strict=True)
     return Each([each_of(one) if found is None else Unknown("one of a list") for one, found in items])

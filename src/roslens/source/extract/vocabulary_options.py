@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Building, Named, Obj, Unknown, as_text
 from roslens.source.extract.node_facts import Inherits
+from roslens.source.extract.perhaps import Perhaps
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 
@@ -58,7 +59,9 @@ def arguments(_engine: Evaluation, thing: Any, called: Called) -> Any:
         held = thing.fields.get("-arguments", [])
         return list(held) if isinstance(held, list) else held
     given = called.argument(0)
-    thing.fields["-arguments"] = list(given) if isinstance(given, list) else given
+    # What is added where it is not there yet is among the arguments in any case.
+    listed = isinstance(given, list)
+    thing.fields["-arguments"] = [one.value if type(one) is Perhaps else one for one in given] if listed else given
     return thing
 
 

@@ -114,6 +114,7 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
         dynamic: whether it may be set to a value of any type.
         allowed: the values that it may have, as text; empty where these are not counted.
         constraints: what else its declaration asks, in words.
+        uncertain: whether something that starts the node and is not known, as a file of parameters, may set it too.
     """
 
     name: str
@@ -133,6 +134,7 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
     dynamic: bool = False
     allowed: tuple[str, ...] = ()
     constraints: tuple[str, ...] = ()
+    uncertain: bool = False
 
     @property
     def repeats_an_endpoint(self) -> bool:

@@ -14,6 +14,7 @@ from roslens.model.configuration import (
 )
 from roslens.model.errors import DocumentError
 from roslens.source.extract.assemble_arguments import CommandLine, command_line
+from roslens.source.extract.assemble_doubt import doubted
 from roslens.source.extract.assemble_loads import loaded_by, with_used
 from roslens.source.extract.assemble_node import Given, assembled, container_name, place_of, values_of
 from roslens.source.extract.assemble_parameters import Values, set_outside
@@ -74,7 +75,9 @@ def assemble(
     return Configuration(
         title,
         launch.generation,
-        tuple(sorted(with_bonds(whole.nodes, whole.bonds), key=lambda node: (node.name, node.proof))),
+        tuple(
+            sorted(doubted(with_bonds(whole.nodes, whole.bonds), unresolved), key=lambda node: (node.name, node.proof))
+        ),
         tuple(set_outside(launch.settings)),
         tuple(_argument(one) for one in launch.arguments),
         launch.included,

@@ -98,9 +98,6 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
             if not _turn(engine, statement):
                 return
         return
-<<<<<<< HEAD
-    before, frame = engine.frame.snapshot(), engine.frame
-=======
     _once_for_all(engine, statement, over)
 
 
@@ -116,15 +113,7 @@ def _each_in_turn(engine: Evaluation, statement: Loop, target: Expression, items
 
 def _once_for_all(engine: Evaluation, statement: Loop, over: Any) -> None:
     """Follow one turn that stands for all, of which nobody knows how many there are."""
-    before, changes = engine.frame.snapshot(), engine.changes
-    since = changes.count
-    changes.open += 1
-    _forget_counters(engine, statement)
-    if statement.target is not None:
-        engine.assign(statement.target, _each(over, statement))
-    _perhaps_turned(engine, statement, over)
-    frame = engine.frame
->>>>>>> bd4980e (tmp)
+    before, frame = engine.frame.snapshot(), engine.frame
     once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
     _turn_for_all(engine, statement, over, once=once)
     if once:
@@ -138,7 +127,6 @@ def _once_for_all(engine: Evaluation, statement: Loop, over: Any) -> None:
         _keep_filled(frame.names, after[0])
 
 
-<<<<<<< HEAD
 def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool) -> None:
     """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
     changes, frame = engine.changes, engine.frame
@@ -147,7 +135,7 @@ def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool)
     _forget_counters(engine, statement)
     if statement.target is not None:
         engine.assign(statement.target, _each(over, statement))
-    _turn(engine, statement)
+    _perhaps_turned(engine, statement, over)
     if changes.count > since and not once:
         way = changes.taken_back(since, frame.members)
         why = (_written(engine, statement), "")
@@ -155,7 +143,8 @@ def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool)
     changes.open -= 1
     if not changes.open and changes.count:
         changes.ended()
-=======
+
+
 def _perhaps_turned(engine: Evaluation, statement: Loop, over: Any) -> None:
     """Follow the one turn that stands for all, under the condition that there is one.
 
@@ -185,7 +174,6 @@ def _perhaps_with(engine: Evaluation, statement: Loop, item: Perhaps) -> None:
     frame.restore(before)
     if not returned:
         frame.join(after, item.condition)
->>>>>>> bd4980e (tmp)
 
 
 def _gone_through(engine: Evaluation, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:

@@ -14,10 +14,7 @@ from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.made_texts import with_sign
 from roslens.source.extract.other_names import assign_referred, refer
-<<<<<<< HEAD
-=======
 from roslens.source.extract.perhaps import Perhaps, is_counted
->>>>>>> bd4980e (tmp)
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
 from roslens.source.extract.program import (
@@ -161,22 +158,6 @@ def _set_from_here(engine: Evaluation, name: Name) -> Any:
     if key in engine.constants and isinstance(value, _PLAIN):
         reason = f"{name.name}, which {engine.frame.scope.rpartition('.')[2]}() sets"
         engine.constants[key] = unknown(reason) if isinstance(value, Text) else Unknown(reason)
-    return value
-
-
-def _once(engine: Evaluation, statement: Assign) -> Any:
-    """Return the object of a variable that lives on between calls: the one that the first call made, if silently."""
-    frame, touched = engine.frame, engine.touches
-    key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
-    if key in engine.once:
-        return engine.once[key]
-    if statement.value is None:
-        engine.written_at(statement.line)
-        value = engine.declared(statement.declared)
-    else:
-        value = engine.converted(statement.declared, engine.value(statement.value))
-    if isinstance(value, Obj) and engine.touches == touched:
-        engine.once[key] = value
     return value
 
 

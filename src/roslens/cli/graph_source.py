@@ -118,6 +118,7 @@ class GraphSource:
         Raises:
             UsageError: the workspace has no package of that name.
         """
+        from roslens.cli.graph_missed import told_once
         from roslens.source.extract.assemble import assemble, targets_started
         from roslens.source.extract.catalogue import known_node
 
@@ -137,9 +138,11 @@ class GraphSource:
                 continue
             from roslens.source.extract.launched import Launch
 
+            missed = [one for name in chosen for one in told_once(self.facts.missed(name))]
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
+            started = Launch(generation, tuple(nodes), unresolved=tuple(missed))
             made = assemble(
-                Launch(generation, tuple(nodes)), self.facts, title=title, known=known_node, files=self.facts.files,
+                started, self.facts, title=title, known=known_node, files=self.facts.files,
                 by_launch=False, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
             )  # fmt: skip
             found.append(made)

@@ -160,6 +160,8 @@ def test_what_follows_a_return_that_may_be_is_under_its_condition():
         found,
     )
     loop = ["NOT (Y_FOUND)"]
+    run("if(NOT W_FOUND)\nreturn()\nendif()\nmark(found)", found)
+    assert seen.pop() == ("found", ["W_FOUND"])
     assert seen == [("in", ["NOT (X_FOUND)"]), ("out", []), ("1", loop), ("2", loop), ("end", [])]
 
 

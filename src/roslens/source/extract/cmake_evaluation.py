@@ -445,7 +445,8 @@ class Evaluation:
 
     def leave(self, condition: str, way: str) -> None:
         """Note that what follows in this round, loop, function or file is run but where a condition does not hold."""
-        self.conditions.append(f"NOT ({condition})")
+        denied = condition.removeprefix("NOT ")
+        self.conditions.append(f"NOT ({condition})" if denied == condition or " " in denied else denied)
         self.left = max(way, self.left, key=WAYS_OUT.index)
 
     def rejoin(self, outer: tuple[int, str], way: str = "return") -> None:

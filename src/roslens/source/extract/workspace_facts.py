@@ -88,6 +88,11 @@ class WorkspaceFacts:
         """What of builds could not be evaluated."""
         return tuple(one for build in self._parts.builds.builds.values() for one in build.unresolved)
 
+    def missed(self, package: str) -> tuple[Unresolved, ...]:
+        """Return what of the build of a package could not be evaluated."""
+        build = self._parts.builds.builds.get(package)
+        return () if build is None else build.unresolved
+
     def paths(self, package: str) -> tuple[str, ...]:
         """Return the files of a package."""
         found = self._parts.found.get(package)

@@ -1,0 +1,25 @@
+"""What was not understood of the builds of packages, in short: what is the same is told once, and how often."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import msgspec
+
+if TYPE_CHECKING:
+    from roslens.source.extract.launched import Unresolved
+
+
+def told_once(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
+    """Return what was not understood of a package: each text and reason once, at the first place where it is so."""
+    places: dict[tuple[str, str], list[Unresolved]] = {}
+    for one in missed:
+        places.setdefault((one.text, one.reason), []).append(one)
+    found = []
+    for group in places.values():
+        first = min(group, key=lambda one: one.evidence)
+        more = len({(one.evidence.path, one.evidence.line) for one in group}) - 1
+        reason = f"{first.reason}; and in {more} more place{'s' * (more > 1)}" if more else first.reason
+        found.append(msgspec.structs.replace(first, reason=reason))
+    return tuple(found)

@@ -1,0 +1,63 @@
+"""What was not understood of builds is told where there are nodes too, in short."""
+
+import json
+
+import pytest
+
+from roslens.cli.graph_missed import told_once
+from roslens.cli.main import main
+from roslens.source.extract.launched import Unresolved
+from roslens.source.extract.node_facts import Evidence
+
+PACKAGE = """<package format="3"><name>p</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@example.org">a</maintainer><license>MIT</license><depend>rclcpp</depend>
+<export><build_type>ament_cmake</build_type></export></package>"""
+CMAKE = """cmake_minimum_required(VERSION 3.8)
+project(p)
+add_executable(talk talk.cpp)
+make_more(a)
+make_more(b)
+wrap_all()
+install(TARGETS talk DESTINATION lib/p)
+"""
+TALK = """#include <rclcpp/rclcpp.hpp>
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<rclcpp::Node>("talk"));
+}
+"""
+
+
+@pytest.fixture
+def workspace(tmp_path):
+    (tmp_path / "p").mkdir()
+    for name, text in (("package.xml", PACKAGE), ("CMakeLists.txt", CMAKE), ("talk.cpp", TALK)):
+        (tmp_path / "p" / name).write_text(text)
+    return tmp_path
+
+
+def test_text_and_json_tell_it(workspace, capsys):
+    assert main(["graph", str(workspace)]) == 0
+    out = capsys.readouterr().out
+    assert "unresolved: 2\n" in out
+    assert "p/CMakeLists.txt:4" in out
+    assert 'the command is not defined in the workspace; and in 1 more place "make_more()"' in out
+    assert 'p/CMakeLists.txt:6  the command is not defined in the workspace "wrap_all()"' in out
+    assert main(["graph", str(workspace), "--format", "json"]) == 0
+    (told,) = json.loads(capsys.readouterr().out)["configurations"]
+    assert [(one["text"], one["proof"]["line"]) for one in told["unresolved"]] == [
+        ("make_more()", 4),
+        ("wrap_all()", 6),
+    ]
+
+
+def test_one_node_alone_is_not_drowned(workspace, capsys):
+    assert main(["graph", str(workspace), "--node", "talk"]) == 0
+    assert "unresolved" not in capsys.readouterr().out
+
+
+def test_what_is_the_same_is_told_once():
+    missed = [Unresolved("f()", Evidence("b/C.txt", line), "why") for line in (9, 3, 3, 5)]
+    (one, other) = told_once([*missed, Unresolved("g()", Evidence("b/C.txt", 1), "why")])
+    assert (one.evidence.line, one.reason) == (3, "why; and in 2 more places")
+    assert other.reason == "why"

@@ -161,6 +161,22 @@ def _set_from_here(engine: Evaluation, name: Name) -> Any:
     return value
 
 
+def _once(engine: Evaluation, statement: Assign) -> Any:
+    """Return the object of a variable that lives on between calls: the one that the first call made, if silently."""
+    frame, touched = engine.frame, engine.touches
+    key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
+    if key in engine.once:
+        return engine.once[key]
+    if statement.value is None:
+        engine.written_at(statement.line)
+        value = engine.declared(statement.declared)
+    else:
+        value = engine.converted(statement.declared, engine.value(statement.value))
+    if isinstance(value, Obj) and engine.touches == touched:
+        engine.once[key] = value
+    return value
+
+
 def assign(engine: Evaluation, target: Expression, value: Any) -> None:
     """Put a value where an expression says."""
     if isinstance(target, Name):

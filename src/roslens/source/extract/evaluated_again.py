@@ -34,12 +34,23 @@ class Done:
     Attributes:
         result: what it returned.
         names: what it left in its parameters.
-        fields: what it left in the members of its object that it assigns, or that were another before.
         cuts: functions around it that it would have called.
         site: the last call in it.
     """
 
-    __slots__ = ("_depth", "_given", "_seen", "_thing", "cuts", "fields", "names", "result", "site")
+    __slots__ = (
+        "_after",
+        "_before",
+        "_depth",
+        "_function",
+        "_given",
+        "_seen",
+        "_thing",
+        "cuts",
+        "names",
+        "result",
+        "site",
+    )
 
     def __init__(
         self,
@@ -58,15 +69,10 @@ class Done:
         self._depth = depth
         self.result = frame.result if frame.returned else None
         self.names = frame.names
-        named = _names(function.body)
-        self._seen = {name: value for name, value in before.items() if name in named}
-        after = thing.fields if isinstance(thing, Obj) else {}
-        own = assigned_names(function.body)
-        self.fields = {
-            name: value
-            for name, value in after.items()
-            if name in own or name not in before or before[name] is not value
-        }
+        # What is asked of few calls is found out when it is asked.
+        self._function, self._before = function, before
+        self._after = dict(thing.fields) if isinstance(thing, Obj) else {}
+        self._seen: dict[str, Any] | None = None
         self.cuts = cuts
         self.site = site
 
@@ -79,10 +85,24 @@ class Done:
             and len(self._given[0]) == len(given[0])
             and all(map(_same, self._given[0], given[0]))
             and self.cuts.issubset(stack)
-            and (not self._seen or self._sees_the_same(thing.fields))
+            and self._sees_the_same(thing)
         )
 
-    def _sees_the_same(self, fields: dict[str, Any]) -> bool:
+    @property
+    def fields(self) -> dict[str, Any]:
+        """What it left in the members of its object that it assigns, or that were another before."""
+        own, before = assigned_names(self._function.body), self._before
+        return {
+            name: value
+            for name, value in self._after.items()
+            if name in own or name not in before or before[name] is not value
+        }
+
+    def _sees_the_same(self, thing: Any) -> bool:
+        if self._seen is None:
+            named = _names(self._function.body)
+            self._seen = {name: value for name, value in self._before.items() if name in named}
+        fields = thing.fields if isinstance(thing, Obj) else {}
         return all(name in fields and _same(value, fields[name]) for name, value in self._seen.items())
 
 

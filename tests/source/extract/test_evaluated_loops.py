@@ -100,3 +100,16 @@ def test_ways_out_of_loops_of_python(units):
     facts = next(one for one in units(a_py=PYTHON.format(body=body)) if one.endpoints)
     assert [one.name.pattern for one in facts.endpoints] == ["a", "b", "c*"]
     assert facts.endpoints[0].conditions == ("not ask()",)
+
+
+def test_what_an_earlier_turn_sets_is_not_known_in_the_next(node_of):
+    body = 'std::string a = "a"; while (ask()) {' + PUB.format("a") + ' a = "b"; }'
+    (one,) = node_of(body).endpoints
+    assert one.name.known is None
+    body = "bool first = true; while (ask()) { if (first) {" + PUB.format('"a"') + "} else {" + PUB.format('"b"')
+    assert [str(one.name) for one in node_of(body + "} first = false; }").endpoints] == ["a", "b"]
+
+
+def test_what_is_set_before_it_is_read_is_known_in_each_turn(node_of, names):
+    body = 'std::string a = "a"; while (ask()) { a = "b";' + PUB.format("a") + "}"
+    assert names(node_of(body)) == [("publisher", "b")]

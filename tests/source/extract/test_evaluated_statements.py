@@ -166,3 +166,9 @@ def test_a_function_that_may_return_what_is_unknown_decides_nothing(node_of, mem
         ("a", ("which()",)),
         ("b", ("not which()",)),
     ]
+
+
+def test_handlers_see_what_was_set_before_the_exception(node_of):
+    body = 'std::string a = "a"; try { a = "b"; read(); } catch (...) {' + PUB.format("a") + "}" + PUB.format("a")
+    both = "{b if no exception, else a}"
+    assert [str(one.name) for one in node_of(body).endpoints] == [both, both]

@@ -25,6 +25,7 @@ from roslens.source.extract.program import (
     Statement,
 )
 from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.read_first import is_read_first
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.vocabulary_streams import words_read
@@ -263,7 +264,7 @@ def _is_number(value: Any) -> bool:
 
 
 def _forget_counters(engine: Evaluation, statement: Loop) -> None:
-    """Let be unknown what has another value in each turn: numbers that are set, and texts that grow."""
+    """Let be unknown what has another value in each turn: numbers that are set, texts that grow or are read before."""
     frame = engine.frame
     for place, grows in _assigned((*statement.body, *statement.update)):
         if isinstance(place, Name) and place.name in frame.names:
@@ -273,10 +274,12 @@ def _forget_counters(engine: Evaluation, statement: Loop) -> None:
         else:
             continue
         before = holder[place.name]
-        if _is_number(before):
+        if isinstance(before, bool | int | float):
             holder[place.name] = Unknown(f"{place.name}, which changes in a loop")
         elif isinstance(before, Text) and grows:
             holder[place.name] = unknown(f"{place.name}, which grows in a loop")
+        elif isinstance(before, Text) and before.known is not None and is_read_first(statement.body, place):
+            holder[place.name] = unknown(f"{place.name}, which changes in a loop")
 
 
 def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:

@@ -41,6 +41,7 @@ from roslens.source.extract.xml_rpc_values import XML_RPC, put_part
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.evaluation_frame import Held
 
 
 def initialise(engine: Evaluation, statement: Statement) -> None:
@@ -281,7 +282,9 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     second = changes.count
     way = changes.taken_back(since, frame.members) if second > since else {}
     frame.returned = frame.stopped = False
-    if statement.otherwise:
+    if statement.otherwise and written == "no exception" and after is not before:
+        _handled(engine, statement.otherwise, (before, after), (written, otherwise))
+    elif statement.otherwise:
         _noted(engine, otherwise, statement.otherwise)
     other_returned, other_gone = frame.returned, frame.returned or frame.stopped
     if way or changes.count > second:
@@ -304,6 +307,21 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
         engine.under(otherwise, frame.tests.get(otherwise))
         frame.passed += 1
     without_ways_out(engine, ways)
+
+
+def _handled(engine: Evaluation, body: tuple[Statement, ...], held: tuple[Held, Held], notes: tuple[str, str]) -> None:
+    """Follow handlers of exceptions: in them may hold what was set until the exception came."""
+    frame, (before, after) = engine.frame, held
+    frame.join(after, notes[0])
+    begun = frame.snapshot()
+    _noted(engine, notes[1], body)
+    for now, first, was in zip((frame.names, frame.members or {}), begun, before, strict=True):
+        for name in [name for name, value in first.items() if now.get(name) is value is not was.get(name)]:
+            # What they leave alone is what it was where there was an exception, or what it came to.
+            if name in was:
+                now[name] = was[name]
+            else:
+                del now[name]
 
 
 def _asks_parameter(engine: Evaluation, condition: Expression) -> bool:

@@ -119,6 +119,7 @@ class Obj(msgspec.Struct, eq=False):
         node: of the node that it is, where it is one.
         templates: what the template parameters of its class stand for.
         base_templates: those of its bases, by the qualified name of the base.
+        ways: the objects of which it is one, each with its conditions; empty of one object.
     """
 
     type: str
@@ -127,6 +128,7 @@ class Obj(msgspec.Struct, eq=False):
     node: Building | None = None
     templates: dict[str, str] = {}
     base_templates: dict[str, dict[str, str]] = {}
+    ways: tuple[tuple[tuple[str, ...], Obj], ...] = ()
 
     def templates_of(self, class_name: str) -> dict[str, str]:
         """Return what the template parameters stand for in its class, or in a base of it."""

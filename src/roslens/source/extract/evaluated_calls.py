@@ -10,6 +10,7 @@ from roslens.source.extract.changed_values import CHANGING, changed_by
 from roslens.source.extract.evaluated_expressions import Expressions
 from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.object_ways import each_way
 from roslens.source.extract.overload_choice import overload
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
@@ -207,6 +208,8 @@ class Calls(Expressions):
         if isinstance(of, Class):
             return self._of_class(of, expression, name, arguments, keywords)
         if isinstance(of, Obj):
+            if of.ways:
+                return self._of_ways(of, expression, name, arguments, keywords, templates)
             method = engine.methods(of, name, len(arguments) + len(keywords), arguments)
             if method is not None:
                 return engine.call(method, arguments, keywords, expression.arguments, templates)
@@ -218,6 +221,21 @@ class Calls(Expressions):
             found = known(engine, of, called)
             return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
         return self._plain_method(expression, function, of, arguments, keywords)
+
+    def _of_ways(
+        self, of: Obj, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any],
+        templates: tuple[str, ...],
+    ) -> Any:  # fmt: skip
+        """Call a method of each object that it may be."""
+        engine: Evaluation = self  # type: ignore[assignment]
+
+        def call(thing: Obj) -> Any:
+            method = engine.methods(thing, name, len(arguments) + len(keywords), arguments)
+            if method is None:
+                return Unknown(f"result of {name}()")
+            return engine.call(method, arguments, keywords, expression.arguments, templates)
+
+        return each_way(engine, of, call)
 
     def _plain_method(
         self, expression: Call, function: Member, of: Any, arguments: list[Any], keywords: dict[str, Any]

@@ -12,6 +12,7 @@ import msgspec
 from roslens.source.extract.abstract_value import Class, Made, Named, Obj, Unknown, as_text
 from roslens.source.extract.condition import negated
 from roslens.source.extract.many_choices import of_many
+from roslens.source.extract.object_ways import one_object
 from roslens.source.extract.perhaps import perhaps
 from roslens.source.extract.plain_methods import is_namespace
 from roslens.source.extract.program import Expression, Function
@@ -226,13 +227,15 @@ def one_or_none(value: Any, other: Any, condition: str, test: Asked | None = Non
 def one_of(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
     """Return what is known of two values that are no texts, of which a condition chooses; None where either may stand.
 
-    Which object of the workspace or of ROS it is makes no difference in most code: the first one stands for both.
+    Which object of one class or of ROS it is makes no difference in most code: the first one stands for both.
     """
     quality = one_quality(value, other, condition)
     if quality is not None:
         return quality
     if isinstance(value, list) and isinstance(other, list):
         return _one_list(value, other, condition, test)
+    if isinstance(value, Obj) and isinstance(other, Obj):
+        return one_object(value, other, condition)
     if isinstance(value, Named | Class) and isinstance(other, Named | Class) and value != other:
         names = [one.name if isinstance(one, Named) else one.defined.what.qualified_name for one in (value, other)]
         return None if names[0] == names[1] else Unknown(f"one of {names[0]} and {names[1]}, by {condition}"[:200])

@@ -122,3 +122,22 @@ def test_a_name_that_is_guessed_is_marked_and_its_settings_are_not_doubted():
     assert "\n~ /spawner  (p/spawner)" in text
     assert text.count("if sim") == 1
     assert "no code is known" not in text
+
+
+def test_names_that_depend_on_what_the_name_of_their_node_depends_on_are_told_with_it():
+    place = Proof("pkg/launch/a.launch.py", 7, origin=Origin.LAUNCH)
+    code = Proof("pkg/src/a.cpp", 3)
+    own = Unresolved("/{space}/a", place, "the node's name depends on space", "/*/a")
+    below = [Unresolved(name, code, "the name of this publisher depends on space", "/*/a") for name in ("b", "c")]
+    other = Unresolved("d", code, "the name of this publisher depends on parameter d", "/*/a")
+    elsewhere = Unresolved("e", code, "the name of this publisher depends on space", "/e")
+    node = ConfiguredNode("/*/a", place, resolved=False)
+    text = to_graph_text(Configuration("a", "ros2", (node,), unresolved=(own, *below, other, elsewhere)))
+    lines = text.splitlines()[text.splitlines().index("unresolved: 5") + 1 :]
+    assert lines[:3] == [
+        "  pkg/launch/a.launch.py:7  /*/a: the node's name depends on space, and so do 2 names of what it makes "
+        + '"/{space}/a"',
+        '  pkg/src/a.cpp:3  /*/a: the name of this publisher depends on parameter d "d"',
+        '  pkg/src/a.cpp:3  /e: the name of this publisher depends on space "e"',
+    ]
+    assert lines[3] == ""

@@ -11,6 +11,7 @@ from roslens.model.configuration import (
     ConfiguredParameter,
     Origin,
     Proof,
+    Unresolved,
 )
 from roslens.model.graph import Role
 from roslens.model.qos import quality_text
@@ -26,6 +27,7 @@ _HEADS = (
 _OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that every node of ROS 2 takes, whatever its own code says."""
 
+_OF_NODE = "the node's name depends on "
 _LONGEST = 60
 _LONGEST_REASON = 120
 
@@ -37,14 +39,32 @@ def to_graph_text(configuration: Configuration) -> str:
     for one in configuration.nodes:
         lines += ["", *_node(one, configuration.generation, set_by_unknown=one.proof.place in unknown)]
     if configuration.unresolved:
-        lines += ["", f"unresolved: {len(configuration.unresolved)}"]
-        for missing in configuration.unresolved:
-            node = f"{missing.node}: " if missing.node else ""
-            text = f' "{_short(missing.text)}"' if missing.text else ""
-            lines.append(f"  {missing.proof.place}  {node}{missing.reason}{text}")
+        lines += ["", f"unresolved: {len(configuration.unresolved)}", *_unresolved(configuration.unresolved)]
     if any("? " in line or "~ " in line for line in lines):
         lines += ["", "? a part of the name is unknown, * stands for it   ~ likely, but may be otherwise"]
     return "".join(f"{printable(line)}\n" for line in lines)
+
+
+def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
+    """Yield a line for each, but one for a node together with the names below it that depend on the same."""
+    causes = {
+        (one.node, cause): [one]
+        for one in missed
+        if (cause := one.reason.partition(" depends on ")[2]) and one.reason.startswith(_OF_NODE)
+    }
+    for one in missed:
+        start, _, cause = one.reason.partition(" depends on ")
+        if start.startswith("the name of this ") and (one.node, cause) in causes:
+            causes[one.node, cause].append(one)
+    told = {id(one) for same in causes.values() for one in same[1:]}
+    for one in missed:
+        if id(one) in told:
+            continue
+        below = len(causes.get((one.node, one.reason.partition(" depends on ")[2]), ())) - 1
+        node = f"{one.node}: " if one.node else ""
+        text = f' "{_short(one.text)}"' if one.text else ""
+        more = f", and so do {below} names of what it makes" if below > 0 and one.reason.startswith(_OF_NODE) else ""
+        yield f"  {one.proof.place}  {node}{one.reason}{more}{text}"
 
 
 def _head(configuration: Configuration) -> Iterator[str]:

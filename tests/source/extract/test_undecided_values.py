@@ -103,3 +103,7 @@ def test_formats_that_are_not_followed_are_unknown(units):
     for template, rest in (("{0}{1}{0}", ".format('x', 'y')"), ("{a}", ".format(a='x')"), ("%d%%%s", " % (1, 's')")):
         assert names(units, f"t = '{template}'\n{MAKE.format('t' + rest)}") == [None]
     assert names(units, f"flag = True\n{MAKE.format('f' + repr('{flag}'))}") == ["True"]
+
+
+def test_a_set_has_an_item_once(units):
+    assert names(units, MAKE.format("'_'.join(set(['a', 'a']))")) == ["a"]

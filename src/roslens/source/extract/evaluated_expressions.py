@@ -9,6 +9,7 @@ from roslens.source.extract.abstract_value import Callable, Class, Made, Named, 
 from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import Frame, either, one_of, one_or_none
 from roslens.source.extract.list_slices import is_slice, part_of
+from roslens.source.extract.module_values import module_value
 from roslens.source.extract.perhaps import Perhaps, is_counted
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
 from roslens.source.extract.plugin_held import item_held
@@ -123,6 +124,11 @@ class Expressions:
         if (path, name) in engine.constants:
             return engine.constants[path, name]
         engine.constants[path, name] = Unknown(f"the constant {name}")
+        python = engine.index.programs[path].language == "python"
+        of_module = module_value(engine, path, name.rpartition(".")[2], expression) if python else None
+        if of_module is not None:
+            engine.constants[path, name] = of_module[0]
+            return of_module[0]
         outer, engine.frame = engine.frame, Frame(path, name.rpartition(".")[0])
         try:
             engine.constants[path, name] = self.value(expression)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from roslens.source.extract.program import Expression, Field, Function
+from roslens.source.extract.program import Expression, Field, Function, Statement
 from roslens.source.extract.program_text import expression_text
 
 Found = tuple[Function, str] | None
@@ -29,6 +29,7 @@ class Lookups:
             path, scope and how many arguments are given.
         kinds: what objects are, by their type, class and whether they are nodes.
         members: of objects of a class, by its identity, with what they are at first.
+        of_modules: statements that change variables of modules of Python, by path and name.
     """
 
     def __init__(self) -> None:
@@ -41,6 +42,7 @@ class Lookups:
         self.kinds: dict[tuple[str, int, bool], tuple[str, ...]] = {}
         self.outside: dict[tuple[int, str, str, str, int], tuple[str, str]] = {}
         self.members: dict[int, tuple[tuple[Field, Any], ...]] = {}
+        self.of_modules: dict[str, dict[str, tuple[Statement, ...]]] = {}
         self._texts: dict[int, tuple[Expression, str]] = {}
 
     def text(self, expression: Expression) -> str:

@@ -75,6 +75,8 @@ def collected(engine: Evaluation, _thing: Any, called: Called) -> Any:
         known = [one for one in texts if one is not None]
         plain = len(known) == len(items) and not called.keywords
         return [Text.of(one) for one in sorted(known)] if plain else Unknown("result of sorted()")
+    if called.name.endswith("set") and all(isinstance(one, Text) for one in items):
+        return list(dict.fromkeys(items))
     return list(items)
 
 

@@ -1,0 +1,67 @@
+"""Nodes of rclpy that are made up by chance, evaluated and executed: what is said to be certain is so in every run."""
+
+import pytest
+from python_truth import node_programs, node_stubs
+from python_truth.node_comparison import disagreements
+from python_truth.node_programs import HEAD, TAIL
+
+FROM, PROGRAMS, RUNS = 20_000, 60, 12
+MAKE = "self.create_publisher(String, {}, 10)"
+
+
+def found_in(program, runs=RUNS):
+    return disagreements(program, [node_stubs.run(program, seed) for seed in range(runs)])
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::SyntaxWarning")
+@pytest.mark.parametrize("part", range(4))
+def test_made_up_nodes(part):
+    wrong = {}
+    for seed in range(FROM + part * PROGRAMS // 4, FROM + (part + 1) * PROGRAMS // 4):
+        found = found_in(node_programs.program(seed))
+        if found:
+            wrong[seed] = found
+    assert not wrong
+
+
+def node(body, before=""):
+    inner = "\n".join(f"        {line}" for line in body.split("\n"))
+    return f'{HEAD}{before}\nclass Main(Node):\n    def __init__(self):\n        super().__init__("main")\n{inner}\n\n\n{TAIL}'
+
+
+AGREE = {
+    "none": f"n = None\nif ask():\n    n = 'a'\nif n:\n    {MAKE.format('n')}",
+    "loop": f"while ask():\n    {MAKE.format(repr('a'))}",
+    "else of a loop": f"for i in ['a']:\n    if ask():\n        break\nelse:\n    {MAKE.format(repr('a'))}",
+    "filled list": f"x = []\nfor i in ['a', 'b']:\n    if ask():\n        x.append(i)\nfor i in x:\n    {MAKE.format('i')}",
+    "table": f"d = {{}}\nif ask():\n    d['a'] = 'b'\nfor v in d.values():\n    {MAKE.format('v')}",
+    "number": "self.create_publisher(String, 'a', 2 if ask() else 3)",
+}
+DISAGREE = {
+    "one name, several qualities": "for i in range(3):\n    self.create_publisher(String, 'a', i + 1)",
+    "an attribute of a class that is set on the class": f"class A:\n    n = 'a'\na = A()\nA.n = 'b'\n{MAKE.format('a.n')}",
+    "a name of the function around": "def inner():\n    nonlocal n\n    n = 'b'\nn = 'a'\ninner()\n" + MAKE.format("n"),
+}
+
+
+@pytest.mark.parametrize("name", AGREE)
+def test_what_was_wrong_once(name):
+    assert found_in(node(AGREE[name]), 20) == []
+
+
+@pytest.mark.parametrize("name", DISAGREE)
+@pytest.mark.xfail(
+    strict=True, reason="one fact a name and line; attributes of classes and nonlocal names are read once"
+)
+def test_what_is_not_followed_yet(name):
+    assert found_in(node(DISAGREE[name]), 20) == []
+
+
+def test_a_wrong_fact_is_seen():
+    program = node(f"if ask():\n    {MAKE.format(repr('a'))}")
+    runs = [node_stubs.run(program, seed) for seed in range(RUNS)]
+    assert disagreements(program, runs) == []
+    always = program.replace("if ask():", "if True:")
+    assert [one.kind for one in disagreements(always, runs)] == ["not always"]
+    assert [one.kind for one in disagreements(program.replace("'a'", "'b'"), runs)] == ["missed"]

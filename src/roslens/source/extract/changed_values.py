@@ -75,7 +75,7 @@ def _root(written: Expression) -> Expression:
 
 
 def _text(engine: Evaluation, written: Expression, of: Text, name: str, arguments: list[Any]) -> tuple[Any] | None:
-    if not isinstance(written, Name | Member):
+    if not isinstance(written, Name | Member | Call):
         return None
     listed = of.known is None and name in ("push_back", "insert", "erase", "clear", "pop_back", "resize")
     if listed and not _is_sign(arguments):

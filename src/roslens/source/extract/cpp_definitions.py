@@ -36,6 +36,7 @@ from roslens.source.syntax.cpp_names import (
     without_arguments,
 )
 
+_HANDING = ("reference_declarator", "pointer_declarator")
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 _USING = re.compile(rb"using\s+(namespace\s+)?(?:typename\s+)?(?:::\s*)?([\w:\s]+?)\s*;")
 _DEFAULT = re.compile(rb"[^=!<>]=\s*[^=\s][^;]*\)")
@@ -228,7 +229,10 @@ class Definitions:
         self._leave(around)
         line = declarator.start_point.row + 1
         sets = self._statements.sets
-        function = Function(name, qualified, line, class_name, parameters, first, statements, templates, sets=sets)
+        hands = outer.type in _HANDING and b"const" not in self._lowered.source[node.start_byte : outer.start_byte]
+        function = Function(
+            name, qualified, line, class_name, parameters, first, statements, templates, sets=sets, hands=hands
+        )
         self._lowered.end_function(index, function)
 
     def _initialisers(self, node: Node, class_name: str) -> tuple[Statement, ...]:

@@ -78,7 +78,7 @@ class Variables:
             how = "="
             if prefix is None and before[:6] == b"static":
                 how = "static"
-            elif prefix is None and isinstance(made, Name | Member) and written[:1] in (b"&", b"*"):
+            elif prefix is None and written[:1] in (b"&", b"*") and _has_a_place(made):
                 how = self._referring(before, written, value)
             out.append(Assign(target, made, declared_type(before, written), how, node.start_point.row + 1))
 
@@ -88,7 +88,7 @@ class Variables:
             return "="
         if written[:1] == b"&":
             return "&"
-        return "*" if self._lowered.text(value)[:1] == b"&" else "="
+        return "*" if value.type == "call_expression" or self._lowered.text(value)[:1] == b"&" else "="
 
     def _initial(self, node: Node, type_: Node, declarator: Node, written: bytes, value: Node) -> Expression:
         """Return the value of a declared variable: ``= value``, ``(values)`` or ``{values}``."""
@@ -150,3 +150,10 @@ def target_of(declarator: bytes, prefix: str = "") -> Expression | None:
         return Name(prefix + name)
     names = _IDENTIFIER.findall(declarator.decode("utf-8", "replace")) if b"[" in declarator else ()
     return Sequence(tuple(map(Name, names))) if names else None
+
+
+def _has_a_place(value: Expression | None) -> bool:
+    """Whether a value stands somewhere: in a variable, a member, or where a call without arguments says."""
+    return isinstance(value, Name | Member) or (
+        isinstance(value, Call) and not value.arguments and not value.templates and value.function != Name("new")
+    )

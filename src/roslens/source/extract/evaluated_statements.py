@@ -12,6 +12,7 @@ from roslens.source.extract.evaluated_loops import left, looped, without_ways_ou
 from roslens.source.extract.evaluated_objects import is_list
 from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import join
+from roslens.source.extract.kept_values import keep, no_place, once, put_where_it_stands, returned
 from roslens.source.extract.made_texts import with_sign
 from roslens.source.extract.other_names import assign_referred, refer
 from roslens.source.extract.perhaps import Perhaps, is_counted
@@ -131,7 +132,7 @@ def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
 
 def _assigned(engine: Evaluation, statement: Assign) -> None:
     if statement.operator == "static" and isinstance(statement.target, Name):
-        engine.frame.names[statement.target.name] = _once(engine, statement)
+        engine.frame.names[statement.target.name] = once(engine, statement)
         return
     if statement.operator in _REFERRING and refer(engine, statement):
         return
@@ -162,22 +163,6 @@ def _set_from_here(engine: Evaluation, name: Name) -> Any:
     return value
 
 
-def _once(engine: Evaluation, statement: Assign) -> Any:
-    """Return the object of a variable that lives on between calls: the one that the first call made, if silently."""
-    frame, touched = engine.frame, engine.touches
-    key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
-    if key in engine.once:
-        return engine.once[key]
-    if statement.value is None:
-        engine.written_at(statement.line)
-        value = engine.declared(statement.declared)
-    else:
-        value = engine.converted(statement.declared, engine.value(statement.value))
-    if isinstance(value, Obj) and engine.touches == touched:
-        engine.once[key] = value
-    return value
-
-
 def assign(engine: Evaluation, target: Expression, value: Any) -> None:
     """Put a value where an expression says."""
     if isinstance(target, Name):
@@ -195,6 +180,9 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
         if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
             # A member of what is not in the workspace: options that hold callbacks.
             engine.called_outer(value)
+    elif isinstance(target, Call):
+        no_place(engine)
+        put_where_it_stands(engine, engine.value(target), value)
     elif isinstance(target, Item):
         _assign_item(engine, target, value)
     elif isinstance(target, Sequence):
@@ -225,6 +213,9 @@ def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
 
 def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
     frame = engine.frame
+    if name in frame.kept:
+        keep(engine, name, value)
+        return
     if name in frame.aliases and name not in frame.names:
         assign_referred(engine, name, value)
         return
@@ -256,6 +247,7 @@ def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
 
 def _returned(engine: Evaluation, statement: Return) -> None:
     value = None if statement.value is None else engine.value(statement.value)
+    returned(engine, statement)
     engine.frame.give(value, engine.conditions[engine.frame.depth :])
     engine.frame.plainly = value is None or value is True or (value == 0 and value is not False)
 

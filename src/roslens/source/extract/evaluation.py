@@ -67,7 +67,8 @@ class Evaluation(Objects):
         changes: what is changed in objects while ways of open conditions are followed.
         asked: what decides conditions, by their place, with the condition that stood there.
         frame: of the function that is evaluated.
-        once: objects of variables that functions keep between calls, by their place.
+        once: values of variables that functions keep between calls, by their place.
+        gave: where the value stands to which the last call returned a reference, in its frame.
         bare: functions without their decorators, by the identity of those with them, which they keep alive.
         words: of the command line, where they are known.
         steps: that were made so far.
@@ -101,6 +102,7 @@ class Evaluation(Objects):
         self.reached: set[tuple[str, int]] = set()
         self.globals: dict[str, Any] = {}
         self.once: dict[tuple[object, ...], Any] = {}
+        self.gave: tuple[Frame, Expression] | None = None
         self.bare: dict[int, tuple[Function, Function]] = {}
         self.steps, self.most_steps = 0, MOST_STEPS
         self._again = Again()
@@ -210,7 +212,7 @@ class Evaluation(Objects):
             frame = self._followed(function, arguments, keywords, written, templates)
             result, names = frame.outcome(), frame.names
         else:
-            result, names, self.site = done.result, done.names, done.site
+            result, names, self.site, self.gave = done.result, done.names, done.site, None
             if isinstance(function.self, Obj):
                 if self.changes.open:
                     for name, value in done.fields.items():

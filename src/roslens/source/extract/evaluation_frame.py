@@ -29,6 +29,10 @@ _LONG = 400
 """So much of the words for a choice is kept; one of few texts has fewer."""
 
 
+_NONE: dict[str, tuple[object, ...]] = {}
+"""Kept variables of most functions; it is never changed."""
+
+
 class WayOut(msgspec.Struct, frozen=True):
     """A place at which a loop or a turn of it is left.
 
@@ -76,6 +80,7 @@ class Frame:
         passed: how many of the conditions hold because the function was not left before.
         plainly: whether the last return told no failure.
         tests: what decides the conditions of branches, as written, where that is known.
+        kept: variables that live on between calls, and their places.
         left: what ways that left the function changed in members of the object, and their conditions.
     """
 
@@ -96,6 +101,7 @@ class Frame:
         self.passed = 0
         self.plainly = False
         self.tests: dict[str, Asked] = {}
+        self.kept: dict[str, tuple[object, ...]] = _NONE
         self.left: list[tuple[dict[str, Any], str]] = []
         self._given = ""
         self._given_test: Asked | None = None

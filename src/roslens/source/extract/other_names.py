@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import QosValue, Unknown
-from roslens.source.extract.program import Assign, Expression, Member, Name
+from roslens.source.extract.kept_values import no_place
+from roslens.source.extract.program import Assign, Call, Expression, Member, Name
 from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
@@ -21,13 +22,31 @@ _PLAIN = (Text, bool, int, float, QosValue)
 def refer(engine: Evaluation, statement: Assign) -> bool:
     """Let a declared name be another one of what it is declared to be; return whether it is one of a plain value."""
     frame, name, value = engine.frame, statement.target, statement.value
-    if not isinstance(name, Name) or value is None or value == name or not _stays(value):
+    if not isinstance(name, Name) or value is None or value == name:
+        return False
+    if isinstance(value, Call) and not value.arguments and not value.keywords:
+        return _refer_to_result(engine, statement, name, value)
+    if not _stays(value):
         return False
     if not isinstance(engine.value(value), _PLAIN):
         frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
         return False
     frame.names.pop(name.name, None)
     frame.aliases = {**frame.aliases, name.name: (value, statement.operator == "*")}
+    return True
+
+
+def _refer_to_result(engine: Evaluation, statement: Assign, name: Name, call: Call) -> bool:
+    """Let a name be another one of what a call returns a reference to; return True."""
+    frame = engine.frame
+    no_place(engine)
+    value = engine.converted(statement.declared, engine.value(call)) if statement.declared else engine.value(call)
+    frame.names.pop(name.name, None)
+    if engine.gave is not None and isinstance(value, _PLAIN):
+        frame.aliases = {**frame.aliases, name.name: (call, statement.operator == "*")}
+    else:
+        frame.aliases = {known: one for known, one in frame.aliases.items() if known != name.name}
+        frame.names[name.name] = value
     return True
 
 

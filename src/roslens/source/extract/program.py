@@ -198,6 +198,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
         body: its statements; of a C++ function that only computes it is empty, also where it returns something.
         templates: names of its template parameters, those of its class first.
         decorators: Python's, as expressions.
+        hands: whether it is of C++ and returns a reference or pointer to what may be changed.
         sets: members that statements of C++ set which were left out, as far as their names look like members.
     """
 
@@ -211,6 +212,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
     templates: tuple[str, ...] = ()
     decorators: tuple[Expression, ...] = ()
     sets: tuple[str, ...] = ()
+    hands: bool = False
 
 
 class Field(msgspec.Struct, frozen=True, array_like=True):

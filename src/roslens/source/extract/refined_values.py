@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.kept_values import put_where_it_stands
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.shared_values import changed_for_all
 from roslens.source.extract.text import Text, unknown
@@ -25,7 +26,11 @@ def refine(engine: Evaluation, holder: Expression, before: Any, after: Any) -> A
     """
     while isinstance(holder, Call) and isinstance(holder.function, Member) and holder.function.name in HANDED_ON:
         holder = holder.function.of
-    if not isinstance(holder, Name | Member) or not isinstance(after, QosValue):
+    if not isinstance(after, QosValue):
+        return after
+    if isinstance(holder, Call):
+        put_where_it_stands(engine, before, after)
+    if not isinstance(holder, Name | Member):
         return after
     engine.assign(holder, after)
     changed_for_all(engine, holder, before, after)

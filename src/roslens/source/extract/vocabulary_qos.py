@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 
 
-@outer("rclcpp.QoS", "rclpy.qos.QoSProfile")
+@outer("rclcpp.QoS", "rclpy.qos.QoSProfile", quiet=True)
 def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
     """A quality of service."""
     # What is made is an object of its own, whatever it is made of.
@@ -104,7 +104,7 @@ def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     return Obj(INITIALISATION, None, {"qos": keeping(DEFAULT_QUALITY, value)})
 
 
-@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS))
+@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS), quiet=True)
 def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
     """A quality of service that has a name, with the history that it is given."""
     value = QosValue(PRESETS[called.name.rpartition(".")[2]])

@@ -27,20 +27,21 @@ def test_made_up_nodes(part):
 
 def node(body, before=""):
     inner = "\n".join(f"        {line}" for line in body.split("\n"))
-    return f'{HEAD}{before}\nclass Main(Node):\n    def __init__(self):\n        super().__init__("main")\n{inner}\n\n\n{TAIL}'
+    start = 'class Main(Node):\n    def __init__(self):\n        super().__init__("main")\n'
+    return f"{HEAD}{before}\n{start}{inner}\n\n\n{TAIL}"
 
 
 AGREE = {
     "none": f"n = None\nif ask():\n    n = 'a'\nif n:\n    {MAKE.format('n')}",
     "loop": f"while ask():\n    {MAKE.format(repr('a'))}",
     "else of a loop": f"for i in ['a']:\n    if ask():\n        break\nelse:\n    {MAKE.format(repr('a'))}",
-    "filled list": f"x = []\nfor i in ['a', 'b']:\n    if ask():\n        x.append(i)\nfor i in x:\n    {MAKE.format('i')}",
+    "filled list": f"x = ['b']\nif ask():\n    x.append('a')\nfor i in x:\n    {MAKE.format('i')}",
     "table": f"d = {{}}\nif ask():\n    d['a'] = 'b'\nfor v in d.values():\n    {MAKE.format('v')}",
     "number": "self.create_publisher(String, 'a', 2 if ask() else 3)",
 }
 DISAGREE = {
     "one name, several qualities": "for i in range(3):\n    self.create_publisher(String, 'a', i + 1)",
-    "an attribute of a class that is set on the class": f"class A:\n    n = 'a'\na = A()\nA.n = 'b'\n{MAKE.format('a.n')}",
+    "an attribute that is set on the class": f"class A:\n    n = 'a'\na = A()\nA.n = 'b'\n{MAKE.format('a.n')}",
     "a name of the function around": "def inner():\n    nonlocal n\n    n = 'b'\nn = 'a'\ninner()\n" + MAKE.format("n"),
 }
 

@@ -6,6 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
+from roslens.source.extract.class_attributes import class_of_scope, read_first
 from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import Frame, either, one_of, one_or_none
 from roslens.source.extract.list_slices import is_slice, part_of
@@ -98,6 +99,8 @@ class Expressions:
         if name == _PACKAGE_NAME:
             # catkin and rosconsole define it as the name of the project, which is that of the package.
             return Text.of(engine.index.package(engine.frame.path))
+        if name == "cls":
+            return class_of_scope(engine)
         return engine.words if name == "sys.argv" and engine.words is not None else Named(name)
 
     def defined(self, name: str) -> Any:
@@ -129,11 +132,13 @@ class Expressions:
         if of_module is not None:
             engine.constants[path, name] = of_module[0]
             return of_module[0]
+        of_class = python and "." in name
         outer, engine.frame = engine.frame, Frame(path, name.rpartition(".")[0])
         try:
-            engine.constants[path, name] = self.value(expression)
+            value = self.value(expression)
         finally:
             engine.frame = outer
+        engine.constants[path, name] = read_first(engine, name, value) if of_class else value
         return engine.constants[path, name]
 
     def member(self, expression: Member) -> Any:
@@ -162,6 +167,8 @@ class Expressions:
     def _member_of_object(self, of: Obj, name: str, engine: Evaluation) -> Any:
         if name in of.fields:
             return of.fields[name]
+        if name == "__class__" and of.defined is not None:
+            return Class(of.defined)
         method = engine.method(of, name)
         if method is not None:
             if any(getattr(one, "name", "") == "property" for one in method.function.decorators):

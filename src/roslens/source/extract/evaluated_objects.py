@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Obj, Unknown
 from roslens.source.extract.base_templates import bind_bases
+from roslens.source.extract.class_attributes import of_object
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.given_fields import set_fields
@@ -82,7 +83,9 @@ class Objects(Calls):
                 engine.site = Evidence(one.path, field.line)
                 try:
                     if field.value is not None:
-                        thing.fields[field.name] = engine.typed(field.type, engine.value(field.value))
+                        value = engine.typed(field.type, engine.value(field.value))
+                        python = one.path[-3:] == ".py"
+                        thing.fields[field.name] = of_object(engine, one, field.name, value) if python else value
                     elif field.type and "*" not in field.type:
                         value = engine.declared(field.type)
                         # Who sets it may not be followed: it is not sure to be empty.

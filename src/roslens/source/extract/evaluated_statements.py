@@ -5,8 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue, Remappings, Unknown, as_text, test_of
+from roslens.source.extract.abstract_value import (
+    Callable,
+    Class,
+    Named,
+    Obj,
+    QosValue,
+    Remappings,
+    Unknown,
+    as_text,
+    test_of,
+)
 from roslens.source.extract.changed_values import is_open, put_item
+from roslens.source.extract.class_attributes import set_attribute
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
@@ -175,6 +186,8 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
         of = engine.value(target.of)
         if isinstance(of, Obj):
             engine.changes.put(of.fields, target.name, value)
+        elif isinstance(of, Class):
+            set_attribute(engine, of, target.name, value)
         elif isinstance(of, QosValue | Named) and (quality := quality_of(of)) is not None:
             refine(engine, target.of, of, changed(quality, target.name, value))
         if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):

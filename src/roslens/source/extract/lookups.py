@@ -30,6 +30,8 @@ class Lookups:
         kinds: what objects are, by their type, class and whether they are nodes.
         members: of objects of a class, by its identity, with what they are at first.
         of_modules: statements that change variables of modules of Python, by path and name.
+        set_on_classes: attributes that code of Python sets on classes, by the last name of the class; None before it
+            is asked for.
     """
 
     def __init__(self) -> None:
@@ -43,6 +45,7 @@ class Lookups:
         self.outside: dict[tuple[int, str, str, str, int], tuple[str, str]] = {}
         self.members: dict[int, tuple[tuple[Field, Any], ...]] = {}
         self.of_modules: dict[str, dict[str, tuple[Statement, ...]]] = {}
+        self.set_on_classes: set[tuple[str, str]] | None = None
         self._texts: dict[int, tuple[Expression, str]] = {}
 
     def text(self, expression: Expression) -> str:

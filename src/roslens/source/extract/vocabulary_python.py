@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from roslens.source.extract.abstract_value import Obj
+from roslens.source.extract.abstract_value import Class, Obj, Unknown
 from roslens.source.extract.program import Member
 from roslens.source.extract.quality import quality_of
 from roslens.source.extract.text import Text
@@ -36,3 +36,11 @@ def member_set(engine: Evaluation, _thing: Any, called: Called) -> None:
     name = called.argument(1)
     if isinstance(name, Text) and name.known and len(called.written) == 3:
         engine.assign(Member(called.written[0], name.known), called.argument(2))
+
+
+@outer("type", quiet=True)
+def kind_of(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+    """The class of an object."""
+    value = called.argument(0)
+    known = isinstance(value, Obj) and value.defined is not None and len(called.arguments) == 1
+    return Class(value.defined) if known else Unknown("result of type()")

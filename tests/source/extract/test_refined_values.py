@@ -39,3 +39,17 @@ def test_what_is_not_set_elsewhere_decides(units):
     (facts,) = units(a_cpp=CODE % "const auto version = std::strtof(one.substr(place).c_str(), nullptr);")
     assert [(one.name.known, one.conditions) for one in facts.endpoints] == [("old", ()), ("other", ())]
     assert facts.endpoints[1].qos.depth == 3
+
+
+def test_a_number_that_a_function_may_set_for_its_caller_where_it_was_left_out_is_not_known(node_of):
+    computes = "double sum = 0; for (int i = 0; i < 10; ++i) { sum += i * 2.0; } double mean = sum / 10.0; " * 3
+    facts = node_of(
+        "timer_ = create_wall_timer(std::chrono::seconds(1), [this]() { process(); });",
+        f"bool at(const double & known, double & limit) {{ {computes} limit = mean + known; return sum > 1; }}\n"
+        "void process() { auto made = std::make_unique<std_msgs::msg::String>(); if (!at(known_, limit_)) { return; }\n"
+        'if (limit_ != before_) { out_ = create_publisher<std_msgs::msg::String>("limit", 1); }\n'
+        'if (known_ != 2) { no_ = create_publisher<std_msgs::msg::String>("never", 1); } }\n'
+        "double limit_ = 100; double before_ = 100; int known_ = 2; rclcpp::TimerBase::SharedPtr timer_;\n"
+        "rclcpp::Publisher<std_msgs::msg::String>::SharedPtr out_, no_;",
+    )
+    assert [str(one.name) for one in facts.endpoints] == ["limit"]

@@ -229,6 +229,10 @@ class Definitions:
         self._leave(around)
         line = declarator.start_point.row + 1
         sets = self._statements.sets
+        if self._statements.in_part:
+            for one in parameters:
+                if one.type[-1:] == "&" and one.name and "const" not in one.type:
+                    sets += (one.name,)
         hands = outer.type in _HANDING and b"const" not in self._lowered.source[node.start_byte : outer.start_byte]
         function = Function(
             name, qualified, line, class_name, parameters, first, statements, templates, sets=sets, hands=hands

@@ -38,6 +38,8 @@ class StatementLowering:
 
     Attributes:
         on_definition: what lowers a class, alias, function or directive among statements; says whether it was one.
+        sets: members that the last body sets, as far as that was left out.
+        in_part: whether a part of the last body was left out.
     """
 
     on_definition: Callable[[Node, Statements], bool]
@@ -52,12 +54,14 @@ class StatementLowering:
         self._whole = True
         self._leaves: frozenset[str] = frozenset()
         self.sets: tuple[str, ...] = ()
+        self.in_part = False
 
     def body(self, node: Node, test: bool = False) -> tuple[Statement, ...]:
         """Return what the body of a function, or of a ``test``, says, as far as it may matter."""
         head = node.parent.start_byte if node.parent is not None else -1
         relevance = Relevance(self._lowered.source, node.start_byte, node.end_byte, test, head)
-        if relevance.level is not Level.WHOLE:
+        self.in_part = in_part = relevance.level is not Level.WHOLE
+        if in_part:
             self._lowered.left_out += (node.start_byte, node.end_byte)
         if relevance.level is Level.NOTHING:
             self.sets = relevance.sets
@@ -68,7 +72,7 @@ class StatementLowering:
             return self.block(node)
         finally:
             self._relevance, self._whole, self._leaves = before
-            self.sets = relevance.sets
+            self.sets, self.in_part = relevance.sets, in_part
 
     def _may_lead(self, node: Node) -> bool:
         return self._whole or self._relevance is None or self._relevance.may_lead(node.start_byte, node.end_byte)

@@ -34,7 +34,7 @@ from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
-from roslens.source.extract.refined_values import lose
+from roslens.source.extract.refined_values import lose, lose_unseen
 from roslens.source.extract.shared_values import changed_by_call, newest
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.vocabulary_options import options_from_outside
@@ -201,7 +201,7 @@ class Evaluation(Objects):
             return Unknown(f"result of {what.name}()")
         self.reached.add(key)
         if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
-            lose(function.self, what)
+            lose_unseen(self, function, written)
             return self._computed_by(what, [*function.arguments, *arguments])
         if what.decorators and (made := decorated(self, function)) is not function:
             return made if isinstance(made, Unknown) else self.call(made, arguments, keywords, written)
@@ -254,7 +254,7 @@ class Evaluation(Objects):
             for statement in what.initialisers:
                 initialise(self, statement)
             if what.sets:
-                lose(thing, what)
+                lose(thing, what, frame.names)
             block(self, what.body)
         finally:
             self.frame = outer

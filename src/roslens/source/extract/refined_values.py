@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from roslens.source.extract.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.abstract_value import Callable, Named, Obj, QosValue, Unknown
 from roslens.source.extract.kept_values import put_where_it_stands
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.shared_values import changed_for_all
@@ -37,8 +37,17 @@ def refine(engine: Evaluation, holder: Expression, before: Any, after: Any) -> A
     return after
 
 
-def lose(thing: Any, function: Function) -> None:
-    """Forget the plain values of the members of an object that a function sets where it was not lowered."""
+def lose(thing: Any, function: Function, names: dict[str, Any] | None = None) -> None:
+    """Forget what a function sets where it was not lowered: members of its object, and numbers that it is given.
+
+    Args:
+        thing: the object.
+        function: that is called.
+        names: its parameters with what they are; None where it has no body to see them.
+    """
+    for name in function.sets if names else ():
+        if names is not None and isinstance(names.get(name), bool | int | float):
+            names[name] = Unknown(f"{name}, which {function.name}() may set")
     if not isinstance(thing, Obj):
         return
     for name in function.sets:
@@ -47,6 +56,18 @@ def lose(thing: Any, function: Function) -> None:
             thing.fields[name] = Unknown(f"{name}, which {function.name}() sets")
         elif isinstance(value, Text):
             thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
+
+
+def lose_unseen(engine: Evaluation, called: Callable, written: tuple[Expression, ...]) -> None:
+    """Forget what a function without a body sets: members of its object, and the numbers that it is given."""
+    function = called.function
+    if not function.sets:
+        return
+    lose(called.self, function)
+    for parameter, expression in zip(function.parameters, written, strict=False):
+        told = parameter.name in function.sets and isinstance(expression, Name | Member)
+        if told and isinstance(engine.value(expression), bool | int | float):
+            engine.assign(expression, Unknown(f"{parameter.name}, which {function.name}() may set"))
 
 
 HANDED_ON = frozenset(

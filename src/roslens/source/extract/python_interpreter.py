@@ -18,6 +18,7 @@ from roslens.source.extract.launch_modules import Module, Modules, bring, bring_
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_arguments import bound, given, items_of
 from roslens.source.extract.python_calls import call_known, call_method, known_name
+from roslens.source.extract.python_control import MOST_TURNS, Left, Ways, branch, loop, repeat
 from roslens.source.extract.python_operation import combined, compared, put
 from roslens.source.extract.python_value import Bound, Closure, Dotted, Either, Made, Unknown, as_value
 from roslens.source.extract.python_weight import TooLongError, bounded
@@ -25,20 +26,8 @@ from roslens.source.extract.text import Text
 
 MOST_STEPS = 100_000
 MOST_FRAMES = 25
-MOST_TURNS = 1_000
 _PATH = "#path"
 """Under this name what a file defines has its path."""
-
-
-class _Returned:
-    """What a block returned."""
-
-    def __init__(self, value: Any) -> None:
-        self.value = value
-
-
-_STOPPED = _Returned(None)
-"""A block that ended by ``break``, ``continue`` or ``raise``."""
 
 
 class Interpreter:
@@ -58,15 +47,21 @@ class Interpreter:
         self.missed: list[tuple[Evidence, str, str]] = []
         self._steps = 0
         self._frames = 0
-        self._notes: list[str] = []
+        self.notes: list[str] = []
+        self.ways = Ways()
         self.defined: dict[str, Any] = {"__file__": Deferred("file"), "__name__": "launch", _PATH: path}
         self._names = [self.defined]
-        self._block(tree.body)
+        self.block(tree.body)
 
     def function(self, name: str) -> Closure | None:
         """Return a function of the file."""
         found = self._names[0].get(name)
         return found if isinstance(found, Closure) else None
+
+    @property
+    def held(self) -> dict[str, Any]:
+        """The innermost names."""
+        return self._names[-1]
 
     def keep(self, name: str, value: Any) -> None:
         """Keep a value under a name."""
@@ -97,23 +92,23 @@ class Interpreter:
         self._frames += 1
         outer, self._names = self._names, [*function.names, names]
         before, self.path = self.path, function.names[0].get(_PATH, self.path)
+        ways, self.ways = self.ways, Ways(len(self.notes))
         try:
             if isinstance(function.node, ast.Lambda):
                 return self.value(function.node.body)
-            returned = self._block(function.node.body)
-            return returned.value if returned else None
+            returned = self.block(function.node.body)
+            return self.ways.result(returned.value if returned else None)
         finally:
-            self._names, self.path = outer, before
+            del self.notes[self.ways.start :]
+            self._names, self.path, self.ways = outer, before, ways
             self._frames -= 1
 
-    def _block(self, body: list[ast.stmt]) -> _Returned | None:
-        for index, statement in enumerate(body):
+    def block(self, body: list[ast.stmt]) -> Left | None:
+        """Follow statements in order; return how they were left, None where they were not."""
+        for statement in body:
             self._step()
-            if isinstance(statement, ast.If):
-                returned = self._if(statement, body[index + 1 :])
-            else:
-                method = _STATEMENTS.get(type(statement))
-                returned = method(self, statement) if method else None
+            method = _STATEMENTS.get(type(statement))
+            returned = method(self, statement) if method else None
             if returned is not None:
                 return returned
         return None
@@ -123,34 +118,16 @@ class Interpreter:
         if self._steps > MOST_STEPS:
             raise TooLongError
 
-    def _if(self, statement: ast.If, rest: list[ast.stmt]) -> _Returned | None:
-        holds = self.truth(self.value(statement.test))
-        if holds is not None:
-            return self._block(statement.body if holds else statement.orelse)
-        note = ast.unparse(statement.test)
-        then = self._noted(note, statement.body)
-        if then is None or then is _STOPPED:
-            return self._noted(f"not {note}", statement.orelse)
-        other = self._noted(f"not {note}", [*statement.orelse, *rest])
-        return _Returned(Either(note, then.value, other.value if other else None))
-
-    def _noted(self, note: str, body: list[ast.stmt]) -> _Returned | None:
-        self._notes.append(note)
-        try:
-            return self._block(body)
-        finally:
-            self._notes.pop()
-
     def assign(self, statement: ast.Assign) -> None:
         """Assign a value to names, items and parts."""
         value = self.value(statement.value)
         for target in statement.targets:
-            self._to(target, value)
+            self.put(target, value)
 
     def assign_declared(self, statement: ast.AnnAssign) -> None:
         """Assign a value to a name with a type."""
         if statement.value is not None:
-            self._to(statement.target, self.value(statement.value))
+            self.put(statement.target, self.value(statement.value))
 
     def add_to(self, statement: ast.AugAssign) -> None:
         """Add to a name."""
@@ -159,15 +136,16 @@ class Interpreter:
         if isinstance(before, list) and isinstance(added, list | tuple):
             before += bounded([self._keep(one) for one in added])
             return
-        self._to(statement.target, combined(statement.op, before, added))
+        self.put(statement.target, combined(statement.op, before, added))
 
-    def _to(self, target: ast.expr, value: Any) -> None:
+    def put(self, target: ast.expr, value: Any) -> None:
+        """Put a value where an expression says."""
         if isinstance(target, ast.Name):
             self._names[-1][target.id] = bounded(value)
         elif isinstance(target, ast.Tuple | ast.List):
             items = value if isinstance(value, list | tuple) and len(value) == len(target.elts) else None
             for index, one in enumerate(target.elts):
-                self._to(one, items[index] if items is not None else Unknown("a part of an unknown value"))
+                self.put(one, items[index] if items is not None else Unknown("a part of an unknown value"))
         elif isinstance(target, ast.Subscript):
             whole = self.value(target.value)
             put(whole, self.value(target.slice), bounded(value, whole))
@@ -176,49 +154,21 @@ class Interpreter:
         """Evaluate for what it changes."""
         self.value(statement.value)
 
-    def returned(self, statement: ast.Return) -> _Returned:
+    def returned(self, statement: ast.Return) -> Left:
         """Return a value."""
-        return _Returned(self.value(statement.value) if statement.value else None)
+        return Left("return", self.value(statement.value) if statement.value else None)
 
-    def loop(self, statement: ast.For | ast.AsyncFor) -> _Returned | None:
-        """Go through what is known, or once through what is not."""
-        items = items_of(self.value(statement.iter))
-        if items is None:
-            self._to(statement.target, Unknown(f"each of {ast.unparse(statement.iter)}"))
-            self._noted(f"for each of {ast.unparse(statement.iter)}", statement.body)
-            return None
-        for item in items:
-            self._to(statement.target, item)
-            returned = self._block(statement.body)
-            if returned is not None and returned is not _STOPPED:
-                return returned
-        return None
-
-    def repeat(self, statement: ast.While) -> _Returned | None:
-        """Go through a loop while its condition is known to hold."""
-        for _ in range(MOST_TURNS):
-            holds = self.truth(self.value(statement.test))
-            if holds is False:
-                return None
-            if holds is None:
-                self._noted(ast.unparse(statement.test), statement.body)
-                return None
-            returned = self._block(statement.body)
-            if returned is not None:
-                return None if returned is _STOPPED else returned
-        raise TooLongError
-
-    def attempt(self, statement: ast.Try) -> _Returned | None:
+    def attempt(self, statement: ast.Try) -> Left | None:
         """Take it that nothing is raised."""
-        return self._block(statement.body) or self._block(statement.orelse) or self._block(statement.finalbody)
+        return self.block(statement.body) or self.block(statement.orelse) or self.block(statement.finalbody)
 
-    def within(self, statement: ast.With | ast.AsyncWith) -> _Returned | None:
+    def within(self, statement: ast.With | ast.AsyncWith) -> Left | None:
         """Evaluate a block with what it opens unknown."""
         for item in statement.items:
             value = self.value(item.context_expr)
             if item.optional_vars is not None:
-                self._to(item.optional_vars, value)
-        return self._block(statement.body)
+                self.put(item.optional_vars, value)
+        return self.block(statement.body)
 
     def define(self, statement: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
         """Keep a function."""
@@ -228,9 +178,9 @@ class Interpreter:
         """Keep that there is a class; its objects are unknown."""
         self._names[-1][statement.name] = Unknown(f"class {statement.name} of this file")
 
-    def stop(self, _statement: ast.stmt) -> _Returned:
+    def stop(self, statement: ast.stmt) -> Left:
         """End a block."""
-        return _STOPPED
+        return Left(type(statement).__name__.lower())
 
     def value(self, node: ast.expr) -> Any:
         """Return the value of an expression."""
@@ -332,6 +282,8 @@ class Interpreter:
         for part in node.values:
             if isinstance(part, ast.FormattedValue):
                 value = self._performed(self.value(part.value))
+                if part.format_spec is not None or part.conversion not in (-1, ord("s")):
+                    value = Unknown(f"a format: {ast.unparse(part)[:60]}")
                 if isinstance(value, Deferred):
                     value = Unknown(f"a substitution in an f-string: {ast.unparse(part.value)}")
                 parts.append(as_value(value))
@@ -384,9 +336,13 @@ class Interpreter:
         first, *rest = generators
         items = items_of(self.value(first.iter))
         for item in items[:MOST_TURNS] if items is not None else [Unknown(f"each of {ast.unparse(first.iter)}")]:
-            self._to(first.target, item)
-            if all(self.truth(self.value(one)) is not False for one in first.ifs):
+            self.put(first.target, item)
+            held = [self.truth(self.value(one)) for one in first.ifs]
+            if False not in held:
+                open_ = [ast.unparse(one) for one, known in zip(first.ifs, held, strict=True) if known is None]
+                self.notes += open_
                 self._comprehend(rest, keep)
+                del self.notes[len(self.notes) - len(open_) :]
 
     def anonymous(self, node: ast.Lambda) -> Closure:
         """Return a function without name."""
@@ -395,7 +351,7 @@ class Interpreter:
     def walrus(self, node: ast.NamedExpr) -> Any:
         """Assign within an expression."""
         value = self.value(node.value)
-        self._to(node.target, value)
+        self.put(node.target, value)
         return value
 
     def called(self, node: ast.Call) -> Any:
@@ -409,7 +365,7 @@ class Interpreter:
         if isinstance(function, Dotted) and function.name in READS:
             return read(function, positional, self.path, self.modules.files, self.scope)
         if isinstance(function, Dotted):
-            return call_known(function, positional, named, self.place(node), tuple(self._notes))
+            return call_known(function, positional, named, self.place(node), tuple(self.notes))
         return function if isinstance(function, Unknown) else Unknown(f"call of {ast.unparse(node.func)[:60]}")
 
     def _method(self, bound: Bound, positional: list[Any], named: dict[str, Any], node: ast.Call) -> Any:
@@ -427,7 +383,7 @@ class Interpreter:
 
     def _keep(self, value: Any) -> Any:
         """Return a value that is kept while a condition around it is unknown."""
-        notes = tuple(self._notes)
+        notes = tuple(self.notes)
         if notes and isinstance(value, Made) and value.notes != notes:
             return Made("_noted", value.evidence, [value], {}, notes)
         return value
@@ -451,15 +407,16 @@ def _loaded(target: ast.expr) -> ast.expr:
     return ast.copy_location(ast.parse(ast.unparse(target), mode="eval").body, target)
 
 
-_STATEMENTS: dict[type[ast.stmt], Callable[[Interpreter, Any], _Returned | None]] = {
+_STATEMENTS: dict[type[ast.stmt], Callable[[Interpreter, Any], Left | None]] = {
     ast.Assign: Interpreter.assign,
     ast.AnnAssign: Interpreter.assign_declared,
     ast.AugAssign: Interpreter.add_to,
     ast.Expr: Interpreter.evaluate,
     ast.Return: Interpreter.returned,
-    ast.For: Interpreter.loop,
-    ast.AsyncFor: Interpreter.loop,
-    ast.While: Interpreter.repeat,
+    ast.If: branch,
+    ast.For: loop,
+    ast.AsyncFor: loop,
+    ast.While: repeat,
     ast.Try: Interpreter.attempt,
     ast.With: Interpreter.within,
     ast.AsyncWith: Interpreter.within,

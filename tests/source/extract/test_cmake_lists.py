@@ -59,3 +59,9 @@ def test_natural_order_is_not_known():
 def test_lists_of_what_is_unknown():
     found = after("list(POP_BACK L A)\nlist(FIND M x F)", L=f"a;{hole('x')}", M=hole("y"))
     assert all(is_unknown(found.get(name)) for name in "LAF")
+
+
+def test_what_transform_has_matched_is_unknown():
+    found = after('string(REGEX MATCH "(a)" R a)\nlist(TRANSFORM L REPLACE x y)', L="x;z")
+    assert found.get("L") == "y;z"
+    assert is_unknown(found.get("CMAKE_MATCH_0"))

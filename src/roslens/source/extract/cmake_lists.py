@@ -139,6 +139,10 @@ def _changed(run: Evaluation, call: Call, value: str | None) -> None:
     if action == "TRANSFORM" and "OUTPUT_VARIABLE" in rest[:-1]:
         at = rest.index("OUTPUT_VARIABLE")
         out, rest = rest[at + 1], [*rest[:at], *rest[at + 2 :]]
+    if rest[:1] == ["REPLACE"]:
+        # What it has matched last depends on items that are gone through within.
+        for which in (*range(10), "COUNT"):
+            run.set(f"CMAKE_MATCH_{which}", hole("list(TRANSFORM)"))
     if action not in _KNOWN_ITEMS and is_unknown((value or "") + "".join(rest)):
         run.set(out, hole(f"list({action})"))
         return

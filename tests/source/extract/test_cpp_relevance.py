@@ -251,7 +251,7 @@ def test_members_that_a_function_sets_where_it_is_not_lowered():
       m_j = 1; mKay = 2; local = 3; n_ <= 5; o_ != 6; auto & q_ = r; s_ = t_ = 7; w_ >= 2; mission = 3; compute(x); }"""
     found = Relevance(body, 0, len(body))
     assert found.level is not Level.WHOLE
-    assert found.sets == ("a_", "b_", "d_", "e_", "f", "mKay", "m_j", "s_", "t_")
+    assert found.sets == ("a_", "b_", "d_", "e_", "f", "local", "mKay", "m_j", "mission", "s_", "t_")
 
 
 def test_of_what_is_lowered_whole_nothing_is_left_out():

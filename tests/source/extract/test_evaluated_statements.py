@@ -172,3 +172,12 @@ def test_handlers_see_what_was_set_before_the_exception(node_of):
     body = 'std::string a = "a"; try { a = "b"; read(); } catch (...) {' + PUB.format("a") + "}" + PUB.format("a")
     both = "{b if no exception, else a}"
     assert [str(one.name) for one in node_of(body).endpoints] == [both, both]
+
+
+def test_a_member_that_a_function_sets_which_only_computes_decides_nothing(node_of):
+    computes = (
+        "double x = 1.5; for (int k = 0; k < 3; ++k) { x += k * 0.25; } if (x > 9.5) { x = x / 2.0; } x = x * x + 1.0;"
+    )
+    members = "void compute() { " + computes + " flag = true; } bool flag = false;"
+    (one,) = node_of("compute(); if (flag) {" + PUB.format('"a"') + "}", members).endpoints
+    assert one.conditions == ("flag",)

@@ -50,10 +50,8 @@ _MAKES_NAMES = re.compile(rb"\b(?:string|NodeOptions|SubscribeOptions|AdvertiseO
 _MOST_OF_TEXT = 1500
 _CALLED = re.compile(rb"\(\s*(?:>[^;(){}]{0,80}?<\s*)?(\w+)")
 """Finds the names of calls in a text that runs backwards: a pattern that begins with one fixed byte is fast."""
-_SET = re.compile(
-    rb"=(?<!==)[-+*/|&^%]?\s*(_\w+|\w+(?:_m?|(?<=[A-Z])m|(?=\s*>-siht)))(?!\w)(?!\s*(?!esle\b)(?:[\w.&*]|>(?!-siht)))"
-)
-"""Finds the names of members that are set in a text that runs backwards: ``count_ =``, ``m_count +=``, ``mCount =``."""
+_SET = re.compile(rb"=(?<!==)[-+*/|&^%]?\s*(\w+)(?!\w)(?!\s*(?!esle\b)(?:[\w.&*]|>(?!-siht)))")
+"""Finds names set in a text that runs backwards, declarations aside: ``count_ =``, ``m_count +=``, ``on =``."""
 _LEADING = re.compile(
     rb"(?:on_|do_?)?(?:init|setup|set_?[uU]p|configure|create|add|register|load|start|activate|advertise|connect|open|spawn|enable"
     rb"|declare|make|build|publish|read_?[pP]ar|get_?[pP]ar|update_?[pP]ar|reconfigure|run|on[A-Z_]"

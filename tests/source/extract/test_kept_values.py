@@ -94,3 +94,11 @@ def test_whether_it_is_the_first_call_is_known(node_of):
 def test_what_hands_out_something_that_may_be_changed(returned, hands):
     (function,) = program_of_cpp(f"{returned} f() {{ return c; }}".encode(), load_macros()).functions
     assert function.hands is hands
+
+
+@pytest.mark.parametrize(("when", "reliability"), [("", "best_effort"), ("if (x()) ", "")])
+def test_a_quality_of_service_that_is_changed_through_a_pointer(node_of, when, reliability):
+    before = "void change(rclcpp::QoS * q) { q->best_effort(); }"
+    body = f'rclcpp::QoS q(10); {when}{{ change(&q); }} create_publisher<{STRING}>("a", q);'
+    (one,) = node_of(body, before=before).endpoints
+    assert one.qos.reliability == reliability

@@ -44,6 +44,7 @@ from roslens.source.extract.workspace_index import Defined, Index, type_name
 _STOPPED = object()
 _NONE = Text()
 _TYPED = (list, int)
+_SHARING = ("&", "*")
 _SHARED = (list, dict)
 
 KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
@@ -219,11 +220,16 @@ class Evaluation(Objects):
                         self.changes.put(function.self.fields, name, value)
                 function.self.fields.update(done.fields)
         for parameter, expression in zip(what.parameters, written, strict=False):
-            if parameter.type.endswith("&") and "const" not in parameter.type.split() and parameter.name:
-                self.assign(expression, newest(self, names.get(parameter.name)))
+            if parameter.type.endswith(_SHARING) and "const" not in parameter.type.split() and parameter.name:
+                self._given_back(parameter, expression, newest(self, names.get(parameter.name)))
         if self.refined:
             changed_by_call(self)
         return result
+
+    def _given_back(self, parameter: Parameter, written: Expression, value: Any) -> None:
+        # A pointer to anything else is the same object, or may point elsewhere by now.
+        if parameter.type[-1] == "&" or isinstance(value, QosValue):
+            self.assign(written, value)
 
     def _followed(
         self,

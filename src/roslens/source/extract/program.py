@@ -199,8 +199,8 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
         templates: names of its template parameters, those of its class first.
         decorators: Python's, as expressions.
         hands: whether it is of C++ and returns a reference or pointer to what may be changed.
-        sets: members that statements of C++ set which were left out, as far as their names look like members, and
-            parameters that such statements may set for the caller.
+        sets: names that statements of C++ set which were left out, those of members among them, and parameters that
+            such statements may set for the caller.
     """
 
     name: str

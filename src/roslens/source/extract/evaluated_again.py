@@ -83,7 +83,7 @@ class Done:
             and self._depth <= len(stack)
             and self._given[1] == given[1]
             and len(self._given[0]) == len(given[0])
-            and all(map(_same, self._given[0], given[0]))
+            and all(map(same, self._given[0], given[0]))
             and self.cuts.issubset(stack)
             and self._sees_the_same(thing)
         )
@@ -103,7 +103,7 @@ class Done:
             named = _names(self._function.body)
             self._seen = {name: value for name, value in self._before.items() if name in named}
         fields = thing.fields if isinstance(thing, Obj) else {}
-        return all(name in fields and _same(value, fields[name]) for name, value in self._seen.items())
+        return all(name in fields and same(value, fields[name]) for name, value in self._seen.items())
 
 
 class Again:
@@ -153,7 +153,8 @@ def _names(one: Any) -> set[str]:
     return found
 
 
-def _same(one: Any, other: Any) -> bool:
+def same(one: Any, other: Any) -> bool:
+    """Whether values make the same: why they are unknown does not matter."""
     if isinstance(one, Unknown):
         return isinstance(other, Unknown)
     return one is other or (type(one) is type(other) and bool(one == other))

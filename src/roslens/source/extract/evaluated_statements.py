@@ -19,6 +19,7 @@ from roslens.source.extract.abstract_value import (
 from roslens.source.extract.changed_values import is_open, put_item
 from roslens.source.extract.class_attributes import set_attribute
 from roslens.source.extract.condition import negated
+from roslens.source.extract.evaluated_again import same
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
 from roslens.source.extract.evaluation_bounds import SpentError
@@ -236,12 +237,14 @@ def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
     if not whole:
         frame.names[name] = value
         return
-    engine.forget_calls()
+    before = engine.globals.get(whole)
     if len(engine.conditions) > frame.passed:
         engine.globals.setdefault(whole, engine.value(Name(name)))
         join(engine.globals, {whole: value}, engine.conditions[-1])
     else:
         engine.globals[whole] = value
+    if before is None or not same(before, engine.globals[whole]):
+        engine.forget_calls()
 
 
 def _is_field(engine: Evaluation, thing: Obj, name: str) -> bool:

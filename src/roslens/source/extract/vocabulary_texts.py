@@ -91,7 +91,7 @@ def _sign_by_sign(written: Expression) -> Callable[[str], str] | None:
     return {"tolower": str.lower, "toupper": str.upper}.get(name)
 
 
-@outer("sprintf", "std.sprintf", "snprintf", "std.snprintf", "vsprintf", "vsnprintf")
+@outer("sprintf", "std.sprintf", "snprintf", "std.snprintf", "vsprintf", "vsnprintf", quiet=True)
 def printed(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A text is written into a buffer: ``snprintf(name, sizeof(name), "camera%d", number)``."""
     first = 2 if "snprintf" in called.name else 1

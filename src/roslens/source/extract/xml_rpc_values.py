@@ -19,8 +19,8 @@ Parts = dict[str, tuple[Any, tuple[str, ...]]]
 
 def put_part(engine: Evaluation, of: Obj, key: Any, value: Any) -> None:
     """Put an item into a value; what has no known name is left out."""
-    engine.touched()
     if isinstance(key, Text) and key.known:
+        engine.touched()
         parts: Parts = of.fields.setdefault(_PARTS, {})
         parts[key.known] = (value, tuple(dict.fromkeys(engine.conditions)))
 

@@ -184,7 +184,7 @@ class Values:
             lambda: f"({ls()} or [{self.word()}])",
             lambda: f"list(map(str.upper, {ls()}))",
             lambda: f"list(filter(None, {ls()}))",
-            lambda: f"[{name} for {name} in set({ls()})]",
+            lambda: f"[{name} for {name} in sorted(set({ls()}))]",
             lambda: f"list(dict.fromkeys({ls()}))",
             lambda: f"list(({self.value('text', deep + 1)},))",
         )

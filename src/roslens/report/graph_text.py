@@ -87,8 +87,9 @@ def _is_topic(one: ConfiguredEndpoint) -> bool:
 def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Iterator[str]:
     what = "/".join(one for one in (node.package, node.executable) if one)
     about = [what, node.kind if node.kind != "node" else "", f"in {node.container}" if node.container else ""]
-    mark = ("~ " if node.name_is_guessed else "") if node.resolved else "? "
-    yield f"{mark}{node.name}  ({', '.join(one for one in about if one)})  {node.proof.place}"
+    mark = ("~ " if node.proof.sure != "certain" else "") if node.resolved else "? "
+    why = f"  ({_short(node.proof.how, _LONGEST_REASON)})" if mark == "~ " and node.proof.how else ""
+    yield f"{mark}{node.name}  ({', '.join(one for one in about if one)})  {node.proof.place}{why}"
     if node.defined is not None:
         yield f"  defined in {_from(node.defined)}"
     for condition in dict.fromkeys(node.conditions):

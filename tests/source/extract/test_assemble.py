@@ -522,3 +522,83 @@ def test_the_manager_of_controllers_is_known_by_its_own_name():
     assert node.name == "/controller_manager"
     assert not node.name_is_guessed
     assert "/controller_manager/list_controllers" in {one.endpoint.name for one in explicit(node)}
+
+
+ROBOT = Hole("environment ROBOT", default="r1")
+SUPPOSED = "default of environment ROBOT"
+
+
+@pytest.mark.parametrize("generation", ["ros1", "ros2"])
+def test_a_default_of_the_environment_names_all_below_it_as_likely(generation):
+    facts = talker(generation=generation, endpoints=(end(Role.PUBLISHER, "chatter"), end(Role.PUBLISHER, "/clock_")))
+    configuration = configured(facts, started(name=Text.of("n"), namespace=Text.of("/", ROBOT)), generation=generation)
+    node = only(configuration)
+    assert (node.name, node.resolved, node.proof.sure, node.proof.how) == ("/r1/n", True, "likely", SUPPOSED)
+    assert {(one.endpoint.name, one.resolved, one.proof.sure) for one in explicit(node)} == {
+        ("/r1/chatter", True, "likely"),
+        ("/clock_", True, "likely"),
+    }
+    assert {one.proof.how for one in explicit(node)} == {SUPPOSED}
+    assert {one.proof.sure for one in node.endpoints} == {"likely"}
+    assert configuration.unresolved == ()
+
+
+def test_a_default_of_the_environment_in_a_parameter_or_target_is_for_what_it_names():
+    facts = talker(
+        endpoints=(
+            end(Role.PUBLISHER, parameter_name("topic", "x")),
+            end(Role.PUBLISHER, "y"),
+            end(Role.PUBLISHER, "z"),
+        )
+    )
+    node = only(
+        configured(
+            facts,
+            started(
+                settings=(Setting(Text.of("topic"), Text.of("a_", ROBOT), START),),
+                remaps=(Remap(Text.of("y"), Text.of(ROBOT, "_b"), START),),
+            ),
+        )
+    )
+    assert [(one.endpoint.name, one.proof.sure) for one in explicit(node)] == [
+        ("/a_r1", "likely"),
+        ("/r1_b", "likely"),
+        ("/z", "certain"),
+    ]
+    assert all(SUPPOSED in one.proof.how for one in explicit(node)[:2])
+    (parameter,) = (one for one in node.parameters if one.name == "topic")
+    assert parameter.value is None
+    (remap,) = node.remaps
+    assert remap.used
+
+
+def test_parameters_of_a_name_that_is_supposed_decide_nothing_for_certain():
+    keyed = Setting(Text.of("topic"), Text.of("scan"), YAML, "string", "/r1/talker")
+    node = only(
+        configured(
+            talker(endpoints=(end(Role.PUBLISHER, parameter_name("topic", "x")),)),
+            started(namespace=Text.of("/", ROBOT), settings=(keyed,)),
+        )
+    )
+    (one,) = explicit(node)
+    assert (one.endpoint.name, one.proof.sure) == ("/r1/scan", "likely")
+    assert all(parameter.uncertain for parameter in node.parameters)
+
+
+def test_a_remapping_from_a_name_that_is_supposed_leaves_no_name_certain():
+    remap = Remap(Text.of(ROBOT), Text.of("b"), START)
+    node = only(configured(talker(), started(remaps=(remap,))))
+    (one,) = explicit(node)
+    assert (one.endpoint.name, one.proof.sure) == ("/chatter", "likely")
+    assert [(one.used, one.uncertain) for one in node.remaps] == [(False, True)]
+
+
+def test_a_component_is_loaded_into_a_container_whose_name_is_supposed():
+    box = started(name=Text.of("box"), namespace=Text.of("/", ROBOT), kind="container")
+    inside = Launched(
+        Text.of("pkg"), Text(), START, Text.of("c"), plugin=Text.of("a::B"), container=Text.of("/", ROBOT, "/box"),
+        kind="component",
+    )  # fmt: skip
+    nodes = {node.name: node for node in configured((), box, inside, targets=()).nodes}
+    assert nodes["/c"].container == "/r1/box"
+    assert "/r1/box" in nodes

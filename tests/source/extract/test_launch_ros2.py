@@ -190,3 +190,46 @@ def test_a_namespace_below_another():
     assert str(within(Text.of("/a"), Text.of("b"))) == "/a/b"
     assert str(within(Text.of("/a"), Text.of("/c"))) == "/c"
     assert str(within(Text.of("/a"), Text())) == "/a"
+
+
+def names_below_environment(body, environment=None):
+    files = Written(a_launch_py=python(f"return LaunchDescription([{body}])"))
+    whole = evaluate_ros2("a.launch.py", files, environment=environment)
+    return [(node.namespace.pattern, node.namespace.usual) for node in whole.nodes]
+
+
+NODE_IN = "Node(package='p', executable='e', namespace={})"
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "EnvironmentVariable('R', default_value='r1')",
+        "EnvironmentVariable(name='R', default_value='r1')",
+        "EnvironmentVariable(default_value='r1', name='R')",
+        "os.environ.get('R', 'r1')",
+    ],
+)
+def test_a_variable_of_the_environment_keeps_its_default(written):
+    assert names_below_environment(NODE_IN.format(written)) == [("/*", "/r1")]
+    assert names_below_environment(NODE_IN.format(written), {"R": "r2"}) == [("/r2", "/r2")]
+
+
+@pytest.mark.parametrize("written", ["EnvironmentVariable('R')", "EnvironmentVariable('R', default_value=unknown())"])
+def test_a_variable_of_the_environment_without_a_known_default_is_a_hole(written):
+    assert names_below_environment(NODE_IN.format(written)) == [("/*", None)]
+
+
+def test_a_variable_that_the_launch_file_sets_has_neither_its_default_nor_its_value_before():
+    body = "SetEnvironmentVariable('R', 'r3'), " + NODE_IN.format("EnvironmentVariable('R', default_value='r1')")
+    assert names_below_environment(body) == [("/*", None)]
+    assert names_below_environment(body, {"R": "r2"}) == [("/*", None)]
+
+
+@pytest.mark.parametrize(("element", "usual"), [("set_env", None), ("unset_env", None), ("log", "/r1")])
+def test_elements_that_change_the_environment(element, usual):
+    content = (
+        f"<launch><{element} name='R' value='r3' message='x'/><node pkg='p' exec='e' namespace='$(env R r1)'/></launch>"
+    )
+    (node,) = evaluate_ros2("a.launch.xml", Written(a_launch_xml=content)).nodes
+    assert node.namespace.usual == usual

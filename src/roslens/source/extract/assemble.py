@@ -22,6 +22,7 @@ from roslens.source.extract.assemble_plugins import with_plugins
 from roslens.source.extract.assemble_proof import launch_proof
 from roslens.source.extract.assemble_units import Meant, Units, as_script, meant_by
 from roslens.source.extract.command_words import words_of
+from roslens.source.extract.environment_defaults import supposed_name
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Argument, Launch, Launched, Setting
 from roslens.source.extract.node_facts import Inherits, NodeFacts, Target, TargetKind
@@ -273,7 +274,7 @@ def _is_container(launched: Launched) -> bool:
 
 
 def _whole_name(launched: Launched) -> str:
-    return absolute(launched.namespace, launched.name).pattern
+    return supposed_name(absolute(launched.namespace, launched.name)).pattern
 
 
 _KINDS = {"publisher": "msg", "subscription": "msg", "service": "srv", "action": "action"}

@@ -26,6 +26,7 @@ from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.catalogue_items import each_item
 from roslens.source.extract.catalogue_plugins import plugged_by_parameters
 from roslens.source.extract.condition import under_either
+from roslens.source.extract.environment_defaults import supposed, supposed_name, supposed_place, supposed_rule
 from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
@@ -98,7 +99,7 @@ def place_of(given: Given, facts: NodeFacts) -> Place:
         name = unknown("name of the node")
     # A name with a separator in it is one of ROS 1, where a node may be given a path.
     whole = absolute(namespace, name)
-    return Place(namespace, whole, generation)
+    return supposed_place(Place(namespace, whole, generation))
 
 
 def _usual(text: Text) -> Text:
@@ -149,7 +150,12 @@ class _Node:
         self.given, self.facts, self.meant = given, facts, meant
         self.place = place_of(given, facts)
         self.name = self.place.node.pattern
-        self.rules = rules_of(given, facts)
+        self.written_rules = rules_of(given, facts)
+        with_defaults = [supposed_rule(one) for one in self.written_rules]
+        self.rules = tuple(one for one, _, _ in with_defaults)
+        self.supposed_targets = {one: words for one, _, words in with_defaults if words}
+        # Where the source of a remapping is supposed, it may be any name that is remapped.
+        self.supposed = (*self.place.supposed, *(word for _, words, _ in with_defaults for word in words))
         self.values = values_of(given, facts)
         self.used = {number for number, one in enumerate(given.launched.remaps) if one in given.launched.taken}
         self.uncertain: set[int] = set()
@@ -178,6 +184,8 @@ class _Node:
         if self.given.generation == "ros1":
             endpoints = folded(endpoints)
         parameters = parameters_of((*facts.parameters, *self.overriding.declared), self.values)
+        if self.supposed:
+            parameters = tuple(msgspec.structs.replace(one, uncertain=True) for one in parameters)
         if facts.declares_set:
             parameters = declared_as_set(parameters, proof_of(Evidence(facts.path, facts.line), self.origin))
         endpoints += self._implicit()
@@ -214,9 +222,13 @@ class _Node:
 
     def _started(self) -> Proof:
         """Return what starts the node; its name is not certain where its options are unknown."""
-        evidence, reason = self.given.launched.evidence, self.facts.doubt
+        evidence, reason = self.given.launched.evidence, "; ".join(self._doubts(self.place.supposed))
         proof = launch_proof(evidence) if self.given.by_launch else proof_of(evidence)
         return msgspec.structs.replace(proof, sure=Sure.LIKELY.value, how=reason) if reason else proof
+
+    def _doubts(self, supposed_: tuple[str, ...]) -> tuple[str, ...]:
+        """Return why names may be others: what is unknown of its code's options, and what is supposed."""
+        return (self.facts.doubt, *supposed_) if self.facts.doubt else supposed_
 
     def _there(self, facts: Iterable[EndpointFact]) -> Iterator[EndpointFact]:
         """Yield what is there as far as parameters of a node without source say so: ``imu0 is set``."""
@@ -254,6 +266,9 @@ class _Node:
         if not filled.text.parts and fact.name.holes:
             # No name at all is none of ROS: code that takes it has a condition, or would fail.
             filled = msgspec.structs.replace(filled, text=fact.name, how=(*filled.how, "which is empty"))
+        text, of_name = supposed(filled.text)
+        if of_name and not text.holes:
+            filled = msgspec.structs.replace(filled, text=text, sure=Sure.LIKELY)
         resolved, by = resolve(filled.text, self.place, self.rules)
         self._note(filled.text, by)
         kind = self.values.fill(fact.type)
@@ -263,7 +278,7 @@ class _Node:
         if resolved.holes or (by is None and any(may_match(one, filled.text, self.place) for one in self.rules)):
             sure = Sure.POSSIBLE
         proof = proof_of(fact.evidence, origin or self.origin)
-        doubted = (self.facts.doubt,) if self.facts.doubt else ()
+        doubted = (*of_name, *self._doubts(self.supposed), *(self.supposed_targets.get(by, ()) if by else ()))
         sure = doubt(sure, Sure.LIKELY) if doubted else sure
         how = "; ".join(dict.fromkeys((*told.how, *filled.how, *doubted))) or ("" if fact.name.holes else proof.how)
         proof = msgspec.structs.replace(proof, sure=sure.value, how=how)
@@ -303,9 +318,11 @@ class _Node:
         for one in found:
             resolved, by = resolve(Text.of(one.endpoint.name), self.place, self.rules)
             self._note(Text.of(one.endpoint.name), by)
-            proof = None if by is None else launch_proof(by.evidence)
+            remap = None if by is None else launch_proof(by.evidence)
             endpoint = msgspec.structs.replace(one.endpoint, name=resolved.pattern)
-            remapped.append(msgspec.structs.replace(one, endpoint=endpoint, remapped=proof))
+            words = (*self.supposed, *(self.supposed_targets.get(by, ()) if by else ()))
+            proof = msgspec.structs.replace(one.proof, sure="likely", how="; ".join(words)) if words else one.proof
+            remapped.append(msgspec.structs.replace(one, endpoint=endpoint, proof=proof, remapped=remap))
         return remapped
 
     def _remaps(self) -> list[ConfiguredRemap]:
@@ -316,9 +333,10 @@ class _Node:
         for number, one in enumerate(self.rules):
             if one.special:
                 continue
-            used = number in self.used or one in self.values.used
+            written = self.written_rules[number]
+            used = number in self.used or written in self.values.used
             source = f"{one.node}:{one.source}" if one.node else str(one.source)
-            uncertain = not used and (open_ or number in self.uncertain)
+            uncertain = not used and (open_ or number in self.uncertain or one != written)
             found.append(ConfiguredRemap(source, str(one.target), launch_proof(one.evidence), used, uncertain))
         return found
 
@@ -348,7 +366,8 @@ def container_name(launched: Launched, generation: str) -> str:
     if not launched.container.parts:
         return ""
     namespace = launched.namespace if generation == "ros1" else TOP
-    return expand(launched.container, Place(namespace, below(namespace, launched.name), generation)).pattern
+    place = Place(namespace, below(namespace, launched.name), generation)
+    return supposed_name(expand(launched.container, place)).pattern
 
 
 def _why(text: Text) -> str:

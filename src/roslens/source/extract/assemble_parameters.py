@@ -15,6 +15,7 @@ from roslens.source.extract.assemble_choices import decided_by, doubt
 from roslens.source.extract.assemble_lists import each_of, items_among
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_written import Write, after_writes
+from roslens.source.extract.environment_defaults import supposed_name
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
 from roslens.source.extract.parameter_types import LIST
@@ -69,10 +70,12 @@ class Values:
         resolved, rule = resolve(name, self._place, self._rules)
         if rule is not None:
             self.used.add(rule)
-        return resolved.pattern
+        return supposed_name(resolved).pattern
 
     def _setting_name(self, setting: Setting) -> str:
-        return setting.name.pattern if self._place.generation == "ros2" else expand(setting.name, self._place).pattern
+        if self._place.generation == "ros2":
+            return setting.name.pattern
+        return supposed_name(expand(setting.name, self._place)).pattern
 
     def value(self, name: Text) -> Setting | None:
         """Return what sets a parameter."""
@@ -129,8 +132,8 @@ class Values:
             if hole.reason != f"parameter {hole.parameter}":
                 # The value decides, but it is not what stands there.
                 return Text((Hole(f"{hole.reason}: {how}"),)), Sure.POSSIBLE, how
-            known = found.value.known is not None
-            return self._placed(found.value, hole), Sure.CERTAIN if known else Sure.POSSIBLE, how
+            sure = Sure.POSSIBLE if found.value.known is None else Sure.LIKELY if self._place.supposed else Sure.CERTAIN
+            return self._placed(found.value, hole), sure, how
         if hole.default is not None:
             of = f"default of parameter {hole.parameter}" if hole.parameter else f"default of {hole.reason}"
             return self._placed(Text.of(hole.default), hole), Sure.LIKELY, of

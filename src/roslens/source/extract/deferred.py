@@ -40,12 +40,14 @@ class Scope(msgspec.Struct):
         configurations: launch configurations by name.
         environment: variables that are known.
         path: of the launch file.
+        assigned: variables of the environment that an action before may have changed; ``*`` for all.
     """
 
     files: Files
     configurations: dict[str, Text]
     environment: Mapping[str, str]
     path: str
+    assigned: set[str] = set()
 
 
 Value = Deferred | Text | str
@@ -113,6 +115,8 @@ def _configuration(parts: list[Text], scope: Scope) -> Text:
 
 def _environment(parts: list[Text], scope: Scope) -> Text:
     name = str(parts[0])
+    if scope.assigned and (name in scope.assigned or "*" in scope.assigned):
+        return unknown(f"environment {name}, which is set by the launch file")
     if name in scope.environment:
         return Text.of(scope.environment[name])
     return Text((Hole(f"environment {name}", default=parts[1].known if len(parts) > 1 else None),))

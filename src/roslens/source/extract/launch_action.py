@@ -58,9 +58,10 @@ class Action(msgspec.Struct, frozen=True):
     """An action.
 
     Attributes:
-        kind: ``argument``, ``set``, ``include``, ``group``, ``namespace``, ``parameter``, ``remap``, ``node``,
-            ``lifecycle``, ``container``, ``component``, ``load``, ``process``, ``sequence`` (its children, in the scope
-            around it), ``call`` (children are made when it is visited), ``nothing`` or ``unknown``.
+        kind: ``argument``, ``set``, ``environment`` (a variable is changed, ``*`` for all), ``include``, ``group``,
+            ``namespace``, ``parameter``, ``remap``, ``node``, ``lifecycle``, ``container``, ``component``, ``load``,
+            ``process``, ``sequence`` (its children, in the scope around it), ``call`` (children are made when it is
+            visited), ``nothing`` or ``unknown``.
         evidence: where it is written.
         values: by name, as given: ``name``, ``default``, ``package``, ``executable``, ``namespace``, ``plugin`` …
         children: of groups and sequences; components of a container; arguments of an include as ``set``.

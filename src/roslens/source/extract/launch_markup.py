@@ -223,6 +223,10 @@ def _timer(entity: Entity) -> Action:
     return Action("sequence", entity.evidence, children=tuple(_actions(entity.children)))
 
 
+def _environment(entity: Entity) -> Action:
+    return Action("environment", entity.evidence, {"name": entity.value("name") if entity.attributes else "*"})
+
+
 def _nothing(entity: Entity) -> Action:
     return Action("nothing", entity.evidence)
 
@@ -246,8 +250,12 @@ _MAKERS: dict[str, Callable[[Entity], Action]] = {
     "executable": _executable,
     "timer": _timer,
     "ros_timer": _timer,
+    "set_env": _environment,
+    "unset_env": _environment,
+    "append_env": _environment,
+    "pop_environment": _environment,
 } | dict.fromkeys(
-    ("env", "set_env", "unset_env", "append_env", "log", "log_info", "shutdown", "reset", "push_environment",
-     "pop_environment", "lifecycle_transition", "set_ros_log_dir", "choice"),
+    ("env", "log", "log_info", "shutdown", "reset", "push_environment", "lifecycle_transition", "set_ros_log_dir",
+     "choice"),
     _nothing,
 )  # fmt: skip

@@ -225,6 +225,9 @@ class _Conversion:
 
         return Action("call", made.evidence, make=make)
 
+    def environment(self, made: Made) -> Action:
+        return Action("environment", made.evidence, {"name": as_value(made.argument(0, "name") or "*")})
+
     def nothing(self, made: Made) -> Action:
         return Action("nothing", made.evidence)
 
@@ -354,9 +357,13 @@ _MAKERS: dict[str, Callable[[_Conversion, Made], Action]] = {
     **dict.fromkeys(_NODES, _Conversion.node),
     **dict.fromkeys(_EVENTS, _Conversion.event),
     **dict.fromkeys(
-        ("LogInfo", "SetEnvironmentVariable", "AppendEnvironmentVariable", "UnsetEnvironmentVariable",
-         "ResetEnvironment", "PushEnvironment", "PopEnvironment", "Shutdown", "EmitEvent", "ResetLaunchConfigurations",
-         "PushLaunchConfigurations", "PopLaunchConfigurations", "SetROSLogDir", "UnregisterEventHandler",
+        ("SetEnvironmentVariable", "AppendEnvironmentVariable", "UnsetEnvironmentVariable", "ResetEnvironment",
+         "PopEnvironment"),
+        _Conversion.environment,
+    ),
+    **dict.fromkeys(
+        ("LogInfo", "PushEnvironment", "Shutdown", "EmitEvent", "ResetLaunchConfigurations", "PushLaunchConfigurations",
+         "PopLaunchConfigurations", "SetROSLogDir", "UnregisterEventHandler",
          "ReadyToTest"),
         _Conversion.nothing,
     ),

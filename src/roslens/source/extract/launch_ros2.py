@@ -80,6 +80,7 @@ class _Whole:
         self.included: list[str] = []
         self.unresolved: list[Unresolved] = []
         self._environment = environment
+        self._assigned: set[str] = set()
         self._open: list[str] = []
         self._read = self._visited = 0
         self._parameter_files = ParameterFiles(files)
@@ -105,7 +106,7 @@ class _Whole:
             self.miss(error.what, evidence, f"{error.where}: expected {error.expected}", opens=True)
             return
         self._open.append(path)
-        scope = Scope(self.files, configurations, self._environment, path)
+        scope = Scope(self.files, configurations, self._environment, path, self._assigned)
         if outer:
             self._declare(actions, scope)
         self._all(actions, scope, space)
@@ -199,6 +200,8 @@ class _Whole:
             scope.configurations[str(resolve(values["name"], scope))] = resolve(values["value"], scope)
         elif action.kind == "unset":
             scope.configurations.pop(str(resolve(values["name"], scope)), None)
+        elif action.kind == "environment":
+            scope.assigned.add(resolve(values["name"], scope).known or "*")
         elif action.kind == "namespace":
             space.namespace = within(space.namespace, resolve(values["namespace"], scope))
         elif action.kind == "parameter":

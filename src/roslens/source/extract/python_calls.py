@@ -48,6 +48,7 @@ _SOURCES = frozenset(
     {"PythonLaunchDescriptionSource", "AnyLaunchDescriptionSource", "FrontendLaunchDescriptionSource",
      "XMLLaunchDescriptionSource", "YAMLLaunchDescriptionSource", "LaunchDescriptionSource"}
 )  # fmt: skip
+_DEFAULTS = frozenset({"default", "default_value"})
 _SPREAD = frozenset({"path"})
 _METHODS = frozenset(
     {"lower", "upper", "strip", "lstrip", "rstrip", "split", "startswith", "endswith", "replace", "title",
@@ -71,7 +72,9 @@ def call_known(
         return as_value(positional[0] if positional else next(iter(named.values()), None))
     substitution = _SUBSTITUTIONS.get(last)
     if substitution is not None:
-        return substitution([*positional, *named.values()])
+        # Names of what is substituted come before their defaults, in whichever order they are given.
+        last_ones = sorted(named.items(), key=lambda one: one[0] in _DEFAULTS)
+        return substitution([*positional, *(value for _, value in last_ones)])
     if last in _PARTS:
         return _of_parts(last, [*positional, *named.values()])
     known = _FUNCTIONS.get(function.name) or _PATHS.get(last)

@@ -38,11 +38,15 @@ class Rule(msgspec.Struct, frozen=True):
 
 
 class Place(msgspec.Struct, frozen=True):
-    """What names are resolved against: the namespace and the whole name of a node."""
+    """What names are resolved against: the namespace and the whole name of a node.
+
+    ``supposed`` says in words which parts of them are defaults that the environment may change.
+    """
 
     namespace: Text
     node: Text
     generation: str
+    supposed: tuple[str, ...] = ()
 
 
 def rule(source: Text, target: Text, evidence: Evidence) -> Rule:

@@ -29,7 +29,7 @@ def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Igno
         # What a container is given holds for all nodes of its process.
         names = {node.name for node in nodes}
         nodes = [*nodes, *(node for node in configuration.nodes if node.container in names)]
-        if not nodes or not all(node.resolved and not node.name_is_guessed for node in nodes):
+        if not nodes or not all(node.resolved and node.proof.sure == "certain" for node in nodes):
             continue
         if nodes[0].kind == "container" and (nodes == [nodes[0]] or any(one.opens for one in configuration.unresolved)):
             # What it is given may be for components that others load: no launch file that was read says which.

@@ -24,10 +24,18 @@ PUB = "create_publisher<std_msgs::msg::String>({}, 1);\n"
 COMPUTES = (
     "double x = 1.5;\nfor (int k = 0; k < 3; ++k) { x += k * 0.25; }\nif (x > 9.5) { x = x / 2.0; }\nx = x * x;\n"
 )
-KNOWN = {
+TRICKY = {
     "what is changed between the definition of a lambda and its call": node(
         'std::string a = "a";\nauto make = [&]() {\n' + PUB.format("a") + '};\nif (ask(1)) { a = "b"; }\nmake();\n'
     ),
+    "what a lambda has a copy of": node(
+        'std::string a = "a";\nauto make = [a, this]() {\n'
+        + PUB.format("a")
+        + '};\nif (ask(1)) { a = "b"; }\nmake();\n'
+    ),
+}
+"""What was once evaluated wrongly."""
+KNOWN = {
     "what another name sets in a function that only computes": node(
         "set();\n" + PUB.format("a_"),
         "void set() {\n" + COMPUTES + 'std::string & r = a_;\nr = std::to_string(1);\n}\nstd::string a_ = "a";',
@@ -70,8 +78,14 @@ def test_what_is_wrong_is_found(runs, tmp_path):
 
 @pytest.fixture(scope="module")
 def known_runs(tmp_path_factory):
-    programs = [text.replace("namespace p {", f"namespace k{number} {{") for number, text in enumerate(KNOWN.values())]
-    return dict(zip(KNOWN, compiled(programs, tmp_path_factory.mktemp("known"), SEEDS, COMPILER), strict=True))
+    texts = {**TRICKY, **KNOWN}
+    programs = [text.replace("namespace p {", f"namespace k{number} {{") for number, text in enumerate(texts.values())]
+    return dict(zip(texts, compiled(programs, tmp_path_factory.mktemp("known"), SEEDS, COMPILER), strict=True))
+
+
+@pytest.mark.parametrize("what", list(TRICKY))
+def test_what_is_tricky(known_runs, what):
+    assert not disagreements(evaluated(TRICKY[what]), known_runs[what])
 
 
 @pytest.mark.parametrize("why", list(KNOWN))

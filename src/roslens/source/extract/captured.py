@@ -1,16 +1,65 @@
-"""Variables of the function around that a lambda of C++ sets: ``[&]() { topic = "b"; }``."""
+"""Variables of the function around a lambda of C++: those it has copies of, and those it sees and sets."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, QosValue, Unknown
 from roslens.source.extract.evaluation_frame import Frame
+from roslens.source.extract.program import Lambda, Name
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.workspace_index import assigned_names
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation
+
+
+class Around(dict[str, Any]):
+    """Variables of which a lambda has copies.
+
+    Attributes:
+        frame: of the function around, whose other variables it sees as they are when it is called.
+    """
+
+    __slots__ = ("frame",)
+
+    def __init__(self, frame: Frame, copies: dict[str, Any]) -> None:
+        """Hold copies of variables of a function."""
+        super().__init__(copies)
+        self.frame = frame
+
+    def __bool__(self) -> bool:
+        """Whether there is anything around: variables that it sees, even if it has copies of none."""
+        return True
+
+
+def names_around(engine: Evaluation, made: Lambda) -> dict[str, Any]:
+    """Return the variables around a lambda that is made now."""
+    frame, holds = engine.frame, made.holds
+    if not holds:
+        return Around(frame, {}) if frame.aliases else frame.names
+    if holds[0] != "=":
+        known = (*frame.names, *frame.aliases)
+        return Around(frame, {name: engine.value(Name(name)) for name in holds if name in known})
+    copies = {**frame.names, **_referred(engine)}
+    for name in holds[1:]:
+        copies.pop(name, None)
+    return Around(frame, copies)
+
+
+def names_now(engine: Evaluation, around: Around) -> dict[str, Any]:
+    """Return what the variables around a lambda are that is called now."""
+    frame = around.frame
+    if not frame.aliases:
+        return {**frame.names, **around}
+    outer, engine.frame = engine.frame, frame
+    try:
+        return {**frame.names, **_referred(engine), **around}
+    finally:
+        engine.frame = outer
+
+
+def _referred(engine: Evaluation) -> dict[str, Any]:
+    return {name: engine.value(one) for name, (one, _) in engine.frame.aliases.items()}
 
 
 def set_around(engine: Evaluation, function: Callable, frame: Frame) -> None:
@@ -20,19 +69,36 @@ def set_around(engine: Evaluation, function: Callable, frame: Frame) -> None:
     so nobody knows what the one around is, rather than that it has a value that it may not have.
     """
     around, what = function.names, function.function
-    if not around or engine.index.programs[function.path].language != "cpp":
+    if around is None or engine.index.programs[function.path].language != "cpp":
         return
     own = {parameter.name for parameter in what.parameters}
-    here = engine.frame if engine.frame.scope == what.qualified_name.rpartition(".")[0] else None
-    for name in assigned_names(what.body) - own:
-        before, after = around.get(name), frame.names.get(name)
-        if before is None or after is before or after == before:
+    holds, names = (around, around.frame.names) if isinstance(around, Around) else ({}, around)
+    for name, after in frame.names.items():
+        before = names.get(name)
+        if before is None or after is before or name in own or name in holds or after == before:
             continue
-        lost: Text | Unknown | None = None
-        if isinstance(before, Text):
-            lost = unknown(f"{name}, which a lambda sets")
-        elif isinstance(before, Unknown | bool | int | float | QosValue):
-            lost = Unknown(f"{name}, which a lambda sets")
-        for names in (around, here.names if here is not None else around) if lost is not None else ():
-            if name in names:
-                names[name] = lost
+        lost = _lost(name, before)
+        if lost is not None:
+            names[name] = lost
+    if isinstance(around, Around) and around.frame.aliases:
+        _set_referred(engine, around, frame, own)
+
+
+def _set_referred(engine: Evaluation, around: Around, frame: Frame, own: set[str]) -> None:
+    """Forget what other names of variables around lead to where a lambda set it."""
+    outer, engine.frame = engine.frame, around.frame
+    try:
+        for name, before in _referred(engine).items():
+            lost = None if name in own or name in around else _lost(name, before)
+            if lost is not None and frame.names.get(name, before) != before:
+                engine.assign(Name(name), lost)
+    finally:
+        engine.frame = outer
+
+
+def _lost(name: str, before: Any) -> Text | Unknown | None:
+    if isinstance(before, Text):
+        return unknown(f"{name}, which a lambda sets")
+    if isinstance(before, Unknown | bool | int | float | QosValue):
+        return Unknown(f"{name}, which a lambda sets")
+    return None

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 
 from tree_sitter import Node
 
+from roslens.source.extract.cpp_captures import held_copies
 from roslens.source.extract.cpp_expressions import Expressions
 from roslens.source.extract.cpp_initialisers import lower_initialisers
 from roslens.source.extract.cpp_lowered import Lowered, name_of, opaque
@@ -263,13 +264,14 @@ class Definitions:
         around = self._enter("function", self._templates, qualified, lowered.class_name)
         declarator = node.child_by_field_name("declarator")
         parameters = self._parameters.of(declarator) if declarator is not None else ()
-        captured = self._captured(node.child_by_field_name("captures"))
+        captures = node.child_by_field_name("captures")
+        captured = self._captured(captures)
         statements = (*captured, *self._statements.body(body))
         self._leave(around)
         line = node.start_point.row + 1
         function = Function("lambda", qualified, line, lowered.class_name, parameters, (), statements)
         lowered.end_function(index, function)
-        return Lambda(index)
+        return Lambda(index, held_copies(captures, lowered.source, body))
 
     def _captured(self, captures: Node | None) -> Statements:
         """Return what a lambda captures under another name: ``[topic = name + "/out"]``."""

@@ -6,6 +6,7 @@ from collections.abc import Callable as Function1
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from roslens.source.extract.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
+from roslens.source.extract.captured import names_around
 from roslens.source.extract.class_attributes import class_of_scope, read_first
 from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import Frame, either, one_of, one_or_none
@@ -347,9 +348,7 @@ class Expressions:
         engine: Evaluation = self  # type: ignore[assignment]
         frame = engine.frame
         program = engine.index.programs[frame.path]
-        names = frame.names
-        if frame.aliases:
-            names = {**names, **{name: self.value(one) for name, (one, _) in frame.aliases.items()}}
+        names = names_around(engine, expression) if expression.holds or frame.aliases else frame.names
         return Callable(program.functions[expression.function], frame.path, frame.self, names)
 
     def opaque(self, expression: Opaque) -> Unknown:

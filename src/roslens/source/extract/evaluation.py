@@ -21,7 +21,7 @@ from roslens.source.extract.abstract_value import (
     QosValue,
     Unknown,
 )
-from roslens.source.extract.captured import set_around
+from roslens.source.extract.captured import Around, names_now, set_around
 from roslens.source.extract.changed_in_ways import Changes
 from roslens.source.extract.decorated import decorated
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
@@ -243,7 +243,9 @@ class Evaluation(Objects):
         """Evaluate the body of a function; return its names and what it returned."""
         what, again, thing, outer = function.function, self._again, function.self, self.frame
         key = (function.path, what.line)
-        frame = Frame(function.path, what.qualified_name, thing, dict(function.names or {}))
+        names = function.names
+        names = names_now(self, names) if type(names) is Around else dict(names or {})
+        frame = Frame(function.path, what.qualified_name, thing, names)
         if isinstance(thing, Obj):
             frame.templates.update(thing.templates_of(what.class_name))
         if templates and what.templates:

@@ -183,10 +183,14 @@ class Frame:
 
     def restore(self, before: Held) -> None:
         """Put back what a snapshot holds."""
-        self.names = dict(before[0])
+        # Lambdas that were made meanwhile see the names as they are when they are called.
+        names = self.names
+        names.clear()
+        names |= before[0]
         if isinstance(self.self, Obj):
-            self.self.fields.clear()
-            self.self.fields.update(before[1])
+            fields = self.self.fields
+            fields.clear()
+            fields |= before[1]
 
     def join(self, other: Held, condition: str) -> None:
         """Let hold what either way of a condition came to, ``other`` being that where it is true."""

@@ -95,9 +95,15 @@ class Format(msgspec.Struct, frozen=True, array_like=True, tag="format"):
 
 
 class Lambda(msgspec.Struct, frozen=True, array_like=True, tag="lambda"):
-    """A function without a name; ``function`` is the index of its :class:`Function` in the program."""
+    """A function without a name.
+
+    Attributes:
+        function: index of its :class:`Function` in the program.
+        holds: variables around of which it has copies (``[a, this]``); ``=`` is all but those that stand behind it.
+    """
 
     function: int
+    holds: tuple[str, ...] = ()
 
 
 class Opaque(msgspec.Struct, frozen=True, array_like=True, tag="opaque", gc=False):

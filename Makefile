@@ -4,6 +4,9 @@ WS ?= examples/workspace
 PORT ?= 8080
 BIN := .venv/bin
 
+# What a run of tests imports is compiled once and kept: to compile it each time takes longer than most tests.
+export PYTHONDONTWRITEBYTECODE =
+
 .PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs known-mistakes lock lock-ros2 bench sites clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
@@ -30,10 +33,10 @@ testbed: .venv/stamp
 test: export ROSLENS_SAME_EXAMPLES = 1
 test: lint parts
 	$(BIN)/pytest -n auto -m "not slow and not browser"
-	$(BIN)/pytest -n auto -m "browser and not slow"
+	$(BIN)/pytest -n auto -m "browser and not slow" tests/browser
 	$(BIN)/pytest -m "slow and not table"
 
-# Speed, size and long fuzzing alone; wants an otherwise idle machine.
+# Speed, size and whole robots alone; wants an otherwise idle machine.
 slow: lint parts
 	$(BIN)/pytest -m "slow and not table"
 
@@ -43,7 +46,7 @@ faults: lint parts
 
 # An answer in two minutes: no real tools, no browser, no pages, no whole runs, no recorded systems, nothing slow, and fewer examples.
 quick: lint
-	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not real and not browser" \
+	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not heavy and not real and not browser" \
 		--ignore=tests/scenarios --ignore=tests/native --ignore=tests/cli --ignore=tests/dashboard --ignore=tests/plugins/haros --ignore=tests/accuracy
 
 lint: .venv/stamp

@@ -1,6 +1,8 @@
 """How slow this machine is now: what a bound on processor time is stretched by, so that no neighbour breaks it."""
 
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 CALM_NS = 10.5
 """What a turn of an empty loop takes on the calm machine that the bounds were set on."""
@@ -21,3 +23,12 @@ def slowness() -> float:
 def turned_s(begun: float) -> float:
     """Processor seconds since `begun`, a `time.process_time()`, as a calm machine would have taken them."""
     return (time.process_time() - begun) / slowness()
+
+
+@contextmanager
+def soon(most_s: float) -> Iterator[None]:
+    """Assert that what is done within takes less processor time than this on a calm machine, whatever else runs."""
+    begun = time.process_time()
+    yield
+    # How fast the machine is matters only to what took long.
+    assert time.process_time() - begun < most_s or turned_s(begun) < most_s

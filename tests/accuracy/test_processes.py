@@ -1,8 +1,11 @@
 import sys
 
+import pytest
+
 from accuracy.processes import Processes
 
 
+@pytest.mark.timed
 def test_processes_end_with_the_block_and_their_words_are_kept(tmp_path):
     with Processes(tmp_path) as processes:
         said = processes.start([sys.executable, "-c", "print('here')"], {})

@@ -58,7 +58,7 @@ def test_all_that_was_recorded_is_found():
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(one.name, marks=[] if one.quick else [pytest.mark.slow]) for one in SYSTEMS.values()]
+    "name", [pytest.param(one.name, marks=[] if one.quick else [pytest.mark.heavy]) for one in SYSTEMS.values()]
 )
 def test_source_says_no_less_than_it_did(name, tmp_path):
     system = SYSTEMS[name]

@@ -28,3 +28,10 @@ def test_no_machine_path_and_no_open_end_is_left():
         text = path.read_text()
         for mark in ("TO" + "DO", "FIX" + "ME", "X" * 3, "raise NotImplemented" + "Error"):
             assert mark not in text, f"{path}: {mark}"
+
+
+def test_what_drives_a_browser_is_where_it_is_looked_for():
+    # `make test` collects no other folder for these.
+    tests = Path(__file__).parents[1]
+    found = [path for path in tests.rglob("*.py") if "mark." + "browser" in path.read_text()]
+    assert found == [tests / "browser" / "conftest.py"]

@@ -59,6 +59,7 @@ def test_every_shell_gets_a_script(shell, capsys):
     assert ("_roslens_launches" in capsys.readouterr().out) == (shell != "tcsh")
 
 
+@pytest.mark.timed
 @pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
 @pytest.mark.parametrize(
     ("line", "offered"),

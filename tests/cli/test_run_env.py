@@ -8,6 +8,8 @@ from roslens.cli.main import main
 from roslens.live.inside import preload
 from roslens.live.inside.environment import PATH
 
+pytestmark = pytest.mark.timed
+
 ROSLENS = [sys.executable, "-m", "roslens.cli.main"]
 
 

@@ -27,7 +27,7 @@ def test_it_keeps_the_contract(monkeypatch):
     assert_plugin("roslens_plugin_waits.plugin", EXAMPLE / "tests" / "fixtures")
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 def test_its_own_tests_pass(monkeypatch):
     monkeypatch.setenv("PYTHONPATH", str(EXAMPLE / "src"))
     command = [sys.executable, "-m", "pytest", "-q", "-c", str(EXAMPLE / "pyproject.toml"), str(EXAMPLE / "tests")]

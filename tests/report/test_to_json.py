@@ -151,7 +151,7 @@ def test_a_stream_of_another_encoding_still_gets_utf8(view_of, sample):
     assert json.loads(raw.getvalue().decode("utf-8"))["packages"][0]["name"] == "ärm"
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 def test_a_large_report_takes_little_memory(tmp_path, sample, view_of):
     view = view_of(sample.large(100), WorkspaceResult(rules=sample.RULES), sample.header())
     tracemalloc.start()

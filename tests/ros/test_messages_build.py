@@ -34,7 +34,6 @@ EXPECTED = json.loads(
 )  # fmt: skip
 
 real = pytest.mark.real
-slow = pytest.mark.slow
 
 
 def told(text):
@@ -82,7 +81,6 @@ def test_genpy_reads_what_we_serialise_and_has_our_sums(messages1):
 
 
 @real
-@slow
 @pytest.mark.parametrize("variables", [{}, {"ROS_VERSION": "1"}], ids=["as Debian does", "as rosdep's ROS 1 does"])
 def test_catkin_builds_it(tmp_path, variables):
     for part in ("cmake", "catkin_make", "g++"):
@@ -100,7 +98,6 @@ def test_catkin_builds_it(tmp_path, variables):
 
 
 @real
-@slow
 def test_rosidl_makes_messages_that_go_there_and_back(ros2_python, messages2):
     code = (
         "import json, sys\nfrom rclpy.serialization import deserialize_message, serialize_message\n"

@@ -107,7 +107,7 @@ def test_odd_bytes_stop_nothing(roslens, robot):
     assert done.code in (CLEAN, NOT_ANALYSED)
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 def test_ten_megabytes_are_only_slow(roslens, robot):
     source = robot.package("big") / "src"
     (source / "big.cpp").write_text(
@@ -138,6 +138,7 @@ def analyse_file(file, report):
         ("nonsense", "report.finding('nonsense.other', 'x')", "nonsense.other"),
     ],
 )
+@pytest.mark.timed
 def test_a_bad_plugin_is_a_failure_and_the_rest_stands(roslens, robot, name: str, body: str, says: str):
     robot.package("good")
     (robot.root / "bad.py").write_text(PLUGIN.format(name=name, body=body))

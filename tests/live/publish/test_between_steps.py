@@ -5,6 +5,7 @@ import pytest
 from roslens.live.publish.between_steps import BetweenSteps
 
 
+@pytest.mark.timed
 def test_the_text_is_made_by_the_thread_that_answers():
     makers = []
 

@@ -60,7 +60,7 @@ def _of_target(name, target, stated):
         yield f"the file of {name} is {stated.output} but of cmake {target.output}"
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 @pytest.mark.timeout(280)
 @pytest.mark.parametrize("seeds", BATCHES, ids=str)
 def test_projects_come_to_what_cmake_says(cmake, seeds):

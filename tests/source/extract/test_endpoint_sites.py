@@ -42,7 +42,7 @@ def test_tables_are_whole(repository):
         assert ("*" in row["name"]) <= bool(row["decides"])
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 @pytest.mark.parametrize("repository", REPOSITORIES)
 def test_call_sites_of(repository):
     root = Path(os.environ.get("ROSLENS_CORPORA") or "/nowhere") / repository

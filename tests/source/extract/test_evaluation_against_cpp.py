@@ -10,7 +10,7 @@ COMPILER = shutil.which("g++")
 PROGRAMS = 24
 SEEDS = 20
 
-pytestmark = [pytest.mark.slow, pytest.mark.skipif(COMPILER is None, reason="no g++ on this machine")]
+pytestmark = [pytest.mark.heavy, pytest.mark.skipif(COMPILER is None, reason="no g++ on this machine")]
 
 
 def node(body, members="", before=""):

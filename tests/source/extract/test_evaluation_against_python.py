@@ -13,7 +13,7 @@ def found_in(program, runs=RUNS):
     return disagreements(program, [node_stubs.run(program, seed) for seed in range(runs)])
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 @pytest.mark.filterwarnings("ignore::SyntaxWarning")
 @pytest.mark.parametrize("part", range(4))
 def test_made_up_nodes(part):

@@ -118,7 +118,7 @@ def test_an_interface_of_a_package_that_is_not_there_has_no_checksum(robot: Path
     assert "geometry_msgs/msg/Pose" in pose.checksum.unknown
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 def test_processes_and_cache_do_not_change_a_byte(robot: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(workspace_programs, "_BATCH_BYTES", 100)
     cache = tmp_path / "cache.sqlite"

@@ -148,7 +148,6 @@ def test_genmsg():
 
 
 @pytest.mark.real
-@pytest.mark.slow
 @pytest.mark.skipif(not (ROS2 / "share").exists(), reason="no interface of ROS 2 is installed: make parts")
 def test_rosidl():
     own = FIXTURES / "ros2"

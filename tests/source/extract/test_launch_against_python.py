@@ -32,7 +32,7 @@ def wrong_in(program):
     return sorted(missed), sorted(name for name in sure if not all(name in run for run in runs))
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 def test_made_up_launch_files():
     wrong = {seed: found for seed in range(PROGRAMS) if any(found := wrong_in(launch_programs.program(seed)))}
     assert not wrong

@@ -16,7 +16,6 @@ from roslens.source.extract.launch_ros1 import evaluate_ros1
 
 pytestmark = [
     pytest.mark.real,
-    pytest.mark.slow,
     pytest.mark.skipif(not shutil.which("roslaunch"), reason="roslaunch is not installed: apt-get install ros-base"),
 ]
 SERVER = """

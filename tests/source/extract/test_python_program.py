@@ -208,7 +208,7 @@ def test_mutated_fixtures():
         check(mutated(chance))
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 @pytest.mark.timeout(3600)
 def test_many_mutated_fixtures():
     for number in range(10_000):

@@ -248,7 +248,6 @@ def test_the_table_is_what_the_tools_say(file):
 
 
 @pytest.mark.real
-@pytest.mark.slow
 @pytest.mark.timeout(900)
 def test_python_of_whole_repositories():
     files = python_files(corpora())
@@ -267,7 +266,6 @@ def test_python_of_whole_repositories():
 
 
 @pytest.mark.real
-@pytest.mark.slow
 @pytest.mark.timeout(900)
 def test_cpp_of_whole_repositories():
     total, differ = 0, 0

@@ -40,7 +40,6 @@ def ends_of_lizard(path):
 
 
 @pytest.mark.real
-@pytest.mark.slow
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("folder", folders(), ids=lambda folder: folder.name)
 def test_functions_agree(folder):

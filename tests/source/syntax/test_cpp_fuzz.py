@@ -84,7 +84,7 @@ def test_mutated_sources():
         check(mutated(random_))
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 @pytest.mark.timeout(7200)
 def test_many_mutated_sources():
     random_ = random.Random(21)

@@ -160,7 +160,6 @@ def _checkout(clone: Path, commits: str, folder: Path) -> Path:
 
 
 @pytest.mark.real
-@pytest.mark.slow
 @INSTALLED
 @pytest.mark.parametrize(("repository", "packages"), [("kobuki", 7), ("turtlebot_apps", 6)])
 def test_every_figure_of_the_study(member: Member, tmp_path: Path, repository: str, packages: int):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pace import soon
 
 from roslens.source.workspace.suppress import Suppression, suppressed, suppressions
 
@@ -128,7 +129,6 @@ def test_any_comment_is_answered(parts: list[bytes]) -> None:
         assert one.comment <= one.line <= one.end_line <= lines + 2
 
 
-@pytest.mark.timeout(30)
 @pytest.mark.parametrize(
     "content",
     [
@@ -140,4 +140,5 @@ def test_any_comment_is_answered(parts: list[bytes]) -> None:
     ],
 )
 def test_long_lines_take_no_time(content: bytes) -> None:
-    assert len(suppressions(content)) <= 200_000
+    with soon(30):
+        assert len(suppressions(content)) <= 200_000

@@ -7,6 +7,8 @@ from roslens.live.adapters.ros1.saying import Saying
 from roslens.live.adapters.ros1.tcpros import connect
 from roslens.model.outgoing import VERSION, ConnectionStatistics, Outgoing, RatedSignal, RatedSignals, Status
 
+pytestmark = pytest.mark.timed
+
 SIGNAL = RatedSignal("topic", "/scan", "r.rate", "rate", "Hz", 1.0, 25.0, 35.0, 3, 9.0, 2, "", "5 s", "look")
 FRAME = Outgoing(
     VERSION,

@@ -19,6 +19,7 @@ from roslens.source.extract.abstract_value import (
 from roslens.source.extract.changed_values import is_open, put_item
 from roslens.source.extract.class_attributes import set_attribute
 from roslens.source.extract.condition import negated
+from roslens.source.extract.earlier_values import forget_defaults
 from roslens.source.extract.evaluated_again import same
 from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
@@ -310,6 +311,8 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
         frame.join(after, written)
     frame.returned = returned and other_returned
     frame.stopped = gone and other_gone and not frame.returned
+    if gone is not other_gone and engine.node.generation == "ros1":
+        forget_defaults(frame, frame.tests.get(otherwise if gone else written))
     if returned and not other_gone and plainly and _asks_parameter(engine, statement.condition):
         # What follows is reached only where the function was not left.
         engine.under(otherwise, frame.tests.get(otherwise))

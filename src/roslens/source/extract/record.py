@@ -20,6 +20,7 @@ from roslens.source.extract.abstract_value import (
     as_text,
 )
 from roslens.source.extract.condition import under_either
+from roslens.source.extract.earlier_values import without_defaults
 from roslens.source.extract.interface_name import (
     included_interface,
     interface_name,
@@ -77,6 +78,9 @@ def endpoint(
     written = below(receiver, as_text(name))
     if not written:
         written = unknown("a name that is not set")
+    asked = engine.asked_now()
+    if asked and node.generation == "ros1" and written.holes:
+        written = without_defaults(written, asked)
     evidence, through = origin(engine, called, name)
     sure = sure_of(written, receiver)
     if sure is not Sure.CERTAIN or written.holes:
@@ -94,7 +98,7 @@ def endpoint(
         callback=engine.called_outer(callback),
         group=group.name if isinstance(group, Group) else "",
         conditions=tuple(dict.fromkeys(engine.conditions)),
-        asked=engine.asked_now(),
+        asked=asked,
         through=through,
         overrides=_beyond(overrides, engine.conditions) if node.generation == "ros2" else None,
     )

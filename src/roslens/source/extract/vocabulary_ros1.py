@@ -9,6 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.source.extract.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
 from roslens.source.extract.command_words import given_to_ros
+from roslens.source.extract.earlier_values import else_before
 from roslens.source.extract.overload_choice import taking_so_many
 from roslens.source.extract.record import endpoint, is_set, parameter, timer, type_of_callback
 from roslens.source.extract.record_write import write_parameter
@@ -199,8 +200,9 @@ def read(engine: Evaluation, thing: Any, called: Called) -> Any:
         default = called.argument(1)
     value = parameter(engine, thing, called, "read", called.argument(0), default=default, given=default is not None)
     if len(called.written) > 1 and not (called.name == "param" and len(called.arguments) == 2):
-        engine.assign(called.written[1], value)
-        return Unknown("whether the parameter is set", is_set(value))
+        test = is_set(value)
+        engine.assign(called.written[1], value if default is not None else else_before(value, called.argument(1)))
+        return Unknown("whether the parameter is set", test)
     return value
 
 

@@ -142,6 +142,20 @@ def _join_left(run: Interpreter, since: int, left: str) -> None:
             _join(run.held, held, note)
 
 
+def _turn(
+    run: Interpreter, statement: ast.For | ast.AsyncFor | ast.While, start: int, since: int
+) -> tuple[bool, Left | None]:
+    """Follow one turn of a loop; return whether it ends the loop, and how what is around the loop is left."""
+    left = run.block(statement.body)
+    _join_left(run, since, "continue")
+    _behind(run, start, since, {"break", "return", "raise"})
+    if left is None or left.kind == "continue":
+        return False, None
+    _join_left(run, since, "break")
+    _behind(run, start, since, {"return", "raise"})
+    return True, None if left.kind == "break" else left
+
+
 def loop(run: Interpreter, statement: ast.For | ast.AsyncFor) -> Left | None:
     """Go through what is known, or once through what is not."""
     items = items_of(run.value(statement.iter))
@@ -150,13 +164,9 @@ def loop(run: Interpreter, statement: ast.For | ast.AsyncFor) -> Left | None:
         return _unknown(run, statement, f"for each of {ast.unparse(statement.iter)}")
     for item in items:
         run.put(statement.target, item)
-        left = run.block(statement.body)
-        _join_left(run, since, "continue")
-        _behind(run, start, since, {"break", "return", "raise"})
-        if left is not None and left.kind != "continue":
-            _join_left(run, since, "break")
-            _behind(run, start, since, {"return", "raise"})
-            return None if left.kind == "break" else left
+        ends, left = _turn(run, statement, start, since)
+        if ends:
+            return left
     return _else(run, statement, start, since)
 
 
@@ -169,13 +179,9 @@ def repeat(run: Interpreter, statement: ast.While) -> Left | None:
             return _else(run, statement, start, since)
         if holds is None:
             return _unknown(run, statement, ast.unparse(statement.test))
-        left = run.block(statement.body)
-        _join_left(run, since, "continue")
-        _behind(run, start, since, {"break", "return", "raise"})
-        if left is not None and left.kind != "continue":
-            _join_left(run, since, "break")
-            _behind(run, start, since, {"return", "raise"})
-            return None if left.kind == "break" else left
+        ends, left = _turn(run, statement, start, since)
+        if ends:
+            return left
     raise TooLongError
 
 

@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.source.extract.abstract_value import Unknown
+from roslens.source.extract.abstract_value import Obj, Unknown
 from roslens.source.extract.node_facts import Sure
 from roslens.source.extract.record import sure_of, value_text
 from roslens.source.extract.text import Text, unknown
@@ -9,10 +9,11 @@ from roslens.source.extract.text import Text, unknown
 @pytest.mark.parametrize(
     ("name", "receiver", "sure"),
     [
-        (Text.of("a"), None, Sure.CERTAIN),
+        (Text.of("a"), Obj("rclcpp.Node"), Sure.CERTAIN),
+        (Text.of("a"), None, Sure.LIKELY),
         (Text.of("a"), Unknown("whose"), Sure.LIKELY),
-        (unknown("parameter t", default="x"), None, Sure.LIKELY),
-        (unknown("parameter t"), None, Sure.POSSIBLE),
+        (unknown("parameter t", default="x"), Obj("rclcpp.Node"), Sure.LIKELY),
+        (unknown("parameter t"), Obj("rclcpp.Node"), Sure.POSSIBLE),
         (unknown("parameter t"), Unknown("whose"), Sure.POSSIBLE),
     ],
 )

@@ -406,10 +406,14 @@ _ENDING = frozenset(
 
 
 def _owned(call: Call, node: Node) -> tuple[Expression, Expression] | None:
-    """Return the pointer and the object of ``pointer.reset(new Class(…))``, which is an assignment."""
+    """Return the pointer and the object of ``pointer.reset(new Class(…))`` or ``reset(this)``, an assignment.
+
+    What deletes the object may be given behind it.
+    """
     function = call.function
-    if isinstance(function, Member) and function.name == "reset" and len(call.arguments) == 1:
+    if isinstance(function, Member) and function.name == "reset" and 1 <= len(call.arguments) <= 2:
         written = node.child_by_field_name("arguments")
-        if written is not None and any(one.type == "new_expression" for one in written.named_children):
+        given = [one.type for one in written.named_children if one.type != "comment"] if written is not None else []
+        if given and given[0] in {"new_expression", "this"}:
             return function.of, call.arguments[0]
     return None

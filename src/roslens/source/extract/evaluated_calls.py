@@ -12,6 +12,7 @@ from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.object_ways import each_way
 from roslens.source.extract.overload_choice import overload
+from roslens.source.extract.owned_pointer import OWNERS, is_owner, owns_first
 from roslens.source.extract.plain_methods import plain_method
 from roslens.source.extract.program import Call, Expression, Function, Member, Name
 from roslens.source.extract.refined_values import refine
@@ -32,9 +33,6 @@ _CASTS = frozenset(
      "std.static_pointer_cast", "move", "static_cast", "dynamic_cast", "std.const_pointer_cast",
      "std.make_optional", "std.addressof"}
 )  # fmt: skip
-_OWNERS = frozenset(
-    {f"{space}{kind}_ptr" for space in ("std.", "boost.", "") for kind in ("shared", "unique", "scoped")}
-)
 _FROM_THIS = frozenset({"shared_from_this", "weak_from_this"})
 _BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.bind_front"})
 _TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
@@ -43,7 +41,7 @@ _FUNCTIONS = (Callable, Class)
 _ADDING = frozenset({"append", "push_back", "emplace_back", "add"})
 _HOLDERS = (Text, list, dict)
 _LISTS = (list, dict)
-_KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *_OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
+_KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
 _WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
 _OF_NO_OBJECT = (Name("staticmethod"), Name("classmethod"))
 
@@ -85,7 +83,7 @@ class Calls(Expressions):
             if name in _POINTERS and templates:
                 kind, inside = type_name(templates[0])
                 return engine.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
-            if (name in _CASTS and arguments) or (name in _OWNERS and len(arguments) == 1):
+            if (name in _CASTS and arguments) or (name in OWNERS and owns_first(arguments)):
                 return arguments[0]
             if name in _TEXTS and arguments:
                 return text_made(name, arguments)
@@ -162,6 +160,8 @@ class Calls(Expressions):
         known = find_outer(engine, name)
         if known is not None:
             return known(engine, None, called)
+        if is_owner(name) and owns_first(arguments):
+            return arguments[0]
         for one in (*arguments, *keywords.values()):
             engine.called_outer(one)
         self._may_set(expression, arguments, name)

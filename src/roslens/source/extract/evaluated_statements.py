@@ -28,6 +28,7 @@ from roslens.source.extract.evaluation_frame import join
 from roslens.source.extract.kept_values import keep, no_place, once, put_where_it_stands, returned
 from roslens.source.extract.made_texts import with_sign
 from roslens.source.extract.other_names import assign_referred, refer
+from roslens.source.extract.owned_pointer import owns_first
 from roslens.source.extract.perhaps import Perhaps, is_counted
 from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
@@ -73,7 +74,9 @@ def initialise(engine: Evaluation, statement: Statement) -> None:
         engine.written_at(statement.line)
         if isinstance(statement.value, Sequence):
             kind, inside = type_name(declared)
-            if not is_list(declared):
+            if "ptr" in declared.lower() and owns_first(value):
+                value = value[0]
+            elif not is_list(declared):
                 value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
             elif value and isinstance(value[0], int | float) and inside.endswith("string"):
                 value = Unknown(f"{name}, which is so many texts")

@@ -151,13 +151,18 @@ def sure_of(name: Text, receiver: Any) -> Sure:
     """Return how sure a name is: certain where it is written, likely where a parameter or guess decides."""
     if name.usual is None:
         return Sure.POSSIBLE
-    return Sure.LIKELY if name.holes or isinstance(receiver, Unknown) else Sure.CERTAIN
+    return Sure.LIKELY if name.holes or is_guessed(receiver) else Sure.CERTAIN
+
+
+def is_guessed(receiver: Any) -> bool:
+    """Return whether it is not known of which node something is: the one that is built is taken for it."""
+    return receiver is None or isinstance(receiver, Unknown)
 
 
 def how(name: Text) -> str:
     """Return in words how a name was resolved."""
     if not name.holes:
-        return "taken to be of this node"
+        return _TAKEN
     return "; ".join(dict.fromkeys(hole.reason for hole in name.holes))
 
 
@@ -251,6 +256,7 @@ class Described(msgspec.Struct, frozen=True):
 
 
 _PLAIN = Described()
+_TAKEN = "taken to be of this node"
 
 
 def parameter(
@@ -261,9 +267,12 @@ def parameter(
     node = node_of(engine, receiver)
     written = below(receiver, as_text(name))
     text = value_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
+    evidence = evidence or origin(engine, called, name)[0]
+    if is_guessed(receiver) and evidence.sure is Sure.CERTAIN:
+        evidence = msgspec.structs.replace(evidence, how=_TAKEN, sure=Sure.LIKELY)
     fact = ParameterFact(
         written,
-        evidence or origin(engine, called, name)[0],
+        evidence,
         access,
         kind or _type_by_default(node, default, python=called.evidence.path.endswith(".py")),
         text,

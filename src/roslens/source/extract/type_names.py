@@ -8,7 +8,7 @@ _SMART = frozenset(
     {"std.shared_ptr", "std.unique_ptr", "std.weak_ptr", "boost.shared_ptr", "boost.scoped_ptr", "boost.weak_ptr",
      "std.optional", "boost.optional", "std.reference_wrapper", "std.atomic", "shared_ptr", "unique_ptr", "weak_ptr"}
 )  # fmt: skip
-_POINTER_NAMES = frozenset({"SharedPtr", "WeakPtr", "UniquePtr", "ConstSharedPtr", "ConstWeakPtr", "ConstUniquePtr"})
+POINTER_NAMES = frozenset({"SharedPtr", "WeakPtr", "UniquePtr", "ConstSharedPtr", "ConstWeakPtr", "ConstUniquePtr"})
 _QUALIFIERS = frozenset(
     {"const", "constexpr", "static", "inline", "mutable", "typename", "struct", "class", "volatile"}
 )
@@ -46,7 +46,7 @@ def type_name(written: str) -> tuple[str, str]:
 def _pointed(name: str) -> str:
     """Return the class that a smart pointer declared in it points to: ``rclcpp.Node.SharedPtr``."""
     head, _, last = name.rpartition(".")
-    return head if head and last in _POINTER_NAMES else name
+    return head if head and last in POINTER_NAMES else name
 
 
 def _first(arguments: str) -> str:

@@ -9,7 +9,7 @@ import msgspec
 from roslens.model.graph import Role
 from roslens.model.qos import Qos
 from roslens.source.extract.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown
-from roslens.source.extract.record import endpoint, sure_of
+from roslens.source.extract.record import endpoint, is_guessed, sure_of
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 
@@ -22,10 +22,13 @@ _STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
 
 
 def handle_of(engine: Evaluation, called: Called) -> Any:
-    """Return the first argument that stands for a node."""
-    for value in (*called.arguments, *called.keywords.values()):
+    """Return the first argument that stands for a node; in ROS 2 an unknown one where none is known to."""
+    given = (*called.arguments, *called.keywords.values())
+    for value in given:
         if isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None):
             return value
+    if engine.node.generation == "ros2" and given and is_guessed(given[0]):
+        return given[0]
     return Handle(engine.node)
 
 
@@ -48,13 +51,14 @@ def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return Obj(called.name)
 
 
-def _listening(engine: Evaluation, called: Called) -> Handle:
+def _listening(engine: Evaluation, called: Called) -> Any:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
     given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
     if given or engine.node.generation != "ros2" or called.evidence.path.endswith(".py"):
         return Handle(node_of(engine, handle_of(engine, called)))
-    if any(isinstance(one, Unknown) for one in called.arguments[1:]):
-        return Handle(engine.node)
+    perhaps = [one for one in called.arguments[1:] if is_guessed(one)]
+    if perhaps:
+        return perhaps[0]
     name = Text.of("transform_listener_impl_", Hole("random end"))
     words = (Text.of("--ros-args"), Text.of("-r"), Text.of("__node:=", name))
     return Handle(engine.further(called.evidence, name, words))
@@ -63,7 +67,7 @@ def _listening(engine: Evaluation, called: Called) -> Handle:
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
 def broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A broadcaster of transforms."""
-    node = Handle(node_of(engine, handle_of(engine, called)))
+    node = handle_of(engine, called)
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
     return Obj(called.name)
 
@@ -72,7 +76,7 @@ def broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
 def static_broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A broadcaster of transforms that stay."""
-    node = Handle(node_of(engine, handle_of(engine, called)))
+    node = handle_of(engine, called)
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
     return Obj(called.name)
 
@@ -137,7 +141,7 @@ def _action(engine: Evaluation, called: Called, role: Role) -> Any:
 @outer("diagnostic_updater.Updater")
 def updater(engine: Evaluation, _thing: Any, called: Called) -> Any:
     """A publisher of diagnostics."""
-    node = Handle(node_of(engine, handle_of(engine, called)))
+    node = handle_of(engine, called)
     kind = "diagnostic_msgs::msg::DiagnosticArray"
     quality = QosValue(Qos("reliable", "volatile", "keep_last", 1))
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/diagnostics"), kind, qos=quality, queue=1)

@@ -47,7 +47,7 @@ session, module, function = (shared(name, name) for name in ("session", "module"
 """
 
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.heavy, pytest.mark.timed]
 
 
 @pytest.fixture

@@ -158,7 +158,8 @@ def test_the_order_of_orthogonal_documents_does_not_matter(parts: set[tuple[str,
     assert len(one.expectations) == len(parts)
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
+@pytest.mark.timed
 def test_a_thousand_sentences_are_read_and_held_against_each_other_in_seconds():
     names = ("/robot{}/scan", "/robot{}/*/state", "/**/sensor{}*", "/*/joint{}")
     rows = [

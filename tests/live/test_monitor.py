@@ -182,7 +182,7 @@ class TestOverload:
             assert one.state is other.state
             assert one.value == pytest.approx(other.value, rel=0.01)
 
-    @pytest.mark.slow
+    @pytest.mark.heavy
     def test_ten_thousand_entities_with_hostile_names(self):
         rules = reference({"expect": [{"id": "any", "name": "**", "quantity": "rate", "range": ">= 1"}]})
         monitor = Monitor(rules, start=0.0)

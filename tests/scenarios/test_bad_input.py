@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.timed
+
 CLEAN, FOUND, BAD_INPUT, NOT_ANALYSED = 0, 1, 2, 3
 
 
@@ -138,7 +140,6 @@ def analyse_file(file, report):
         ("nonsense", "report.finding('nonsense.other', 'x')", "nonsense.other"),
     ],
 )
-@pytest.mark.timed
 def test_a_bad_plugin_is_a_failure_and_the_rest_stands(roslens, robot, name: str, body: str, says: str):
     robot.package("good")
     (robot.root / "bad.py").write_text(PLUGIN.format(name=name, body=body))

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.timed
+
 KNOTTY = (
     "// one\n// two\n// three\n// four\n// five\n// six\nint knotty(int a) {\n  int n = 0;\n"
     + "".join(f"  if (a == {number}) n += {number};\n" for number in range(16))

@@ -32,7 +32,8 @@ for number in range(int(sys.argv[3]), 100_000):
 """
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
+@pytest.mark.timed
 def test_killed_at_random_moments(tmp_path, sample):
     path = tmp_path / "store.sqlite"
     moments = random.Random(20240501)

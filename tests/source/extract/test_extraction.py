@@ -360,7 +360,8 @@ with Cache.open(Path(sys.argv[2])) as cache:
 """
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
+@pytest.mark.timed
 def test_a_killed_run_keeps_what_it_had(robot: Path, tmp_path: Path, lowered: list[str]):
     cache = tmp_path / "cache.sqlite"
     done = subprocess.run([sys.executable, "-c", _KILLED, robot, cache, analyser_version()], check=False, timeout=60)

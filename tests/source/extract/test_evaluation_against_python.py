@@ -38,6 +38,12 @@ AGREE = {
     "filled list": f"x = ['b']\nif ask():\n    x.append('a')\nfor i in x:\n    {MAKE.format('i')}",
     "table": f"d = {{}}\nif ask():\n    d['a'] = 'b'\nfor v in d.values():\n    {MAKE.format('v')}",
     "an attribute that is set on the class": f"class A:\n    n = 'a'\na = A()\nA.n = 'b'\n{MAKE.format('a.n')}",
+    "a member that is set by a name that is open": (
+        f"self.n = 'a'\nself.m = 'c'\nsetattr(self, 'n' if ask() else 'm', 'b')\n{MAKE.format('self.n')}"
+    ),
+    "a number that is set by a name that is open": (
+        f"self.n = 2\nself.m = 3\nsetattr(self, 'n' if ask() else 'm', 4)\n{MAKE.format(repr('a')).replace('10', 'self.n')}"
+    ),
     "number": "self.create_publisher(String, 'a', 2 if ask() else 3)",
 }
 DISAGREE = {

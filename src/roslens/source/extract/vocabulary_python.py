@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from roslens.source.extract.abstract_value import Class, Obj, Unknown
+from roslens.source.extract.abstract_value import Class, Obj, QosValue, Unknown
 from roslens.source.extract.program import Member
 from roslens.source.extract.quality import quality_of
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
@@ -30,12 +31,27 @@ def copied(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     return value if quality is None or not quality.qos else msgspec.structs.replace(quality)
 
 
+_PLAIN = (Text, bool, int, float, QosValue)
+
+
 @outer("setattr", quiet=True)
 def member_set(engine: Evaluation, _thing: Any, called: Called) -> None:
     """A member that is set by its name."""
     name = called.argument(1)
     if isinstance(name, Text) and name.known and len(called.written) == 3:
         engine.assign(Member(called.written[0], name.known), called.argument(2))
+    elif len(called.written) == 3 and isinstance(thing := called.argument(0), Obj):
+        _forget_members(engine, thing, name)
+
+
+def _forget_members(engine: Evaluation, thing: Obj, name: Any) -> None:
+    """Let members be unknown of which one is set and nobody knows which: those whose names fit what is known of it."""
+    pattern = name.pattern if isinstance(name, Text) else "*"
+    for member, value in list(thing.fields.items()):
+        of_values = isinstance(value, list) and all(isinstance(one, _PLAIN) for one in value)
+        if (of_values or isinstance(value, _PLAIN)) and fnmatchcase(member, pattern):
+            reason = f"{member}, which setattr() may set"
+            engine.changes.put(thing.fields, member, unknown(reason) if isinstance(value, Text) else Unknown(reason))
 
 
 @outer("type", quiet=True)

@@ -42,8 +42,7 @@ AGREE = {
         f"self.n = 'a'\nself.m = 'c'\nsetattr(self, 'n' if ask() else 'm', 'b')\n{MAKE.format('self.n')}"
     ),
     "a number that is set by a name that is open": (
-        "self.n = 2\nself.m = 3\nsetattr(self, 'n' if ask() else 'm', 4)\n"
-        "self.create_publisher(String, 'a', self.n)"
+        "self.n = 2\nself.m = 3\nsetattr(self, 'n' if ask() else 'm', 4)\nself.create_publisher(String, 'a', self.n)"
     ),
     "number": "self.create_publisher(String, 'a', 2 if ask() else 3)",
 }

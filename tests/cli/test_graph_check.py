@@ -94,8 +94,12 @@ def test_what_is_given_is_no_finding_and_nothing_fails_on_never(workspace, capsy
 
 def test_lines_for_people(workspace, capsys):
     assert main(["graph", workspace, "--launch", "talk/talk.launch.xml", "--check"]) == 1
-    lines = capsys.readouterr().out.splitlines()
+    said = capsys.readouterr()
+    lines = said.out.splitlines()
     assert any(line.startswith("talk/talk/nodes.py:17: error: /listener ") and "[graph.qos]" in line for line in lines)
+    errors = sum(": error: " in line for line in lines)
+    assert said.err.startswith(f"roslens: {errors} errors, ")
+    assert "; --fail-on error" in said.err
 
 
 def test_options_that_do_not_go_together(workspace, capsys):

@@ -53,6 +53,18 @@ def test_parameters_say_what_code_writes_them(graph):
     assert "int, likely: while the node runs" in text
 
 
+def test_parameters_that_are_not_certain_have_a_mark(graph):
+    parameters = (
+        ConfiguredParameter("sure", "1", "int", proof=Proof("pkg/src/a.cpp", 9)),
+        ConfiguredParameter("taken", "1", "int", proof=Proof("pkg/src/a.cpp", 10, sure="likely")),
+        ConfiguredParameter("*", "1", "int", proof=Proof("pkg/src/a.cpp", 11)),
+    )
+    node = msgspec.structs.replace(graph.nodes[0], parameters=parameters, endpoints=())
+    lines = to_graph_text(msgspec.structs.replace(graph, nodes=(node,))).splitlines()
+    assert lines[0] == "pkg/launch/a.launch.py: ros2, 1 node, 0 topics"
+    assert [one.split("=")[0].strip() for one in lines if "= 1" in one] == ["sure", "~ taken", "? *"]
+
+
 def test_what_is_unresolved_is_always_listed(graph):
     text = to_graph_text(graph)
     assert "unresolved: 1" in text

@@ -74,8 +74,8 @@ def repository_of(path: str) -> Repository:
     if done.returncode:
         raise UsageError(
             f'"{path}" is in no git repository that can be read: {said(done)}',
-            expected="revisions of one",
-            advice="Give the folder of a repository as PATH",
+            expected="revisions of one, or two launch files of the workspace",
+            advice="Give the folder of a repository as PATH, or PACKAGE/FILE of launch files",
         )
     root, below, folder = os.fsdecode(done.stdout).rstrip("\n").split("\n")[-3:]
     return Repository(root, below, str(Path(path, folder).resolve()))

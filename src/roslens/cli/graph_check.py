@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -46,6 +47,8 @@ def check(source: GraphSource, found: tuple[Configuration, ...], options: argpar
     fail_on = options.fail_on or settings.fail_on
     fails = fail_on != "never" and any(one.gated and one.severity.rank >= Severity(fail_on).rank for one in findings)
     write_result((_json if options.format == "json" else _text)(findings), options.output)
+    if not options.quiet:
+        print(f"roslens: {_counted(findings, sum(len(one.unresolved) for one in found), fail_on)}", file=sys.stderr)
     return FINDINGS if fails else CLEAN
 
 
@@ -57,6 +60,19 @@ def _json(findings: list[Finding]) -> str:
 
 def _text(findings: list[Finding]) -> str:
     return "".join(_lines(findings)) or "nothing found\n"
+
+
+def _counted(findings: list[Finding], missed: int, fail_on: str) -> str:
+    """Return how many there are of each severity, from which on they fail, and what nobody could look at."""
+    words = [
+        f"{count} {word}{'s' * (count != 1)}"
+        for word in ("error", "warning", "note")
+        if (count := sum(one.severity.value == word for one in findings))
+    ]
+    said = f"{', '.join(words)}; --fail-on {fail_on}" if words else "nothing found"
+    if missed:
+        said += f"; {missed} place{'s' * (missed != 1)} could not be resolved and raise nothing, see it without --check"
+    return said
 
 
 def _lines(findings: list[Finding]) -> Iterator[str]:

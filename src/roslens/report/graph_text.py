@@ -69,15 +69,19 @@ def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
 
 def _head(configuration: Configuration) -> Iterator[str]:
     names = {one.endpoint.name for node in configuration.nodes for one in node.endpoints if _is_topic(one)}
-    nodes = len(configuration.nodes)
-    yield f"{configuration.title}: {configuration.generation}, {nodes} nodes, {len(names)} topics"
+    nodes = _counted(len(configuration.nodes), "node")
+    yield f"{configuration.title}: {configuration.generation}, {nodes}, {_counted(len(names), 'topic')}"
     if configuration.arguments:
-        yield "  arguments"
+        yield "  arguments and their defaults"
         for argument in configuration.arguments:
             default = "must be given" if argument.default is None else f'"{argument.default}"'
             about = f"  {argument.description}" if argument.description else ""
             yield f"    {argument.name}: {default}{about}"
     yield from _parameters("parameters of all nodes", configuration.parameters)
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'s' * (count != 1)}"
 
 
 def _is_topic(one: ConfiguredEndpoint) -> bool:
@@ -156,19 +160,21 @@ def _parameters(
 
 def _parameter(one: ConfiguredParameter, *, everywhere: bool) -> tuple[str, ...]:
     value = "?" if one.value is None else _value(one.value)
+    doubtful = one.proof is not None and one.proof.sure != "certain"
+    name = f"{'? ' if '*' in one.name else '~ ' if doubtful else ''}{one.name}"
     notes = [one.type or one.set_type]
     if one.access == "" and one.proof is None and not everywhere:
         notes.append("set, but no code is known to take it")
     if one.set_by is not None:
         default = "" if one.default is None else f", default {_value(one.default)}"
         place = f"set in {one.set_by.place}{_also(one.written_by)}{default}"
-        return one.name, f"= {value}", ", ".join(n for n in notes if n), place
+        return name, f"= {value}", ", ".join(n for n in notes if n), place
     if one.written_by is not None and one.access == "declared":
         place = f"{_from(one.proof)} by {one.written_by.place}" if one.proof else one.written_by.place
-        return one.name, f"= {value}", ", ".join(n for n in notes if n), place
+        return name, f"= {value}", ", ".join(n for n in notes if n), place
     if one.written_by is not None and one.written_by.how:
         notes.append(f"{one.written_by.sure}: {one.written_by.how}")
-    return one.name, f"= {value}", ", ".join(n for n in notes if n), _from(one.proof) if one.proof else ""
+    return name, f"= {value}", ", ".join(n for n in notes if n), _from(one.proof) if one.proof else ""
 
 
 def _value(text: str) -> str:

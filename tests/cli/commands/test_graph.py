@@ -182,3 +182,13 @@ def test_what_could_not_be_read_at_all_is_no_clean_graph(tmp_path, more):
     (tmp_path / "p" / "package.xml").write_text('<package format="3"><name>p</name></package>')
     (package / "a.launch.py").write_text("def generate_launch_description(")
     assert main(["graph", str(tmp_path), "--launch", "p/a.launch.py", *more, "--no-cache"]) == 3
+
+
+def test_an_argument_that_the_launch_file_does_not_declare_is_told(workspace, capsys):
+    given = ["graph", workspace, "--launch", "talk/talk.launch.xml", "--arg", "wher:=there"]
+    assert main(given) == 0
+    told = capsys.readouterr().err
+    assert "argument `wher` is given" in told
+    assert "Did you mean `where`?" in told
+    assert main([*given, "--quiet"]) == 0
+    assert capsys.readouterr().err == ""

@@ -83,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
 
         return diff(options)
     if options.format == "markdown":
-        raise UsageError("--format markdown without --diff", expected="one of the other formats")
+        raise UsageError("--format markdown without --diff", expected="--diff A B too, or one of the other formats")
     if options.arg and not options.launch:
         raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
     if options.launch and options.package:
@@ -99,6 +99,7 @@ def run(options: argparse.Namespace) -> int:
 
             return check(source, found, options) or _complete(source, found)
         require_nodes(found, options.node)
+        _say_given(source, found, options)
         if options.html or options.format == "svg":
             from roslens.cli.graph_picture import draw
 
@@ -116,6 +117,16 @@ def _say_why(source: GraphSource, options: argparse.Namespace) -> None:
     from roslens.cli.graph_without_nodes import reasons
 
     for line in () if options.quiet else reasons(source, options.launch):
+        print(f"roslens: {line}", file=sys.stderr)
+
+
+def _say_given(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
+    if options.quiet or not options.launch:
+        return
+    from roslens.cli.graph_given import wrong_arguments
+    from roslens.cli.graph_source import arguments_of
+
+    for line in wrong_arguments(found[0], source.meant(options.launch, arguments_of(options.arg))[1]):
         print(f"roslens: {line}", file=sys.stderr)
 
 

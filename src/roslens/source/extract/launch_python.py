@@ -38,7 +38,8 @@ def python_actions(path: str, content: bytes, files: Files | None = None) -> tup
             tree = ast.parse(content)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         where = Location(path, getattr(error, "lineno", 0) or 1, getattr(error, "offset", 0) or 1)
-        raise DocumentError(f"{error}", where=where, expected="Python that can be parsed") from None
+        what = getattr(error, "msg", "") or f"{error}"
+        raise DocumentError(what, where=where, expected="Python that can be parsed") from None
     try:
         interpreter = Interpreter(path, tree, Modules(files, _defined))
         entry = interpreter.function(_ENTRY)

@@ -103,7 +103,7 @@ class _Whole:
         try:
             actions = actions_of(path, content, self.files)
         except DocumentError as error:
-            self.miss(error.what, evidence, f"{error.where}: expected {error.expected}", opens=True)
+            self.miss(path, *_place_and_reason(error, path, evidence), opens=True)
             return
         self._open.append(path)
         scope = Scope(self.files, configurations, self._environment, path, self._assigned)
@@ -304,6 +304,15 @@ class _Whole:
                 self.miss(path, one.evidence, "there is no such file in the workspace")
             found += settings or []
         return found
+
+
+def _place_and_reason(error: DocumentError, path: str, evidence: Evidence) -> tuple[Evidence, str]:
+    """Return where to look for what cannot be read, and why: in the file, or where another one includes it."""
+    reason = f"{error.what}; expected {error.expected}"
+    if evidence.line:
+        return evidence, f"{error.where}: {reason}"
+    line, _, column = error.where.removeprefix(f"{path}:").partition(":")
+    return Evidence(path, int(line), int(column)) if line.isdigit() and column.isdigit() else evidence, reason
 
 
 def _keep(inner: _Space, space: _Space) -> None:

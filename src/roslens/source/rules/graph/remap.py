@@ -76,10 +76,11 @@ def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list
     severity, doubt = weighed(
         RULE.severity, (one.proof,), node.conditions, more="the code of some nodes that it holds for is unknown"
     )
-    who = listed([f"{user.name} ({user.proof.place})" for user in users])
+    places = [f"{user.name} ({user.proof.place})" for user in users]
+    who, verbs = listed(places), "does, and is" if len(set(places)) == 1 else "do, and are"
     message = (
         f"remapping of `{one.source}` to `{one.target}` holds for {count} nodes, of which none is known to use the "
-        f"name. {who} does, and is outside of it: a remapping holds for what follows it in its group or file. "
+        f"name. {who} {verbs} outside of it: a remapping holds for what follows it in its group or file. "
         f"Move it in front of the node, or into it.{doubt}"
     )
     context = f"{one.source}:={one.target}"

@@ -6,6 +6,7 @@ import sysconfig
 from pathlib import Path
 
 import pytest
+from fresh_environment import fresh_environment, pip_install
 
 from roslens.plugins.contract import assert_plugin
 
@@ -39,12 +40,10 @@ def test_its_own_tests_pass(monkeypatch):
 def test_it_installs_and_is_found(tmp_path):
     """A fresh environment that sees the packages of this one, with the example installed as anybody would."""
     environment = tmp_path / "venv"
-    subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
-    python = environment / "bin" / "python"
+    python = fresh_environment(environment)
     packages = next((environment / "lib").glob("python*/site-packages"))
     (packages / "shared.pth").write_text(f"import site; site.addsitedir({sysconfig.get_paths()['purelib']!r})\n")
-    install = [str(python), "-m", "pip", "install", "--quiet", "--no-deps", str(EXAMPLE)]
-    done = subprocess.run(install, capture_output=True, text=True, check=False)
+    done = pip_install(python, "--no-deps", str(EXAMPLE))
     if done.returncode and "No matching distribution" in done.stderr + done.stdout:
         pytest.skip(f"the build back end cannot be had: {done.stderr.strip().splitlines()[-1]}")
     assert done.returncode == 0, done.stderr

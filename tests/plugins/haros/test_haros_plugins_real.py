@@ -8,11 +8,11 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 import sysconfig
 from pathlib import Path
 
 import pytest
+from fresh_environment import fresh_environment, pip_install
 
 pytestmark = pytest.mark.real
 
@@ -35,10 +35,7 @@ def environment(tmp_path_factory):
     """Return an environment with haros-plugins and with everything that this one has."""
     folder = tmp_path_factory.mktemp("haros")
     environment = folder / "venv"
-    subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
-    python = str(environment / "bin" / "python")
-    install = [python, "-m", "pip", "install", "--quiet", "haros-plugins==1.1.5", "future"]
-    done = subprocess.run(install, capture_output=True, text=True, check=False)
+    done = pip_install(fresh_environment(environment), "haros-plugins==1.1.5", "future")
     if done.returncode:
         pytest.skip(f"haros-plugins cannot be had: {done.stderr.strip().splitlines()[-1]}")
     packages = next((environment / "lib").glob("python*/site-packages"))

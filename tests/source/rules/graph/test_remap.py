@@ -51,3 +51,17 @@ def test_one_of_a_single_node_or_that_is_used_says_nothing_of_others():
     assert not findings(simulator, node("/a", known=False, remaps=(one,)), used)
     inside = node("/b", end("pub", "/camera/left"), remaps=(one,))
     assert not findings(simulator, node("/a", known=False, remaps=(one,)), inside)
+
+
+def test_a_node_that_has_the_same_remapping_of_its_own_is_not_out_of_reach():
+    group = remap("/tf", "tf", uncertain=True)
+    held = [node("/a", known=False, remaps=(group,)), node("/b", known=False, remaps=(group,))]
+    one, other = (
+        node("/c", end("pub", "/tf"), remaps=(remap("/tf", "tf", 9, used=True),)),
+        node("/d", end("pub", "/tf")),
+    )
+    assert not findings(one, *held)
+    (told,) = findings(one, other, *held)
+    assert "/d (launch/robot.launch.xml:1) does, and is outside of it" in told.message
+    (told,) = findings(node("/e", end("pub", "/tf"), line=7), other, *held)
+    assert "do, and are outside of it" in told.message

@@ -54,13 +54,22 @@ def _out_of_reach(configuration: Configuration) -> Iterator[Finding]:
         if len(inside) < 2 or any(each.used for _node, each in held) or not any(each.uncertain for _node, each in held):
             continue
         name = _absolute(one.source, held[0][0])
-        users = [node for node in configuration.nodes if node.name not in inside and _uses(node, name)]
+        users = [
+            node
+            for node in configuration.nodes
+            if node.name not in inside and _uses(node, name) and not _has(node, one)
+        ]
         if users and not any(_uses(node, name) for node, _one in held):
             yield _outside(one, held[0][0], len(inside), users)
 
 
 def _absolute(name: str, node: ConfiguredNode) -> str:
     return name if name.startswith("/") else f"{node.name.rpartition('/')[0]}/{name}"
+
+
+def _has(node: ConfiguredNode, one: ConfiguredRemap) -> bool:
+    """Whether a node has a remapping of its own that does the same."""
+    return any((other.source, other.target) == (one.source, one.target) for other in node.remaps)
 
 
 def _uses(node: ConfiguredNode, name: str) -> bool:

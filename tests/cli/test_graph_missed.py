@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from roslens.cli.graph_missed import told_once
+from roslens.cli.graph_missed import told_by_file, told_once
 from roslens.cli.main import main
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import Evidence
@@ -61,3 +61,26 @@ def test_what_is_the_same_is_told_once():
     (one, other) = told_once([*missed, Unresolved("g()", Evidence("b/C.txt", 1), "why")])
     assert (one.evidence.line, one.reason) == (3, "why; and in 2 more places")
     assert other.reason == "why"
+
+
+def test_what_is_the_same_in_a_file_is_told_once():
+    missed = [Unresolved(text, Evidence("b/c.cpp", line), "why") for text, line in (("f()", 9), ("g()", 3), ("h()", 3))]
+    others = [
+        Unresolved("f()", Evidence("b/c.cpp", 1), "another reason"),
+        Unresolved("f()", Evidence("b/d.cpp", 1), "why"),
+    ]
+    (one, *rest) = told_by_file([*missed, *others])
+    assert (one.text, one.evidence.line, one.reason) == ("g()", 3, "why; and 2 more in this file")
+    assert rest == others
+
+
+def test_code_is_told_that_is_not_understood_or_never_called(workspace, capsys):
+    (workspace / "p" / "more.cpp").write_text(
+        "#include <rclcpp/rclcpp.hpp>\n"
+        'void later(rclcpp::Node & node) { node.create_publisher<std_msgs::msg::Bool>("done", 1); }\n'
+    )
+    (workspace / "p" / "odd.cpp").write_text("int odd( { ;\n")
+    assert main(["graph", str(workspace)]) == 0
+    out = capsys.readouterr().out
+    assert 'p/more.cpp:2  this function makes endpoints, but nothing that was followed calls it "later()"' in out
+    assert "p/odd.cpp:1  this part of the file was not understood" in out

@@ -1,4 +1,4 @@
-"""What was not understood of the builds of packages, in short: what is the same is told once, and how often."""
+"""What was not understood of the builds and the code of packages, in short: what is the same is told once."""
 
 from __future__ import annotations
 
@@ -21,5 +21,19 @@ def told_once(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
         first = min(group, key=lambda one: one.evidence)
         more = len({(one.evidence.path, one.evidence.line) for one in group}) - 1
         reason = f"{first.reason}; and in {more} more place{'s' * (more > 1)}" if more else first.reason
+        found.append(msgspec.structs.replace(first, reason=reason))
+    return tuple(found)
+
+
+def told_by_file(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
+    """Return what was not understood of code: each reason once for a file, at the first place where it is so."""
+    places: dict[tuple[str, str], list[Unresolved]] = {}
+    for one in missed:
+        places.setdefault((one.evidence.path, one.reason), []).append(one)
+    found = []
+    for group in places.values():
+        first = min(group, key=lambda one: one.evidence)
+        more = len(group) - 1
+        reason = f"{first.reason}; and {more} more in this file" if more else first.reason
         found.append(msgspec.structs.replace(first, reason=reason))
     return tuple(found)

@@ -118,7 +118,7 @@ class GraphSource:
         Raises:
             UsageError: the workspace has no package of that name.
         """
-        from roslens.cli.graph_missed import told_once
+        from roslens.cli.graph_missed import told_by_file, told_once
         from roslens.source.extract.assemble import assemble, targets_started
         from roslens.source.extract.catalogue import known_node
 
@@ -138,7 +138,11 @@ class GraphSource:
                 continue
             from roslens.source.extract.launched import Launch
 
-            missed = [one for name in chosen for one in told_once(self.facts.missed(name))]
+            missed = [
+                one
+                for name in chosen
+                for one in (*told_once(self.facts.missed(name)), *told_by_file(self.facts.missed_in_code(name)))
+            ]
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
             started = Launch(generation, tuple(nodes), unresolved=tuple(missed))
             made = assemble(

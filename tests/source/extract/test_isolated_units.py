@@ -39,20 +39,26 @@ def started(entry: str) -> Target:
 
 
 def test_without_a_fault_it_is_what_the_workspace_has(index: Index):
-    nodes, failures = units_of(index, [])
-    assert list(nodes) == facts_of_workspace(index)
-    assert {str(one.name) for one in nodes} == {"talker", "hearer"}
-    assert failures == ()
+    units = units_of(index, [])
+    assert list(units.facts) == facts_of_workspace(index)
+    assert {str(one.name) for one in units.facts} == {"talker", "hearer"}
+    assert units.failures == ()
 
 
 def test_functions_that_targets_start_are_units_too(index: Index):
-    nodes, _ = units_of(index, [started("talk:begin"), started("talk:begin"), started("talk:nowhere")])
-    assert [str(one.name) for one in nodes].count("begun") == 1
-    assert units_of(index, [started("a.talk:begin"), started("")])[0]
+    units = units_of(index, [started("talk:begin"), started("talk:begin"), started("talk:nowhere")])
+    assert [str(one.name) for one in units.facts].count("begun") == 1
+    assert units_of(index, [started("a.talk:begin"), started("")]).facts
+
+
+def test_what_nothing_starts_is_told(index: Index):
+    (told,) = units_of(index, []).never_followed
+    assert (told.text, told.evidence) == ("begin()", Evidence("a/talk.py", 7))
+    assert units_of(index, [started("talk:begin")]).never_followed == ()
 
 
 def test_of_a_fault_the_unit_is_told_and_the_others_stay(index: Index, monkeypatch: pytest.MonkeyPatch):
-    plain, _ = units_of(index, [])
+    plain = units_of(index, []).facts
     of_module = node_units.facts_of_module
 
     def breaking(index: Index, path: str, function: str = "", reached: node_units.Reached | None = None) -> object:
@@ -60,21 +66,22 @@ def test_of_a_fault_the_unit_is_told_and_the_others_stay(index: Index, monkeypat
             raise TypeError("unhashable")
         return of_module(index, path, function, reached)
 
-    monkeypatch.setattr(isolated_units, "facts_of_workspace", lambda index: breaking(index, "b/hear.py"))
+    monkeypatch.setattr(isolated_units, "facts_of_workspace", lambda index, _: breaking(index, "b/hear.py"))
     monkeypatch.setattr(isolated_units, "facts_of_module", breaking)
-    nodes, failures = units_of(index, [])
-    assert list(nodes) == [one for one in plain if one.path != "b/hear.py"] != []
-    assert [(one.location and one.location.path, one.what) for one in failures] == [
+    units = units_of(index, [])
+    assert list(units.facts) == [one for one in plain if one.path != "b/hear.py"] != []
+    assert [(one.location and one.location.path, one.what) for one in units.failures] == [
         ("b/hear.py", "TypeError: unhashable")
     ]
-    assert all(one.partial and one.detail and one.advice for one in failures)
+    assert all(one.partial and one.detail and one.advice for one in units.failures)
 
 
 def test_one_by_one_finds_the_same(index: Index, monkeypatch: pytest.MonkeyPatch):
-    plain, _ = units_of(index, [])
+    plain = units_of(index, [])
 
-    def breaking(_: Index) -> object:
+    def breaking(_: Index, reached: node_units.Reached) -> object:
+        reached.add(("a/talk.py", 7))  # nothing is taken as followed because of what broke
         raise RuntimeError
 
     monkeypatch.setattr(isolated_units, "facts_of_workspace", breaking)
-    assert units_of(index, []) == (plain, ())
+    assert units_of(index, []) == plain

@@ -69,3 +69,20 @@ def test_whether_a_program_reads_its_words_is_kept(tmp_path):
         again = facts(cache)
         assert again.program(path, "main", words) == first
         assert "index" not in vars(again._parts)
+
+
+def test_units_are_evaluated_once_though_all_are_asked_for_what_they_miss(monkeypatch):
+    from roslens.source.extract import node_units
+
+    path = "src/rover/rover_sensors/rover_sensors/battery_monitor.py"
+    with Cache.open(None) as cache:
+        found = facts(cache)
+        first = found.program(path)
+        runs = []
+        made, ran = node_units._made, lambda engine: runs.append((engine.node.path, engine.node.unit))
+        monkeypatch.setattr(node_units, "_made", lambda engine, run: ran(engine) or made(engine, run))
+        assert found.missed_in_code("rover_sensors") == ()
+        assert found.missed_in_code("nowhere") == ()
+        assert found.program(path) == first
+    assert (path, "main") in runs
+    assert (path, "<module>") not in runs

@@ -3,18 +3,29 @@
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.python_program import program_of_python
 from roslens.source.extract.workspace_index import Index
-from roslens.source.extract.workspace_units import facts_of_workspace, makes_endpoints, unreached
+from roslens.source.extract.workspace_units import (
+    _MAKE,
+    _STEMS,
+    facts_of_workspace,
+    makes_endpoints,
+    never_followed,
+    unreached,
+)
 from roslens.source.syntax.macros import load_macros
 
 MACROS = load_macros()
 
 
-def facts_of(*files):
+def index_of(*files):
     programs = {}
     for path, text in files:
         lower = program_of_python if path.endswith(".py") else lambda content: program_of_cpp(content, MACROS)
         programs[path] = lower(text.encode())
-    return facts_of_workspace(Index(programs))
+    return Index(programs)
+
+
+def facts_of(*files):
+    return facts_of_workspace(index_of(*files))
 
 
 NODE = """
@@ -84,3 +95,34 @@ def test_what_is_reached_is_not_unreached():
     assert only.what.name == "Listener"
     assert makes_endpoints(start)
     assert list(unreached(index, {("p/listener.cpp", start.line)})) == []
+
+
+FAR = """
+#include <ros/ros.h>
+namespace far {
+void reset(ros::NodeHandle & nh) { nh.advertise<std_msgs::Empty>("reset", 1); }
+void ask(ros::NodeHandle & nh) { nh.serviceClient<std_srvs::Empty>("ask"); }
+void count(int) {}
+template<class T> void offer(ros::NodeHandle & nh) { nh.advertise<T>("offered", 1); }
+ros::Publisher advertise(ros::NodeHandle & nh, std::string name) { return nh.advertise<std_msgs::Empty>(name, 1); }
+}
+TEST(Far, away) { ros::NodeHandle nh; nh.subscribe("tested", 1, heard); }
+int main(int argc, char ** argv) {
+  ros::init(argc, argv, "far");
+  ros::NodeHandle nh;
+  far::ask(nh);
+}
+"""
+
+
+def test_a_function_that_nothing_calls_is_told():
+    index = index_of(("far/far.cpp", FAR))
+    reached = set()
+    facts_of_workspace(index, reached)
+    (told,) = never_followed(index, reached)
+    assert (told.text, told.evidence.path, told.evidence.line) == ("far.reset()", "far/far.cpp", 4)
+    assert "nothing that was followed calls it" in told.reason
+
+
+def test_all_that_makes_endpoints_is_found_by_its_letters():
+    assert [name for name in sorted(_MAKE) if not any(stem.decode() in name for stem in _STEMS)] == []

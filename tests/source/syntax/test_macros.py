@@ -79,6 +79,8 @@ def test_blanked_in_every_file(source, blanked):
         ("std::for_each(a, b, c) {}", "std::for_each(a, b, c) {}"),
         ("A_PUBLISHER_PTR(Path) pub_;", "A_PUBLISHER_PTR pub_;"),
         ("f(const A_SHARED_PTR(Path) & path);", "f(const A_SHARED_PTR & path);"),
+        ('print("%" PRId64 " of %" PRIuFAST8, a);', 'print("%" " of %", a);'),
+        ("int PRIx32 = 3;", "int PRIx32 = 3;"),
     ],
 )
 def test_repaired_where_a_file_has_faults(source, repaired):

@@ -6,7 +6,7 @@ find packages -> take inventory -> (nothing changed? what is kept is the answer)
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
@@ -14,12 +14,12 @@ import msgspec
 from roslens.model.failure import Failure
 from roslens.model.source import Package
 from roslens.source.extract.launched import Unresolved
-from roslens.source.extract.node_facts import Evidence, NodeFacts, Target
+from roslens.source.extract.node_facts import NodeFacts, Target
 from roslens.source.extract.targets import Build
 from roslens.source.extract.workspace_interfaces import KnownInterface
+from roslens.source.extract.workspace_nodes import workspace_nodes
 from roslens.source.extract.workspace_parts import LaunchFile, WorkspaceParts
 from roslens.source.inventory import Inventory, take_inventory
-from roslens.source.keys import key_of
 from roslens.source.known_manifests import KnownManifests
 from roslens.source.progress import Progress, Silent
 from roslens.source.settings import SourceSettings
@@ -54,13 +54,6 @@ class Extraction(msgspec.Struct, frozen=True):
     def targets(self) -> tuple[Target, ...]:
         """What builds make, package by package."""
         return tuple(target for build in self.builds.values() for target in build.targets)
-
-
-class _Nodes(msgspec.Struct, frozen=True, array_like=True):
-    nodes: tuple[NodeFacts, ...]
-    unresolved: tuple[Unresolved, ...]
-    failures: tuple[Failure, ...]
-    lasting: bool = True
 
 
 def extract(
@@ -112,9 +105,7 @@ def extract_found(
     """
     parts = WorkspaceParts(workspace, inventory, settings, cache=cache, jobs=jobs, progress=progress)
     builds, interfaces = parts.builds, parts.interfaces
-    entries = [target for build in builds.builds.values() for target in build.targets if target.entry]
-    started = sorted({(target.entry, target.sources) for target in entries})
-    nodes = parts.kept("nodes", key_of(parts.programs_key, started), _Nodes, lambda: _nodes(parts, entries))
+    nodes = workspace_nodes(parts)
     return Extraction(
         root=workspace.root,
         packages=parts.packages,
@@ -122,24 +113,10 @@ def extract_found(
         builds=builds.builds,
         interfaces=interfaces.interfaces,
         launch_files=parts.launch_files(),
-        unresolved=(*nodes.unresolved, *(one for build in builds.builds.values() for one in build.unresolved)),
+        unresolved=(
+            *nodes.unresolved,
+            *nodes.never_followed,
+            *(one for build in builds.builds.values() for one in build.unresolved),
+        ),
         failures=(*workspace.failures, *inventory.failures, *builds.failures, *interfaces.failures, *nodes.failures),
     )
-
-
-def _nodes(parts: WorkspaceParts, entries: Iterable[Target]) -> _Nodes:
-    from roslens.source.extract.isolated_units import units_of
-    from roslens.source.extract.workspace_programs import not_understood
-
-    programs = parts.programs
-    parts.watch.step("Evaluating nodes", 0)
-    nodes, failures = units_of(parts.index, entries)
-    missed = (
-        Unresolved(reason, Evidence(path, line), "this part of the file was not understood")
-        for path, line, reason in not_understood(programs.programs)
-    )
-    placed = (
-        msgspec.structs.replace(one, package=parts.owners.get(one.location.path, "") if one.location else "")
-        for one in (*programs.failures, *failures)
-    )
-    return _Nodes(nodes, tuple(missed), tuple(placed), programs.lasting)

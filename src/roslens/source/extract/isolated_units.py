@@ -5,10 +5,13 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from functools import partial
+from typing import NamedTuple
 
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location
+from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_bases import generation_of
 from roslens.source.extract.node_facts import NodeFacts, Target
 from roslens.source.extract.node_units import (
@@ -21,15 +24,23 @@ from roslens.source.extract.node_units import (
     registered,
 )
 from roslens.source.extract.workspace_index import Defined, Index
-from roslens.source.extract.workspace_units import facts_of_workspace, unreached
+from roslens.source.extract.workspace_units import facts_of_workspace, never_followed, unreached
 
 Unit = Callable[[], Iterable[NodeFacts]]
 _SELDOM = 50_000
 """Objects that are made, less those that are gone, between two collections: some ten megabytes."""
 
 
-def units_of(index: Index, targets: Iterable[Target]) -> tuple[tuple[NodeFacts, ...], tuple[Failure, ...]]:
-    """Return the facts of all units in order of their files, each once, and what could not be evaluated.
+class Units(NamedTuple):
+    """What all units make: their facts, functions that make endpoints and that no unit calls, and what broke."""
+
+    facts: tuple[NodeFacts, ...]
+    never_followed: tuple[Unresolved, ...]
+    failures: tuple[Failure, ...]
+
+
+def units_of(index: Index, targets: Iterable[Target]) -> Units:
+    """Return the facts of all units in order of their files, each once, and what is missing in them.
 
     Args:
         index: of the workspace.
@@ -37,15 +48,18 @@ def units_of(index: Index, targets: Iterable[Target]) -> tuple[tuple[NodeFacts, 
     """
     failures: list[Failure] = []
     found: list[NodeFacts] = []
+    reached: Reached = set()
     with _spared():
         try:
-            found += facts_of_workspace(index)
+            found += facts_of_workspace(index, reached)
         except Exception:  # noqa: BLE001 - which unit it was is found by evaluating them one by one
-            found += _one_by_one(index, failures)
+            found += _one_by_one(index, failures, reached)
         for path, function in sorted(_entries(index, targets)):
-            found += attempt(lambda: facts_of_module(index, path, function), path, 0, failures)  # noqa: B023 - called at once
+            unit = partial(facts_of_module, index, path, function, reached)
+            found += attempt(unit, path, 0, failures)
     order = sorted(found, key=lambda one: (one.path, one.line, one.unit))
-    return tuple(one for place, one in enumerate(order) if not place or one != order[place - 1]), tuple(failures)
+    facts = tuple(one for place, one in enumerate(order) if not place or one != order[place - 1])
+    return Units(facts, tuple(never_followed(index, reached)), tuple(failures))
 
 
 @contextmanager
@@ -77,8 +91,8 @@ def _entries(index: Index, targets: Iterable[Target]) -> set[tuple[str, str]]:
     return found
 
 
-def _one_by_one(index: Index, failures: list[Failure]) -> Iterator[NodeFacts]:
-    reached: Reached = set()
+def _one_by_one(index: Index, failures: list[Failure], reached: Reached) -> Iterator[NodeFacts]:
+    reached.clear()
     known: set[str] = set()
 
     def plugin(defined: Defined) -> Unit:

@@ -106,7 +106,9 @@ def facts_of_class(
         _run_made(engine, thing)
         _run_plugged(engine)
 
-    return _finished(engine, run, reached)
+    return _finished(
+        engine, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind)
+    )
 
 
 def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Reached | None = None) -> list[NodeFacts]:
@@ -159,7 +161,8 @@ def facts_of_main(
             _run_made(engine)
         _run_plugged(engine)
 
-    return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
+    found = _finished(engine, run, reached, () if words is not None or chosen is not None else ("main", path))
+    return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
 def facts_of_module(
@@ -195,7 +198,8 @@ def facts_of_module(
         _run_lifecycle(engine)
         _run_callbacks(engine)
 
-    return [one for one in _finished(engine, run, reached) if one.endpoints or one.parameters or one.name.parts]
+    found = _finished(engine, run, reached, () if words is not None else ("module", path, function))
+    return [one for one in found if one.endpoints or one.parameters or one.name.parts]
 
 
 def _run_lifecycle(engine: Evaluation) -> None:
@@ -301,7 +305,20 @@ def _made_by(function: Function, defined: Defined) -> bool:
     return function.name in (name, f"~{name}", "__init__", "lambda") or len(function.templates) > of_class
 
 
-def _finished(engine: Evaluation, run: Callable1[[], None], reached: Reached | None) -> list[NodeFacts]:
+def _finished(
+    engine: Evaluation, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
+) -> list[NodeFacts]:
+    """Return what ``run`` made; the second time it is the same ``unit``, what it made the first time."""
+    units = engine.index.units if unit else None
+    found, followed = (units or {}).get(unit) or (_made(engine, run), engine.reached)
+    if units is not None:
+        units[unit] = (found, followed)
+    if reached is not None:
+        reached |= followed
+    return list(found)
+
+
+def _made(engine: Evaluation, run: Callable1[[], None]) -> list[NodeFacts]:
     try:
         run()
     except (SpentError, RecursionError):
@@ -312,8 +329,6 @@ def _finished(engine: Evaluation, run: Callable1[[], None], reached: Reached | N
     except _ODD as error:
         reason = f"what is written at {engine.site.path}:{engine.site.line} is evaluated to nonsense ({error})"
         engine.node.unresolved.append((engine.site, f"{reason}; what was found until then is here"))
-    if reached is not None:
-        reached |= engine.reached
     return [one.facts() for one in (engine.node, *engine.others)]
 
 

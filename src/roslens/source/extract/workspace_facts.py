@@ -18,6 +18,7 @@ from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_interfaces import KnownInterface, nearest
+from roslens.source.extract.workspace_nodes import WorkspaceNodes, workspace_nodes
 from roslens.source.extract.workspace_parts import WorkspaceParts
 from roslens.source.inventory import take_inventory
 from roslens.source.keys import key_of
@@ -72,6 +73,7 @@ class WorkspaceFacts:
         if inventory.learned:
             cache.put_stats(inventory.learned, now_s=now_s)
         self._parts = WorkspaceParts(workspace, inventory, settings, cache=cache, jobs=jobs, progress=progress)
+        self._parts.again = True
         self.files = self._parts.reading
         self.failures = inventory.failures
         self.broken: list[Failure] = []
@@ -92,6 +94,19 @@ class WorkspaceFacts:
         """Return what of the build of a package could not be evaluated."""
         build = self._parts.builds.builds.get(package)
         return () if build is None else build.unresolved
+
+    def missed_in_code(self, package: str) -> tuple[Unresolved, ...]:
+        """Return parts of the code of a package that were not understood, and what in it makes endpoints of no unit."""
+        found = self._parts.found.get(package)
+        if found is None:
+            return ()
+        nodes, owners = self._nodes, self._parts.owners
+        missed = (*nodes.unresolved, *nodes.never_followed)
+        return tuple(one for one in missed if owners.get(one.evidence.path) == found.package.id)
+
+    @cached_property
+    def _nodes(self) -> WorkspaceNodes:
+        return workspace_nodes(self._parts)
 
     def paths(self, package: str) -> tuple[str, ...]:
         """Return the files of a package."""

@@ -28,6 +28,7 @@ from roslens.source.extract.python_modules import PythonModules
 from roslens.source.extract.type_names import dotted, type_arguments, type_name
 
 if TYPE_CHECKING:
+    from roslens.source.extract.node_facts import NodeFacts
     from roslens.source.extract.parameter_library import ParameterLibrary
 
 __all__ = ["Defined", "Index", "assigned_names", "dotted", "type_arguments", "type_name"]
@@ -48,6 +49,7 @@ class Index:
     Attributes:
         programs: by path.
         parameter_libraries: code that builds generate to declare parameters, which no program holds.
+        units: what units came to, and the functions that they called; None where none is asked for again.
     """
 
     def __init__(
@@ -61,6 +63,7 @@ class Index:
         self._outer = known_names()
         self.programs = dict(programs)
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
+        self.units: dict[tuple[str, ...], tuple[list[NodeFacts], set[tuple[str, int]]]] | None = None
         self._own = own_names(self.programs, packages or {}, needs or {})
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}

@@ -79,6 +79,7 @@ class WorkspaceParts:
         found: packages by name; of two of one name the first, none for files outside of packages.
         files: those that have a language, of each package by its id.
         cached: what earlier runs learned.
+        again: whether units are asked for again once they were evaluated; set it before the index is asked for.
     """
 
     def __init__(
@@ -100,6 +101,7 @@ class WorkspaceParts:
                 self.found.setdefault(one.package.name, one)
         self.files = inventory.files
         self.cached = cache
+        self.again = False
         self.watch = progress or Silent()
         self._all = workspace.packages
         self._macros = settings.macros
@@ -169,6 +171,7 @@ class WorkspaceParts:
         """What the programs of the workspace define."""
         index = Index(self.programs.programs, self.owners, self.needs)
         index.parameter_libraries = self.libraries
+        index.units = {} if self.again else None
         return index
 
     @cached_property

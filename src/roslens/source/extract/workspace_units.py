@@ -7,8 +7,9 @@ from collections.abc import Iterator
 import msgspec
 from msgspec.structs import astuple
 
+from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_bases import generation_of
-from roslens.source.extract.node_facts import NodeFacts
+from roslens.source.extract.node_facts import Evidence, NodeFacts
 from roslens.source.extract.node_units import (
     Reached,
     facts_of_class,
@@ -30,16 +31,24 @@ _MAKE = frozenset(
 )  # fmt: skip
 _LEAVES = frozenset({str, int, float, bool, type(None), Literal, Name, Opaque, Lambda})
 """What holds no call."""
+_STEMS = (b"create_", b"dvertise", b"ubscribe", b"Publisher", b"ervice", b"Client", b"Server")
+"""Some of these letters are in each name of :data:`_MAKE`: to find them takes a tenth of looking at each call."""
 _REGISTRY = "BT_REGISTER_NODES"
+_encode = msgspec.msgpack.Encoder().encode
+NEVER_FOLLOWED = "this function makes endpoints, but nothing that was followed calls it"
 
 
-def facts_of_workspace(index: Index) -> list[NodeFacts]:
+def facts_of_workspace(index: Index, reached: Reached | None = None) -> list[NodeFacts]:
     """Return the facts of all units of a workspace, in order of their files.
 
     Classes that are nodes, plug-ins that are registered, nodes of behaviour trees, programs and scripts come first.
     Then classes that make endpoints and are reached by none of these: somebody outside makes or loads them.
+
+    Args:
+        index: of the workspace.
+        reached: is filled with the functions that were followed.
     """
-    reached: Reached = set()
+    reached = set() if reached is None else reached
     found: list[NodeFacts] = []
     known: set[str] = set()
     for defined, generation, kind in node_classes(index):
@@ -98,8 +107,23 @@ def _makes(index: Index, defined: Defined, reached: Reached, known: dict[int, bo
     return False
 
 
+def never_followed(index: Index, reached: Reached) -> Iterator[Unresolved]:
+    """Yield the functions that make endpoints and that nothing was seen to call: a table of callbacks, another program.
+
+    Left out are those that make what they are given: templates, and what is named like them (``create_publisher``).
+    """
+    for path in sorted(index.programs):
+        for one in index.programs[path].functions:
+            named = one.templates or one.name.startswith("TEST") or not _MAKE.isdisjoint(one.qualified_name.split("."))
+            if not named and (path, one.line) not in reached and makes_endpoints(one):
+                yield Unresolved(f"{one.qualified_name}()", Evidence(path, one.line), NEVER_FOLLOWED)
+
+
 def makes_endpoints(function: Function) -> bool:
     """Whether a function calls something that makes an endpoint, by its name."""
+    written = _encode((function.initialisers, function.body))
+    if not any(stem in written for stem in _STEMS):
+        return False
     waiting: list[object] = [function.initialisers, function.body]
     while waiting:
         one = waiting.pop()

@@ -1,0 +1,60 @@
+"""The nodes that all code of a workspace makes, and what makes endpoints in none of them; through the cache.
+
+It is kept under the hash of all programs and of the entry points that builds name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.source.extract.launched import Unresolved
+from roslens.source.extract.node_facts import Evidence, NodeFacts, Target
+from roslens.source.extract.workspace_parts import WorkspaceParts
+from roslens.source.keys import key_of
+
+
+class WorkspaceNodes(msgspec.Struct, frozen=True, array_like=True):
+    """What the programs of a workspace come to.
+
+    Attributes:
+        nodes: facts of all units, in order of their files.
+        unresolved: parts of files that were not understood.
+        never_followed: functions that make endpoints and that no unit calls.
+        failures: what could not be read or evaluated at all.
+        lasting: whether the next run may take it from the cache.
+    """
+
+    nodes: tuple[NodeFacts, ...]
+    unresolved: tuple[Unresolved, ...]
+    never_followed: tuple[Unresolved, ...]
+    failures: tuple[Failure, ...]
+    lasting: bool = True
+
+
+def workspace_nodes(parts: WorkspaceParts) -> WorkspaceNodes:
+    """Return the nodes of a workspace; nothing is read or evaluated where the cache knows the answer."""
+    entries = [target for build in parts.builds.builds.values() for target in build.targets if target.entry]
+    started = sorted({(target.entry, target.sources) for target in entries})
+    key = key_of(parts.programs_key, started)
+    return parts.kept("nodes", key, WorkspaceNodes, lambda: _evaluated(parts, entries))
+
+
+def _evaluated(parts: WorkspaceParts, entries: Iterable[Target]) -> WorkspaceNodes:
+    from roslens.source.extract.isolated_units import units_of
+    from roslens.source.extract.workspace_programs import not_understood
+
+    programs = parts.programs
+    parts.watch.step("Evaluating nodes", 0)
+    units = units_of(parts.index, entries)
+    missed = (
+        Unresolved(reason, Evidence(path, line), "this part of the file was not understood")
+        for path, line, reason in not_understood(programs.programs)
+    )
+    placed = (
+        msgspec.structs.replace(one, package=parts.owners.get(one.location.path, "") if one.location else "")
+        for one in (*programs.failures, *units.failures)
+    )
+    return WorkspaceNodes(units.facts, tuple(missed), units.never_followed, tuple(placed), programs.lasting)

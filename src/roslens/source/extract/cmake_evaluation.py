@@ -406,6 +406,9 @@ class Evaluation:
     def _run_unknown(self, command: Command) -> None:
         arguments = self.expanded(command.arguments)
         self.foreign.update(value for value in arguments if value.isidentifier() and not self.scope.get(value)[0])
+        if arguments and arguments[0].isidentifier() and self.scope.get(arguments[0])[1] is not None:
+            # What it is given first it may set; further words are as often keywords of its own.
+            self.set(arguments[0], hole(f"{arguments[0]}, which {command.name}() may set"))
         self.fail(f"{command.name}()", self.evidence(command), "the command is not defined in the workspace")
 
     def _run_function(self, command: Command, function: Defined) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 
 from tree_sitter import Node
 
+from roslens.source.extract.cpp_breaks import without_breaks
 from roslens.source.extract.cpp_expressions import Expressions
 from roslens.source.extract.cpp_lowered import DEEPEST, Lowered, name_of, opaque
 from roslens.source.extract.cpp_relevance import Level, Relevance, is_filling, is_logging
@@ -247,7 +248,7 @@ class StatementLowering:
             return
         self._lowered.depth += 1
         # What ``break`` leaves here is the choice.
-        around, self._leaves = self._leaves, self._leaves - {"break_statement"}
+        around, self._leaves = self._leaves, self._leaves | {"break_statement"}
         subject = self._condition(node.child_by_field_name("condition"), out)
         body = node.child_by_field_name("body")
         labels: list[Expression] = []
@@ -273,7 +274,7 @@ class StatementLowering:
         following: tuple[Statement, ...] = ()
         for condition, statements, ends, line in reversed(groups):
             # Without ``break`` the next case follows.
-            following = tuple(statements) if ends else (*statements, *following)
+            following = without_breaks(tuple(statements), () if ends else following)
             if condition is None:
                 otherwise = following
             else:

@@ -285,3 +285,24 @@ def test_a_main_function_is_lowered_whole() -> None:
     assert Relevance(text, start, len(text), head=0).level is Level.WHOLE
     other = b"int domain(int argc, char ** argv) " + body
     assert Relevance(other, other.index(b"{"), len(other), head=0).level is not Level.WHOLE
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "std::string & r = topic_; r = std::to_string(1);",
+        "auto * r = &topic_; *r = std::to_string(1);",
+        "auto & r = this->topic_; r += std::to_string(1);",
+    ],
+)
+def test_what_is_set_under_another_name_is_set(body: str):
+    source = f"{{ double x = 1.5; {'x = x * x + x / 2.0; ' * 8} {body} }}".encode()
+    relevance = Relevance(source, 0, len(source))
+    assert relevance.level is not Level.WHOLE
+    assert "topic_" in relevance.sets
+
+
+def test_what_another_name_is_only_read_of_is_not_set():
+    source = f"{{ double x = 1.5; {'x = x * x + x / 2.0; ' * 8} const auto & r = topic_; auto * p = &name_; }}".encode()
+    relevance = Relevance(source, 0, len(source))
+    assert not {"topic_", "name_"} & set(relevance.sets)

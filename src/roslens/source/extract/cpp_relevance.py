@@ -52,6 +52,7 @@ _CALLED = re.compile(rb"\(\s*(?:>[^;(){}]{0,80}?<\s*)?(\w+)")
 """Finds the names of calls in a text that runs backwards: a pattern that begins with one fixed byte is fast."""
 _SET = re.compile(rb"=(?<!==)[-+*/|&^%]?\s*(\w+)(?!\w)(?!\s*(?!esle\b)(?:[\w.&*]|>(?!-siht)))")
 """Finds names set in a text that runs backwards, declarations aside: ``count_ =``, ``m_count +=``, ``on =``."""
+_OTHER_NAME = re.compile(rb"[&*]\s*(\w+)\s*=\s*&?\s*(?:this\s*->\s*)?([A-Za-z_]\w*)\s*;")
 _LEADING = re.compile(
     rb"(?:on_|do_?)?(?:init|setup|set_?[uU]p|configure|create|add|register|load|start|activate|advertise|connect|open|spawn|enable"
     rb"|declare|make|build|publish|read_?[pP]ar|get_?[pP]ar|update_?[pP]ar|reconfigure|run|on[A-Z_]"
@@ -133,7 +134,10 @@ class Relevance:
             return
         body = source[start:end]
         backwards = body[::-1]
-        self.sets = tuple(sorted({match[1][::-1].decode() for match in _SET.finditer(backwards)}))
+        names = {match[1][::-1] for match in _SET.finditer(backwards)}
+        if b"&" in body:
+            names |= _set_under_other_names(body, names)
+        self.sets = tuple(sorted(map(bytes.decode, names)))
         known = _KIND_OF.get
         for match in _CALLED.finditer(backwards):
             name = match[1]
@@ -170,6 +174,15 @@ class Relevance:
             or _any_within(self._others, start, end)
             or _any_within(self._returns, start, end)
         )
+
+
+def _set_under_other_names(body: bytes, names: set[bytes]) -> set[bytes]:
+    """Return what other names lead to that are set: ``auto & topic = topic_;``, ``auto * topic = &topic_;``."""
+    return {
+        match[2]
+        for match in _OTHER_NAME.finditer(body)
+        if match[1] in names or len(re.findall(rb"\*\s*%s\s*[-+*/|&^%%]?=(?!=)" % match[1], body)) > 1
+    }
 
 
 def _makes_names(source: bytes, head: int, start: int, end: int) -> bool:

@@ -37,6 +37,11 @@ TRICKY = {
         "set();\n" + PUB.format("a_"),
         "void set() {\n" + COMPUTES + 'std::string & r = a_;\nr = std::to_string(1);\n}\nstd::string a_ = "a";',
     ),
+    "the second of three values may hold in a handler": node(
+        'std::string a = "a";\ntry { a = "b";\nrisk();\na = "c";\nrisk();\n} catch (const std::exception &) {\n'
+        + PUB.format("a")
+        + "}"
+    ),
     "a break of a choice under a condition": node(
         "switch (2) { case 2: { if (ask(1)) { break; }\n" + PUB.format('"a"') + "break; } }"
     ),
@@ -46,11 +51,6 @@ KNOWN = {
     "what a method sets in a turn of a loop is there in the next": node(
         "for (int i = 0; i < number(); ++i) {\n" + PUB.format("a_") + "set();\n}\n",
         'void set() { a_ = "b"; }\nstd::string a_ = "a";',
-    ),
-    "the second of three values may hold in a handler": node(
-        'std::string a = "a";\ntry { a = "b";\nrisk();\na = "c";\nrisk();\n} catch (const std::exception &) {\n'
-        + PUB.format("a")
-        + "}"
     ),
 }
 """What evaluation is known to say wrongly, and why."""

@@ -50,6 +50,7 @@ from roslens.source.extract.program import (
 )
 from roslens.source.extract.quality import changed, quality_of
 from roslens.source.extract.refined_values import refine
+from roslens.source.extract.set_again import forget_set_again
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.workspace_index import type_arguments, type_name
 from roslens.source.extract.xml_rpc_values import XML_RPC, put_part
@@ -295,7 +296,7 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     way = changes.taken_back(since, frame.members) if second > since else {}
     frame.returned = frame.stopped = False
     if statement.otherwise and written == "no exception" and after is not before:
-        _handled(engine, statement.otherwise, (before, after), (written, otherwise))
+        _handled(engine, statement, (before, after), (written, otherwise))
     elif statement.otherwise:
         _noted(engine, otherwise, statement.otherwise)
     other_returned, other_gone = frame.returned, frame.returned or frame.stopped
@@ -323,14 +324,18 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     without_ways_out(engine, ways)
 
 
-def _handled(engine: Evaluation, body: tuple[Statement, ...], held: tuple[Held, Held], notes: tuple[str, str]) -> None:
+def _handled(engine: Evaluation, tried: Branch, held: tuple[Held, Held], notes: tuple[str, str]) -> None:
     """Follow handlers of exceptions: in them may hold what was set until the exception came."""
     frame, (before, after) = engine.frame, held
     frame.join(after, notes[0])
+    now_held = (frame.names, frame.members or {})
+    lost = [forget_set_again(tried.then, now, was) for now, was in zip(now_held, before, strict=True)]
     begun = frame.snapshot()
-    _noted(engine, notes[1], body)
-    for now, first, was in zip((frame.names, frame.members or {}), begun, before, strict=True):
+    _noted(engine, notes[1], tried.otherwise)
+    for now, first, was, gone in zip(now_held, begun, before, lost, strict=True):
         for name in [name for name, value in first.items() if now.get(name) is value is not was.get(name)]:
+            if name in gone:
+                continue
             # What they leave alone is what it was where there was an exception, or what it came to.
             if name in was:
                 now[name] = was[name]

@@ -45,12 +45,23 @@ TRICKY = {
     "a break of a choice under a condition": node(
         "switch (2) { case 2: { if (ask(1)) { break; }\n" + PUB.format('"a"') + "break; } }"
     ),
+    "what an operand sets that may not be reached": node(
+        'std::string s = "a";\nif (ask(1) && set(s)) {\n' + PUB.format('"x"') + "}\n" + PUB.format("s"),
+        'bool set(std::string & s) { s = "b"; return ask(2); }',
+    ),
+    "what one of two operands makes": node(
+        'ask(1) ? make("a") : make("b");', "bool make(std::string s) {\n" + PUB.format("s") + "return true; }"
+    ),
 }
 """What was once evaluated wrongly."""
 KNOWN = {
     "what a method sets in a turn of a loop is there in the next": node(
         "for (int i = 0; i < number(); ++i) {\n" + PUB.format("a_") + "set();\n}\n",
         'void set() { a_ = "b"; }\nstd::string a_ = "a";',
+    ),
+    "what two pointers share": node(
+        "auto one = std::make_shared<rclcpp::QoS>(10);\nauto other = one;\nother->best_effort();\n"
+        'create_publisher<std_msgs::msg::String>("a", *one);\n'
     ),
 }
 """What evaluation is known to say wrongly, and why."""

@@ -12,6 +12,7 @@ from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import Frame, either, one_of, one_or_none
 from roslens.source.extract.list_slices import is_slice, part_of
 from roslens.source.extract.module_values import module_value
+from roslens.source.extract.operand_ways import after_others, does_something, way_of
 from roslens.source.extract.perhaps import Perhaps, is_counted
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
 from roslens.source.extract.plugin_held import item_held
@@ -235,8 +236,13 @@ class Expressions:
 
     def _either(self, expression: Operation, decides: Any) -> Any:
         engine: Evaluation = self  # type: ignore[assignment]
-        one, other = self.value(expression.operands[1]), self.value(expression.operands[2])
         condition = engine.index.lookups.condition(expression.operands[0])
+        then, otherwise = expression.operands[1:]
+        one = way_of(engine, then, condition, decides) if does_something(engine, then) else self.value(then)
+        if does_something(engine, otherwise):
+            other = way_of(engine, otherwise, condition, decides, opposite=True)
+        else:
+            other = self.value(otherwise)
         if isinstance(one, Text) and isinstance(other, Text):
             if (one.known, other.known) == ("true", "false") and isinstance(decides, Text):
                 return decides
@@ -260,15 +266,16 @@ class Expressions:
         python = engine.index.programs[engine.frame.path].language == "python"
         operator, operands = expression.operator, expression.operands
         stops = operator == "or"
-        open_: list[Any] = []
+        open_: list[tuple[Any, Expression]] = []
         value: Any = not stops
         for number, one in enumerate(operands):
-            value = self.value(one)
+            ways = open_ and does_something(engine, one)
+            value = after_others(engine, one, open_, operator) if ways else self.value(one)
             holds = engine.truth(value)
             if holds is stops:
                 break
             if holds is None:
-                open_.append(value)
+                open_.append((value, one))
                 if python and stops and number < len(operands) - 1 and isinstance(value, Text):
                     return self._or_else(value, operands[number:])
         if not open_:
@@ -276,7 +283,7 @@ class Expressions:
             return value if python or holds is None else holds
         if engine.truth(value) is stops:
             return stops if not python or isinstance(value, bool) else self._open(expression)
-        tests = [test for one in open_ if (test := test_of(one)) is not None]
+        tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
         test = tests[0] if len(tests) == 1 else Asked(operator, (), tuple(tests))
         return self._open(expression, test if len(tests) == len(open_) else None)
 

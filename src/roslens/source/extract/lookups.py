@@ -32,6 +32,8 @@ class Lookups:
         of_modules: statements that change variables of modules of Python, by path and name.
         set_on_classes: attributes that code of Python sets on classes, by the last name of the class; None before it
             is asked for.
+        called: last names of what an expression calls, by its identity, with it.
+        function_names: of all functions with a body; None before it is asked for.
     """
 
     def __init__(self) -> None:
@@ -46,6 +48,8 @@ class Lookups:
         self.members: dict[int, tuple[tuple[Field, Any], ...]] = {}
         self.of_modules: dict[str, dict[str, tuple[Statement, ...]]] = {}
         self.set_on_classes: set[tuple[str, str]] | None = None
+        self.called: dict[int, tuple[Expression, tuple[str, ...]]] = {}
+        self.function_names: frozenset[str] | None = None
         self._texts: dict[int, tuple[Expression, str]] = {}
 
     def text(self, expression: Expression) -> str:

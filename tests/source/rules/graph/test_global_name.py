@@ -20,6 +20,17 @@ def test_a_global_name_in_code_is_a_note_once_a_place():
     )
 
 
+def test_all_places_of_a_file_that_name_one_thing_are_one_finding():
+    lines = range(3, 11)
+    (one,) = findings(node("/a", *(end("pub", "/scan", line=line) for line in lines)))
+    assert one.line == 3
+    assert "`/scan`, a global name, as /a (src/a.cpp:4), /a (src/a.cpp:5)" in one.message
+    assert "/a (src/a.cpp:8) and 2 more places do. Write `scan`" in one.message
+    (first, other) = findings(node("/a", end("pub", "/scan", line=3), end("sub", "/scan", line=4, path="src/b.cpp")))
+    assert (first.path, other.path) == ("src/a.cpp", "src/b.cpp")
+    assert "as /" not in first.message
+
+
 def test_relative_shared_and_foreign_names_are_none():
     assert not findings(
         node(

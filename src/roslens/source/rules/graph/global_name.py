@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
@@ -24,9 +24,14 @@ RULE = RuleInfo(
 )
 
 
+_MOST = 5
+"""So many further places are named; of more it is told how many they are."""
+
+
 def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
-    """Yield a finding for each place of the code that gives a global name."""
+    """Yield a finding for each global name that a file of code gives to one thing, with all places where it does."""
     seen: set[tuple[str, str]] = set()
+    groups: dict[tuple[str, str, str], list[End]] = {}
     for node in configuration.nodes:
         for one in node.endpoints:
             place = (one.proof.place, one.given)
@@ -34,15 +39,25 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
                 continue
             if not surroundings.is_external(one.given):
                 seen.add(place)
-                yield _told(End(node, one))
+                end = End(node, one)
+                groups.setdefault((end.entity, one.proof.path, one.given), []).append(end)
+    for ends in groups.values():
+        yield _told(*ends)
 
 
-def _told(end: End) -> Finding:
+def _told(end: End, *others: End) -> Finding:
     given = end.one.given
     severity, doubt = weighed(RULE.severity, (), ())
     moved = " A remapping changes it here." if end.one.remapped is not None else ""
     message = (
-        f"{end.told} {WORDS[end.role]} {KIND[end.role]} `{given}`, a global name.{moved} "
+        f"{end.told} {WORDS[end.role]} {KIND[end.role]} `{given}`, a global name{_also(others)}.{moved} "
         f"Write `{given.lstrip('/')}` and remap or push a namespace in the launch file.{doubt}"
     )
     return told(RULE, message, end.one.proof, entity=end.entity, severity=severity, context=given)
+
+
+def _also(others: Sequence[End]) -> str:
+    if not others:
+        return ""
+    places = ", ".join(f"{one.node.name} ({one.one.proof.place})" for one in others[:_MOST])
+    return f", as {places}" + (f" and {len(others) - _MOST} more places do" if len(others) > _MOST else "")

@@ -7,7 +7,7 @@ BIN := .venv/bin
 # What a run of tests imports is compiled once and kept: to compile it each time takes longer than most tests.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs known-mistakes lock lock-ros2 bench sites clean
+.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs known-mistakes accuracy lock lock-ros2 bench sites clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp

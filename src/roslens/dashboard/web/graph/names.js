@@ -58,9 +58,11 @@ function roomsFor(number, node, place, camera, shape) {
   const centre = camera.k * (place.x + shape.centre(node)) + camera.x;
   const away = camera.k * 2;
   const inside = centre > 0 && centre < width;
-  const left = inside ? Math.max(EDGE, Math.min(width - EDGE - long, centre - long / 2)) : centre - long / 2;
-  const shift = left + long / 2 - centre;
-  const over = (aside) => ({ owner: number, left: left + aside, right: left + aside + long, shift: shift + aside });
+  const over = (aside) => {
+    const wished = centre - long / 2 + aside;
+    const left = inside ? Math.max(EDGE, Math.min(width - EDGE - long, wished)) : wished;
+    return { owner: number, left, right: left + long, shift: left + long / 2 - centre };
+  };
   const below = { where: "below", top: disc.bottom + away, bottom: disc.bottom + away + HEIGHT };
   const above = { where: "above", top: disc.top - away - HEIGHT, bottom: disc.top - away };
   const rooms = [

@@ -49,7 +49,7 @@ class Lookups:
         self.of_modules: dict[str, dict[str, tuple[Statement, ...]]] = {}
         self.set_on_classes: set[tuple[str, str]] | None = None
         self.called: dict[int, tuple[Expression, tuple[str, ...]]] = {}
-        self.function_names: frozenset[str] | None = None
+        self.function_names: set[str] | None = None
         self._texts: dict[int, tuple[Expression, str]] = {}
 
     def text(self, expression: Expression) -> str:

@@ -6,15 +6,13 @@ it, and what is made in it keeps the condition.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence as SequenceOf
 from typing import TYPE_CHECKING, Any
-
-import msgspec
 
 from roslens.source.extract.abstract_value import Callable, QosValue, test_of
 from roslens.source.extract.condition import negated
 from roslens.source.extract.evaluation_frame import join
-from roslens.source.extract.program import Call, Expression, Member, Name, Operation
+from roslens.source.extract.program import Call, Expression, Item, Member, Name, Operation, Sequence
 from roslens.source.extract.text import Asked, Text
 
 if TYPE_CHECKING:
@@ -35,24 +33,35 @@ def does_something(engine: Evaluation, operand: Expression) -> bool:
         return False
     if lookups.function_names is None:
         programs = engine.index.programs.values()
-        lookups.function_names = frozenset(one.name for program in programs for one in program.functions if one.body)
+        lookups.function_names = {one.name for program in programs for one in program.functions if one.body}
     local = engine.frame.names
-    return any(one in lookups.function_names or type(local.get(one)) is Callable for one in names[1])
+    for one in names[1]:  # noqa: SIM110 - a generator costs more than the search
+        if one in lookups.function_names or (one in local and type(local[one]) is Callable):
+            return True
+    return False
 
 
 def _called(operand: Expression) -> tuple[str, ...]:
     """Return the last names of what is called in an expression."""
-    found: dict[str, None] = {}
+    found: set[str] = set()
     waiting: list[Any] = [operand]
-    while waiting:
-        one = waiting.pop()
-        if isinstance(one, tuple):
-            waiting += one
-        elif isinstance(one, msgspec.Struct):
-            if isinstance(one, Call) and isinstance(one.function, Name | Member):
-                found[one.function.name.rpartition(".")[2]] = None
-            waiting += msgspec.structs.astuple(one)
-    return tuple(found)
+    for one in waiting:
+        kind = type(one)
+        if kind is Call:
+            called = one.function
+            if type(called) is Name:
+                found |= {called.name.rpartition(".")[2]}
+            else:
+                found |= {called.name} if type(called) is Member else set()
+                waiting += (called,)
+            waiting += one.arguments
+        elif kind is Operation:
+            waiting += one.operands
+        elif kind is Member or kind is Item:
+            waiting += (one.of,)
+        elif kind is Sequence:
+            waiting += one.items
+    return tuple(sorted(found))
 
 
 def value_if(engine: Evaluation, operand: Expression, condition: str, test: Asked | None, noted: str = "") -> Any:
@@ -96,7 +105,7 @@ def way_of(engine: Evaluation, operand: Expression, condition: str, decides: Any
 
 
 def after_others(
-    engine: Evaluation, operand: Expression, others: Sequence[tuple[Any, Expression]], operator: str
+    engine: Evaluation, operand: Expression, others: SequenceOf[tuple[Any, Expression]], operator: str
 ) -> Any:
     """Return the value of an operand of ``and`` or ``or`` that comes after others of which nobody knows if they hold.
 

@@ -26,6 +26,7 @@ from roslens.source.extract.program import (
 )
 from roslens.source.extract.program_text import expression_text
 from roslens.source.extract.read_first import is_read_first
+from roslens.source.extract.set_by_methods import forget_set_by_methods
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.vocabulary_streams import words_read
@@ -134,6 +135,7 @@ def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool)
     since = changes.count
     changes.open += 1
     _forget_counters(engine, statement)
+    forget_set_by_methods(engine, statement)
     if statement.target is not None:
         engine.assign(statement.target, _each(over, statement))
     _perhaps_turned(engine, statement, over)

@@ -33,6 +33,7 @@ class Lookups:
         set_on_classes: attributes that code of Python sets on classes, by the last name of the class; None before it
             is asked for.
         called: last names of what an expression calls, by its identity, with it.
+        set_in_turns: members that methods set which a loop calls, by its identity and that of a class, with it.
         function_names: of all functions with a body; None before it is asked for.
     """
 
@@ -50,6 +51,7 @@ class Lookups:
         self.set_on_classes: set[tuple[str, str]] | None = None
         self.called: dict[int, tuple[Expression, tuple[str, ...]]] = {}
         self.function_names: set[str] | None = None
+        self.set_in_turns: dict[tuple[int, int], tuple[Statement, tuple[str, ...]]] = {}
         self._texts: dict[int, tuple[Expression, str]] = {}
 
     def text(self, expression: Expression) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from roslens.model.failure import Failure
 from roslens.source.extract import workspace_parts
 from roslens.source.extract.workspace_parts import Builds, LaunchFile, WorkspaceParts
 from roslens.source.inventory import take_inventory
@@ -71,7 +72,19 @@ def test_what_will_not_last_is_not_kept(root: Path, tmp_path: Path):
         assert parts.kept("x", "2", Builds, lambda: passing) == passing
 
 
-@pytest.mark.parametrize("kept", [b"", b"\xc1", msgspec.msgpack.encode({"a": 1})])
+def test_what_says_the_same_often_is_kept_small(root: Path, tmp_path: Path):
+    why = "a condition of which the words are long, " * 20
+    failures = tuple(Failure("graph", why, f"what {number}", "", package="a") for number in range(200))
+    large = Builds({}, failures)
+    with Cache.open(tmp_path / "c.sqlite") as cache:
+        parts = parts_of(root, cache)
+        parts.kept("x", "1", Builds, lambda: large)
+        assert parts.kept("x", "1", Builds, lambda: Builds({}, ())) == large
+        kept = cache.get(("graph:x:1",))["graph:x:1"]
+    assert len(kept) * 10 < len(msgspec.msgpack.encode(large))
+
+
+@pytest.mark.parametrize("kept", [b"", b"\xc1", b"\x78\x01", msgspec.msgpack.encode({"a": 1})])
 def test_what_cannot_be_read_is_made_again(root: Path, tmp_path: Path, kept: bytes):
     with Cache.open(tmp_path / "cache.sqlite") as cache:
         cache.put({"graph:x:1": kept})

@@ -41,8 +41,7 @@ def program_keys(files: Iterable[SourceFile], macros: MacroSettings) -> dict[str
 
 def pack(program: Program) -> bytes:
     """Return the bytes to keep."""
-    plain = _encode(program)
-    return zlib.compress(plain, _FASTEST) if len(plain) > _SMALL else plain
+    return squeezed(_encode(program))
 
 
 def unpack(kept: bytes) -> Program:
@@ -51,7 +50,21 @@ def unpack(kept: bytes) -> Program:
     Raises:
         msgspec.DecodeError: these are no bytes of :func:`pack`.
     """
+    return _decode(plain(kept))
+
+
+def squeezed(packed: bytes) -> bytes:
+    """Return a list or table of MessagePack as it is kept: what is small stays as it is."""
+    return zlib.compress(packed, _FASTEST) if len(packed) > _SMALL else packed
+
+
+def plain(kept: bytes) -> bytes:
+    """Return the MessagePack again.
+
+    Raises:
+        msgspec.DecodeError: these are no bytes of :func:`squeezed`.
+    """
     try:
-        return _decode(zlib.decompress(kept) if kept[:1] == _COMPRESSED else kept)
+        return zlib.decompress(kept) if kept[:1] == _COMPRESSED else kept
     except zlib.error as error:
         raise msgspec.DecodeError(str(error)) from error

@@ -16,7 +16,7 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
 from roslens.source.extract.files import FolderFiles
-from roslens.source.extract.kept_program import becomes_nodes
+from roslens.source.extract.kept_program import becomes_nodes, plain, squeezed
 from roslens.source.extract.parameter_library import ParameterLibrary, parameter_library
 from roslens.source.extract.targets import Build, build_of
 from roslens.source.extract.workspace_index import Index
@@ -112,7 +112,7 @@ class WorkspaceParts:
         full = f"graph:{name}:{key}"
         if (packed := self.cached.get((full,)).get(full)) is not None:
             try:
-                part = msgspec.msgpack.decode(packed, type=kind)
+                part = msgspec.msgpack.decode(plain(packed), type=kind)
             except msgspec.DecodeError:
                 pass  # What a damaged cache holds is made again.
             else:
@@ -120,7 +120,8 @@ class WorkspaceParts:
                 return part
         part = make()
         if part.lasting:
-            self.cached.put({full: msgspec.msgpack.encode(part)})
+            # Conditions of one place stand in the facts of all that is made there.
+            self.cached.put({full: squeezed(msgspec.msgpack.encode(part))})
         return part
 
     @property

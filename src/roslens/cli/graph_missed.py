@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def told_once(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
-    """Return what was not understood of a package: each text and reason once, at the first place where it is so."""
+    """Return what was not understood of builds: each text and reason once, at the first place where it is so."""
     places: dict[tuple[str, str], list[Unresolved]] = {}
     for one in missed:
         places.setdefault((one.text, one.reason), []).append(one)

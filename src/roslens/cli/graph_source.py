@@ -139,9 +139,8 @@ class GraphSource:
             from roslens.source.extract.launched import Launch
 
             missed = [
-                one
-                for name in chosen
-                for one in (*told_once(self.facts.missed(name)), *told_by_file(self.facts.missed_in_code(name)))
+                *told_once(one for name in chosen for one in self.facts.missed(name)),
+                *told_by_file(one for name in chosen for one in self.facts.missed_in_code(name)),
             ]
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
             started = Launch(generation, tuple(nodes), unresolved=tuple(missed))

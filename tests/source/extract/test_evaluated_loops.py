@@ -113,3 +113,9 @@ def test_what_an_earlier_turn_sets_is_not_known_in_the_next(node_of):
 def test_what_is_set_before_it_is_read_is_known_in_each_turn(node_of, names):
     body = 'std::string a = "a"; while (ask()) { a = "b";' + PUB.format("a") + "}"
     assert names(node_of(body)) == [("publisher", "b")]
+
+
+def test_a_way_out_in_a_branch_that_is_decided_is_one_of_what_follows_too(node_of):
+    turn = 'if (true) { if (ask()) { continue; } }\ncreate_publisher<std_msgs::msg::String>("a", 1);'
+    (one,) = node_of(f"for (int i = 0; i < 2; ++i) {{ {turn} }}").endpoints
+    assert one.conditions == ("not ask()",)

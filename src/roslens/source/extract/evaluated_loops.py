@@ -60,6 +60,15 @@ def without_ways_out(engine: Evaluation, since: int) -> None:
         _hold_not(engine, way.conditions[here:])
 
 
+def block_of_loop(engine: Evaluation, body: tuple[Statement, ...]) -> None:
+    """Follow statements of a turn; what comes after them has not taken a way out that is in them."""
+    ways = engine.frame.ways
+    known = len(ways.out) if ways is not None else 0
+    engine.block(body)
+    if ways is not None and len(ways.out) > known:
+        without_ways_out(engine, known)
+
+
 def _hold_not(engine: Evaluation, conditions: tuple[str, ...]) -> None:
     if not conditions:
         return

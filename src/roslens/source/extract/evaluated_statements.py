@@ -21,7 +21,7 @@ from roslens.source.extract.class_attributes import set_attribute
 from roslens.source.extract.condition import negated
 from roslens.source.extract.earlier_values import forget_defaults
 from roslens.source.extract.evaluated_again import same
-from roslens.source.extract.evaluated_loops import left, looped, without_ways_out
+from roslens.source.extract.evaluated_loops import block_of_loop, left, looped, without_ways_out
 from roslens.source.extract.evaluated_objects import is_list
 from roslens.source.extract.evaluation_bounds import SpentError
 from roslens.source.extract.evaluation_frame import join
@@ -277,7 +277,8 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     decides = engine.value(statement.condition)
     holds = engine.truth(decides)
     if holds is not None:
-        block(engine, statement.then if holds else statement.otherwise)
+        follow = block if engine.frame.ways is None else block_of_loop
+        follow(engine, statement.then if holds else statement.otherwise)
         return
     written, frame = engine.index.lookups.condition(statement.condition), engine.frame
     before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0

@@ -32,6 +32,8 @@ from roslens.source.extract.program import (
 
 _Arm = tuple[Statements, Expression, tuple[Statement, ...], int]
 """What stands before a condition, the condition, what it decides, and the line."""
+_MOST_FOLLOWING = 100
+"""Statements that a case falls through to: each case holds them, so that they grow with the square of the cases."""
 
 
 class StatementLowering:
@@ -273,6 +275,9 @@ class StatementLowering:
         otherwise: tuple[Statement, ...] = ()
         following: tuple[Statement, ...] = ()
         for condition, statements, ends, line in reversed(groups):
+            if len(following) > _MOST_FOLLOWING:
+                self._lowered.incomplete.add((line, f"falls through to more than {_MOST_FOLLOWING} statements"))
+                following = ()
             # Without ``break`` the next case follows.
             following = without_breaks(tuple(statements), () if ends else following)
             if condition is None:

@@ -56,5 +56,5 @@ def test_words_of_two_nodes_are_two_values():
         node("/a", end("pub", "/cmd", "g/msg/Twist", 3, conditions=("not is_stamped_", "#if A"))),
         node("/b", end("sub", "/cmd", "g/msg/TwistStamped", 4, conditions=("is_stamped_", "#if A"))),
     )
-    assert one.severity is Severity.WARNING
-    assert "only if `not is_stamped_ in /a` and `#if A` and `is_stamped_ in /b`." in one.message
+    assert one.severity is Severity.NOTE
+    assert "only if `not is_stamped_ in /a` and `#if A` and `is_stamped_ in /b`; where both nodes" in one.message

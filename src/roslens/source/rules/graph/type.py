@@ -7,7 +7,7 @@ from itertools import combinations, product
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
-from roslens.source.rules.graph.doubt import weighed
+from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import WORDS, End, by_name, conditions_of, ends, exclude, listed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -24,6 +24,7 @@ RULE = RuleInfo(
     tool=TOOL,
     scope="configuration",
 )
+_APART = "where both nodes decide this alike, they have one type"
 _ANY = frozenset({"*", "topic_tools/ShapeShifter", "topic_tools/msg/ShapeShifter"})
 
 
@@ -48,7 +49,8 @@ def _pairs(ranked: list[str], of_type: dict[str, list[End]]) -> Iterator[tuple[E
 
 def _told(kind: str, name: str, of_type: dict[str, list[End]], ranked: list[str], pair: tuple[End, End]) -> Finding:
     good, bad = pair
-    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), conditions_of(good, bad))
+    apart = _APART if exclude_each_other(good.conditions, bad.conditions) else ""
+    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), conditions_of(good, bad), more=apart)
     said = "; ".join(
         f"{listed([f'{end.told} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )

@@ -84,3 +84,16 @@ def test_code_is_told_that_is_not_understood_or_never_called(workspace, capsys):
     out = capsys.readouterr().out
     assert 'p/more.cpp:2  this function makes endpoints, but nothing that was followed calls it "later()"' in out
     assert "p/odd.cpp:1  this part of the file was not understood" in out
+
+
+def test_of_what_a_launch_file_starts_it_is_told_too(workspace, capsys):
+    (workspace / "p" / "launch").mkdir()
+    (workspace / "p" / "launch" / "a.launch.xml").write_text('<launch><node pkg="p" exec="talk"/></launch>')
+    (workspace / "p" / "talk.cpp").write_text(
+        TALK
+        + 'void later(rclcpp::Node & node) { node.create_publisher<std_msgs::msg::Bool>("done", 1); }\nint odd( { ;\n'
+    )
+    assert main(["graph", str(workspace), "--launch", "p/a.launch.xml"]) == 0
+    out = capsys.readouterr().out
+    assert "p/talk.cpp:6  this function makes endpoints" in out
+    assert "this part of the file was not understood" in out

@@ -85,10 +85,16 @@ class GraphSource:
         Raises:
             UsageError: there is no such file.
         """
+        import msgspec
+
+        from roslens.cli.graph_missed import told_by_file
         from roslens.source.extract.assemble import assemble
         from roslens.source.extract.catalogue import known_node
 
         path, result = self.evaluated(launch, arguments)
+        started = sorted({one.package.known for one in result.nodes if one.package.known})
+        missed = told_by_file(one for name in started for one in self.facts.missed_in_code(name))
+        result = msgspec.structs.replace(result, unresolved=(*result.unresolved, *missed))
         given = "".join(f" {name}:={value}" for name, value in self.meant(launch, arguments)[1].items())
         return assemble(
             result, self.facts, title=path + given, known=known_node, files=self.facts.files,

@@ -18,7 +18,7 @@ from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_interfaces import KnownInterface, nearest
-from roslens.source.extract.workspace_nodes import WorkspaceNodes, workspace_nodes
+from roslens.source.extract.workspace_nodes import WorkspaceMissed, workspace_missed
 from roslens.source.extract.workspace_parts import WorkspaceParts
 from roslens.source.inventory import take_inventory
 from roslens.source.keys import key_of
@@ -100,13 +100,12 @@ class WorkspaceFacts:
         found = self._parts.found.get(package)
         if found is None:
             return ()
-        nodes, owners = self._nodes, self._parts.owners
-        missed = (*nodes.unresolved, *nodes.never_followed)
-        return tuple(one for one in missed if owners.get(one.evidence.path) == found.package.id)
+        owners = self._parts.owners
+        return tuple(one for one in self._missed.missed if owners.get(one.evidence.path) == found.package.id)
 
     @cached_property
-    def _nodes(self) -> WorkspaceNodes:
-        return workspace_nodes(self._parts)
+    def _missed(self) -> WorkspaceMissed:
+        return workspace_missed(self._parts)
 
     def paths(self, package: str) -> tuple[str, ...]:
         """Return the files of a package."""

@@ -34,12 +34,34 @@ class WorkspaceNodes(msgspec.Struct, frozen=True, array_like=True):
     lasting: bool = True
 
 
+class WorkspaceMissed(msgspec.Struct, frozen=True, array_like=True):
+    """What of code is in no node, see :class:`WorkspaceNodes`; small, so that it is soon read again."""
+
+    missed: tuple[Unresolved, ...]
+    lasting: bool = True
+
+
+def workspace_missed(parts: WorkspaceParts) -> WorkspaceMissed:
+    """Return what was not understood of the code of a workspace, and what in it makes endpoints of no unit."""
+
+    def made() -> WorkspaceMissed:
+        nodes = workspace_nodes(parts)
+        return WorkspaceMissed((*nodes.unresolved, *nodes.never_followed), nodes.lasting)
+
+    return parts.kept("missed", _key(parts), WorkspaceMissed, made)
+
+
 def workspace_nodes(parts: WorkspaceParts) -> WorkspaceNodes:
     """Return the nodes of a workspace; nothing is read or evaluated where the cache knows the answer."""
-    entries = [target for build in parts.builds.builds.values() for target in build.targets if target.entry]
-    started = sorted({(target.entry, target.sources) for target in entries})
-    key = key_of(parts.programs_key, started)
-    return parts.kept("nodes", key, WorkspaceNodes, lambda: _evaluated(parts, entries))
+    return parts.kept("nodes", _key(parts), WorkspaceNodes, lambda: _evaluated(parts, _entries(parts)))
+
+
+def _entries(parts: WorkspaceParts) -> list[Target]:
+    return [target for build in parts.builds.builds.values() for target in build.targets if target.entry]
+
+
+def _key(parts: WorkspaceParts) -> str:
+    return key_of(parts.programs_key, sorted({(target.entry, target.sources) for target in _entries(parts)}))
 
 
 def _evaluated(parts: WorkspaceParts, entries: Iterable[Target]) -> WorkspaceNodes:

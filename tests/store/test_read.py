@@ -2,10 +2,11 @@
 
 from concurrent.futures import ThreadPoolExecutor
 
+import msgspec
 import pytest
 
 from roslens.model.entity import EntityKind
-from roslens.model.finding import Severity
+from roslens.model.finding import Finding, Severity
 from roslens.model.result import WorkspaceResult
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.model.tags import parse_tags
@@ -41,6 +42,42 @@ def test_a_package_comes_back_as_it_was_kept(view, sample):
     assert drive.failures == sample.drive().failures
     assert view.package("no such") is None
     assert view.package("") is None
+
+
+@pytest.fixture
+def shared(sample):
+    """Return findings that only all packages together show: of a package, and of one that the run does not have."""
+    return tuple(
+        Finding("graph.qos", Severity.ERROR, "do not fit", path, 3, tags=("qos",), fingerprint=path, gated=gated)
+        for path, gated in (("src/drive/a.py", True), ("src/drive/test/b.py", False))
+    )
+
+
+def test_what_only_all_packages_show_of_one_counts_as_its_own(sample, shared):
+    workspace = msgspec.structs.replace(sample.workspace(), package_findings={"drive": shared, "gone": shared[:1]})
+    with Store.open(None) as store:
+        with store.writing(sample.header()) as writer:
+            writer.add("unit-drive", sample.drive())
+            writer.add("unit-arm", sample.arm())
+            view = store.view(writer.complete(workspace, sample.header()))
+        own = [finding.rule for finding in sample.drive().findings]
+        assert rules(view.findings(package="drive")) == [*own, "graph.qos", "graph.qos"]
+        assert view.count_findings(package="drive", rule="graph.qos") == 2
+        assert view.package("drive").findings[-2:] == shared
+        assert len(view.package("drive").files) == 3
+        _, drive = view.packages()
+        assert next((one.rule, one.count, one.gated) for one in drive.rules) == ("graph.qos", 2, 1)
+        assert [one.id for one in view.packages()] == ["arm", "drive"]
+        assert view.workspace.package_findings == {"drive": shared}
+        assert rules(view.findings(package="")) == rules(view.workspace.findings) == ["manifest.cycle", "graph.qos"]
+        owners = [(package, finding.rule) for package, finding in view.owned_findings()]
+        assert owners[-3:] == [("drive", "graph.qos"), ("", "manifest.cycle"), ("", "graph.qos")]
+        (stored,) = store.runs()
+        assert (stored.packages, stored.findings) == (2, len(owners))
+        shown = store._connection.execute("SELECT id FROM packages WHERE run = ?", (view.id,)).fetchall()
+        assert shown == [("arm",), ("drive",)]
+        store.prune(0)
+        assert store._connection.execute("SELECT count(*) FROM unit").fetchone() == (0,)
 
 
 def test_the_workspace_comes_back_as_it_was_kept(view, sample):

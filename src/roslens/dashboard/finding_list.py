@@ -149,6 +149,8 @@ def package_of(site: Site, finding: Finding) -> str:
     place = site.places.get(finding.path)
     if place:
         return place.package
+    if owner := site.shared_findings.get((finding.rule, finding.path, finding.fingerprint)):
+        return owner
     kind, _, name = finding.entity.partition(":")
     return name if kind == "package" and name in site.by_id else ""
 

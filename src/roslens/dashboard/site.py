@@ -156,6 +156,15 @@ class Site:
         return dict(sorted(known.items()))
 
     @cached_property
+    def shared_findings(self) -> dict[tuple[str, str, str], str]:
+        """Rule, path and fingerprint of what only all packages together show, to the package that it is of."""
+        return {
+            (finding.rule, finding.path, finding.fingerprint): package
+            for package, found in self.view.workspace.package_findings.items()
+            for finding in found
+        }
+
+    @cached_property
     def failures(self) -> tuple[Failure, ...]:
         """What could not be analysed."""
         return self.view.failures()

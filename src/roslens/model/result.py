@@ -89,11 +89,13 @@ class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
     """What only the packages together show.
 
     ``package_values`` maps package ids to quantities that need all packages (``dependents``,
-    ``tier``, ``cycle``); ``failures`` belong to no package; ``rules`` describe every rule that a
+    ``tier``, ``cycle``), ``package_findings`` to findings that do, as those of a computation graph;
+    ``findings`` and ``failures`` belong to no package; ``rules`` describe every rule that a
     finding of the run may name, ``quantities`` everything that may have been measured.
     """
 
     package_values: dict[str, dict[str, float]] = {}
+    package_findings: dict[str, tuple[Finding, ...]] = {}
     findings: tuple[Finding, ...] = ()
     failures: tuple[Failure, ...] = ()
     rules: tuple[RuleInfo, ...] = ()

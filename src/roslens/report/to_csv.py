@@ -168,28 +168,27 @@ def _findings(view: RunView, tags: TagFilter) -> Table:
 
 
 def _finding_rows(view: RunView, tags: TagFilter) -> Iterator[tuple[Cell, ...]]:
-    for package in (*(package.id for package in view.packages()), ""):
-        for finding in view.findings(package=package, tags=tags):
-            yield (
-                finding.rule,
-                finding.severity.value,
-                finding.message,
-                package,
-                finding.path,
-                finding.line,
-                finding.column,
-                finding.end_line,
-                finding.end_column,
-                finding.entity,
-                " ".join(finding.tags),
-                finding.tool,
-                finding.fingerprint,
-                "yes" if finding.gated else "no",
-                finding.model,
-                finding.quantity,
-                finding.value,
-                finding.bound,
-            )
+    for package, finding in view.owned_findings(tags):
+        yield (
+            finding.rule,
+            finding.severity.value,
+            finding.message,
+            package,
+            finding.path,
+            finding.line,
+            finding.column,
+            finding.end_line,
+            finding.end_column,
+            finding.entity,
+            " ".join(finding.tags),
+            finding.tool,
+            finding.fingerprint,
+            "yes" if finding.gated else "no",
+            finding.model,
+            finding.quantity,
+            finding.value,
+            finding.bound,
+        )
 
 
 def _failures(view: RunView, _tags: TagFilter) -> Table:

@@ -71,7 +71,7 @@ def _document(view: RunView, tags: TagFilter) -> Iterator[bytes]:
     yield from _array("files", (_encode(_file(package, file)) for package, file in view.files()))
     yield from _array("entities", map(_encode, map(_entity, view.entities())))
     yield from _array("measurements", _measurements(view.entities()))
-    yield from _array("findings", map(_encode, map(_finding, view.findings(tags=tags))))
+    yield from _array("findings", (_encode(_finding(*owned)) for owned in view.owned_findings(tags)))
     yield from _array("failures", map(_encode, map(_failure, view.failures())))
     yield from _array("rules", map(_encode, map(_rule, view.rules())))
     yield from _array("quantities", map(_encode, map(_quantity, view.quantities())))
@@ -161,11 +161,12 @@ class _Keys(dict[str, str]):
         return text
 
 
-def _finding(finding: Finding) -> dict[str, Any]:
+def _finding(package: str, finding: Finding) -> dict[str, Any]:
     shown: dict[str, Any] = {
         "rule": finding.rule,
         "severity": finding.severity,
         "message": finding.message,
+        "package": package,
         "path": finding.path,
         "line": finding.line,
         "column": finding.column,

@@ -66,12 +66,13 @@ def to_text(
     wanted = tags or TagFilter()
     counted = count_packages(packages, wanted)
     of_workspace = [finding for finding in findings if wanted.matches(finding.tags)]
-    groups = _groups(packages, of_workspace, wanted)
+    groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted)
+    aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
     about = {rule.id: rule for rule in rules}
     sections = [
         list(_head(terminal, header, packages)),
         list(_packages(terminal, counted)),
-        list(_findings(terminal, groups, about, wanted, _aside(packages, wanted), analysed=bool(packages))),
+        list(_findings(terminal, groups, about, wanted, aside, analysed=bool(packages))),
         list(_failures(terminal, failures)),
         list(_next(terminal, groups, failures, packages)),
     ]

@@ -21,6 +21,7 @@ from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.known_manifests import KnownManifests
+from roslens.source.owned_findings import owned_findings
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
 from roslens.source.settings import SourceSettings
@@ -28,7 +29,7 @@ from roslens.source.workspace.find import FoundPackage, Workspace, find_workspac
 
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
-    from roslens.model.finding import RuleInfo
+    from roslens.model.finding import Finding, RuleInfo
     from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.model.quantity import Quantity
     from roslens.model.source import SourceFile
@@ -220,11 +221,13 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             if found.package.id not in fresh:
                 writer.reuse(run.units[found.package.id])
         configurations: tuple[JudgedConfiguration, ...] = ()
+        owned: dict[str, tuple[Finding, ...]] = {}
         if run.beyond is not None:
             sight = run.beyond.look()
-            rest.append(sight.outcome)
+            owned, none = owned_findings(sight.outcome.findings, packages.values(), files)
+            rest.append(msgspec.structs.replace(sight.outcome, findings=none))
             configurations = sight.configurations
-        whole = _workspace_result(run, stage, models, rest)
+        whole = _workspace_result(run, stage, models, owned, rest)
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
     store.prune(KEPT_RUNS)
@@ -297,7 +300,11 @@ def _looked_at(
 
 
 def _workspace_result(
-    run: _Run, stage: PluginStage, models: Sequence[QualityModel], rest: Sequence[Outcome]
+    run: _Run,
+    stage: PluginStage,
+    models: Sequence[QualityModel],
+    owned: dict[str, tuple[Finding, ...]],
+    rest: Sequence[Outcome],
 ) -> WorkspaceResult:
     from roslens.judge.quality_model import rules_of
     from roslens.source.metrics.measure_workspace import measure_workspace
@@ -311,6 +318,7 @@ def _workspace_result(
     rules = {rule.id: rule for rule in (*stage.rules, *further, *judging)}
     return WorkspaceResult(
         package_values=measure_workspace([found.package for found in run.workspace.packages]),
+        package_findings=owned,
         findings=tuple(finding for outcome in rest for finding in outcome.findings),
         failures=(
             *failures,

@@ -21,6 +21,7 @@ from roslens.model.tags import TagFilter, tag_filter
 from roslens.store import rows
 from roslens.store.columns import Columns, columns_of
 from roslens.store.question import Conditions, Run
+from roslens.store.summary import with_share
 from roslens.store.values import (
     PackageValues,
     all_numbers,
@@ -40,9 +41,9 @@ class RunView:
     """One complete run.
 
     Everything comes in a fixed order: packages by id (files outside packages last), within a package files, entities
-    and failures as analysed and findings by path, line and column; what belongs to no package comes last, under the
-    package ``""``. Methods that return iterators read while they are iterated. All of them raise StoreError when the
-    store cannot be read.
+    and failures as analysed and findings by path, line and column, behind them those that only all packages together
+    show of it in the same order; what belongs to no package comes last, under the package ``""``. Methods that return
+    iterators read while they are iterated. All of them raise StoreError when the store cannot be read.
     """
 
     def __init__(self, run: Run, header: RunHeader) -> None:
@@ -69,11 +70,20 @@ class RunView:
                 package_values.setdefault(package, {})[quantity] = value
             return WorkspaceResult(
                 package_values=package_values,
+                package_findings=self._shares(connection),
                 findings=_unit_findings(connection, unit),
                 failures=_unit_failures(connection, unit),
                 rules=_decode_rules(rules),
                 quantities=_decode_quantities(quantities),
             )
+
+    def _shares(self, connection: sqlite3.Connection) -> dict[str, tuple[Finding, ...]]:
+        found = connection.execute(
+            "SELECT unit.package, unit.id FROM run_unit JOIN unit ON unit.id = run_unit.unit "
+            "WHERE run_unit.run = ? AND unit.key IS NULL AND unit.package <> '' ORDER BY run_unit.position",
+            (self.id,),
+        ).fetchall()
+        return {package: _unit_findings(connection, unit) for package, unit in found}
 
     @cached_property
     def _package_values(self) -> dict[str, dict[str, float]]:
@@ -98,21 +108,31 @@ class RunView:
         """Return the summaries of all packages, with what only the packages together show among their values."""
         with self._run.reading() as connection:
             found = connection.execute(
-                "SELECT unit.summary FROM run_unit CROSS JOIN unit ON unit.id = run_unit.unit "
+                "SELECT unit.summary, unit.key IS NULL FROM run_unit CROSS JOIN unit ON unit.id = run_unit.unit "
                 "WHERE run_unit.run = ? AND unit.package <> '' ORDER BY run_unit.position",
                 (self.id,),
             ).fetchall()
-        return tuple(self._with_package_values(rows.to_summary(row[0])) for row in found)
+        summaries: list[PackageSummary] = []
+        for text, is_share in found:
+            if is_share:
+                summaries[-1] = with_share(summaries[-1], rows.to_summary(text))
+            else:
+                summaries.append(self._with_package_values(rows.to_summary(text)))
+        return tuple(summaries)
 
     def package(self, package: str) -> PackageResult | None:
         """Return everything known of the package with this id."""
         with self._run.reading() as connection:
             found = connection.execute(
                 "SELECT unit.id FROM run_unit JOIN unit ON unit.id = run_unit.unit "
-                "WHERE run_unit.run = ? AND unit.package = ? AND unit.package <> ''",
+                "WHERE run_unit.run = ? AND unit.package = ? AND unit.package <> '' ORDER BY run_unit.position",
                 (self.id, package),
-            ).fetchone()
-            return read_unit(connection, found[0], self._package_values) if found else None
+            ).fetchall()
+            if not found:
+                return None
+            result = read_unit(connection, found[0][0], self._package_values)
+            shares = [finding for unit in found[1:] for finding in _unit_findings(connection, unit[0])]
+            return msgspec.structs.replace(result, findings=(*result.findings, *shares)) if shares else result
 
     def files(self, *, package: str | None = None, path: str | None = None) -> Iterator[tuple[str, SourceFile]]:
         """Yield package ids and files."""
@@ -190,6 +210,14 @@ class RunView:
         where.tags(tag_filter(include_tags, exclude_tags).both(tags or TagFilter()), known)
         for row in self._run.rows(rows.FINDING, "finding", where, limit=limit, offset=offset):
             yield rows.to_finding(row, known)
+
+    def owned_findings(self, tags: TagFilter | None = None) -> Iterator[tuple[str, Finding]]:
+        """Yield package ids (``""`` for none) and findings with tags that match, in the order of :meth:`findings`."""
+        where = Conditions()
+        known = self._tag_sets()
+        where.tags(tags or TagFilter(), known)
+        for row in self._run.rows(f"unit.package, {rows.FINDING}", "finding", where, unit=True):
+            yield row[0], rows.to_finding(row[1:], known)
 
     def count_findings(
         self,

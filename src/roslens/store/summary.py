@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
+import msgspec
+
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageResult, PackageSummary, RuleCount
@@ -36,7 +38,7 @@ def summarise(result: PackageResult) -> PackageSummary:
         metapackage=package.metapackage,
         dependencies=dependencies_of(package),
         values=storable_values(own.values) if own else {},
-        rules=_rule_counts(result.findings),
+        rules=rule_counts(result.findings),
         files=len(result.files),
         classes=kinds[EntityKind.CLASS],
         functions=kinds[EntityKind.FUNCTION],
@@ -64,7 +66,8 @@ class _Group:
         self.example: Finding | None = None
 
 
-def _rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
+def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
+    """Return how often each rule was broken, as :func:`summarise` has it."""
     groups: dict[tuple[str, Severity, tuple[str, ...]], _Group] = {}
     for finding in findings:
         key = (finding.rule, finding.severity, finding.tags)
@@ -79,7 +82,30 @@ def _rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
         RuleCount(rule, severity, group.count, group.gated, _example(group.example), tags)
         for (rule, severity, tags), group in groups.items()
     ]
-    return tuple(sorted(counts, key=lambda count: (-count.severity.rank, -count.count, count.rule, count.tags)))
+    return tuple(sorted(counts, key=_order))
+
+
+def with_share(summary: PackageSummary, share: PackageSummary) -> PackageSummary:
+    """Return a package's summary with the findings that only all packages together show of it."""
+    counts = {(one.rule, one.severity, one.tags): one for one in summary.rules}
+    for one in share.rules:
+        key = (one.rule, one.severity, one.tags)
+        own = counts.get(key)
+        counts[key] = (
+            one
+            if own is None
+            else msgspec.structs.replace(
+                own,
+                count=own.count + one.count,
+                gated=own.gated + one.gated,
+                example=own.example if own.gated or not one.gated else one.example,
+            )
+        )
+    return msgspec.structs.replace(summary, rules=tuple(sorted(counts.values(), key=_order)))
+
+
+def _order(count: RuleCount) -> tuple[int, int, str, tuple[str, ...]]:
+    return (-count.severity.rank, -count.count, count.rule, count.tags)
 
 
 def _example(finding: Finding | None) -> str:

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING
 from roslens.model.errors import StoreError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
-from roslens.model.result import PackageResult, RunHeader, WorkspaceResult
+from roslens.model.result import PackageResult, PackageSummary, RunHeader, WorkspaceResult
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.store import rows
 from roslens.store.columns import by_kind, measured_rows
 from roslens.store.encodable import encodable, storable_values
 from roslens.store.lock import claim, release
 from roslens.store.sqlite_errors import as_store_errors
-from roslens.store.summary import summarise
+from roslens.store.summary import rule_counts, summarise
 
 if TYPE_CHECKING:
     from roslens.model.judged_configuration import JudgedConfiguration
@@ -159,8 +159,9 @@ class RunWriter:
     def _insert_run(self, workspace: WorkspaceResult, header: RunHeader) -> int:
         connection = self._connection
         units = sorted(self._units, key=lambda unit: _package_order(self._units[unit]))
-        own = self._insert_workspace(workspace)
-        counts = _counts(connection, [*units, own])
+        own, shares = self._insert_workspace(workspace)
+        seen = [part for unit in units for part in (unit, shares.get(self._units[unit])) if part is not None]
+        counts = _counts(connection, [*seen, own])
         run = _inserted(
             connection.execute(
                 f"INSERT INTO run ({rows.RUN}, vocabulary, workspace, packages, files, entities, findings, failures) "  # noqa: S608 - column names of this module
@@ -170,7 +171,7 @@ class RunWriter:
         )
         connection.executemany(
             "INSERT INTO run_unit (run, position, unit) VALUES (?, ?, ?)",
-            [(run, position, unit) for position, unit in enumerate((*units, own))],
+            [(run, position, unit) for position, unit in enumerate((*seen, own))],
         )
         connection.executemany(
             "INSERT INTO package_value (run, package, quantity, value) VALUES (?, ?, ?, ?)",
@@ -182,10 +183,25 @@ class RunWriter:
         )
         return run
 
-    def _insert_workspace(self, workspace: WorkspaceResult) -> int:
+    def _insert_workspace(self, workspace: WorkspaceResult) -> tuple[int, dict[str, int]]:
+        """Keep what only the packages together show; return its unit, and by package that of what is of one."""
+        known = set(self._units.values())
+        findings = list(workspace.findings)
+        shares: dict[str, int] = {}
+        for package, owned in workspace.package_findings.items():
+            if package not in known:
+                findings += owned
+                continue
+            summary = rows.to_json(PackageSummary(package, "", "", rules=rule_counts(owned)))
+            shares[package] = _inserted(
+                self._connection.execute(
+                    "INSERT INTO unit (key, package, summary) VALUES (NULL, ?, ?)", (package, summary)
+                )
+            )
+            self._insert_findings(shares[package], sorted(owned, key=_place), ())
         unit = _inserted(self._connection.execute("INSERT INTO unit (key, package) VALUES (NULL, '')"))
-        self._insert_findings(unit, sorted(workspace.findings, key=_place), workspace.failures)
-        return unit
+        self._insert_findings(unit, sorted(findings, key=_place), workspace.failures)
+        return unit, shares
 
     def _vocabulary(self, workspace: WorkspaceResult) -> int:
         rules, quantities = rows.to_json(workspace.rules), rows.to_json(workspace.quantities)

@@ -1,0 +1,227 @@
+"""One count, everywhere: what the terminal, every page, the CSV tables and the JSON report say of one run adds up."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+import shutil
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from roslens.cli.main import main
+from roslens.cli.site import site_of
+from roslens.cli.workplace import open_store
+from roslens.dashboard.routes import PAGES
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import Table
+from roslens.dashboard.view import Limits, Query, Request, View
+
+EXAMPLE = Path(__file__).parents[2] / "examples/workspace"
+MANY_CALLS = "def walk(step):\n" + "".join(f"    step.move_{number}()\n" for number in range(12)) + "    return step\n"
+OF_EACH_ROLE = {
+    "talk/talk/walking.py": MANY_CALLS,
+    "talk/test/test_walking.py": MANY_CALLS,
+    "talk/third_party/walking.py": MANY_CALLS,
+    "talk/talk/generated/walking.py": MANY_CALLS,
+    "talk/test/nodes_under_test.py": MANY_CALLS,
+}
+FLEET = '<launch><include file="$(find-pkg-share talk)/launch/robot.launch.xml"/></launch>\n'
+
+
+def example(root: Path) -> list[str]:
+    shutil.copytree(EXAMPLE, root, ignore=shutil.ignore_patterns(".roslens"))
+    return []
+
+
+def with_every_role(root: Path, talking: Path) -> list[str]:
+    """Graph findings, and findings in own, test, vendored and generated code."""
+    talking.rename(root)
+    for path, text in OF_EACH_ROLE.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text)
+    return ["--graph"]
+
+
+def of_two_packages(root: Path, talking: Path) -> list[str]:
+    """A configuration in one package that starts nodes of another, and files outside of both."""
+    talking.rename(root)
+    (root / "fleet/launch").mkdir(parents=True)
+    (root / "fleet/package.xml").write_text((root / "talk/package.xml").read_text().replace("talk", "fleet"))
+    (root / "fleet/launch/fleet.launch.xml").write_text(FLEET)
+    (root / "loose").mkdir()
+    (root / "loose/walking.py").write_text(MANY_CALLS)
+    (root / "roslens.toml").write_text('[graph.configurations.fleet]\nlaunch = "fleet/fleet.launch.xml"\n')
+    return ["--model", "ros,his"]
+
+
+class Run:
+    """A checked workspace, and what each way to look at it says."""
+
+    def __init__(self, root: Path, more: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+        self._root, self._more, self._capsys = root, more, capsys
+        self.text = self._checked("--format", "text")
+        self.report = json.loads(self._checked("--format", "json"))
+        self._checked("--format", "csv", "-o", str(root / "tables"))
+
+    def _checked(self, *options: str) -> str:
+        command = ["check", str(self._root), "--jobs", "1", "-q", "--fail-on", "never", *self._more, *options]
+        assert main(command) in {0, 3}
+        return self._capsys.readouterr().out
+
+    def table(self, name: str) -> list[dict[str, str]]:
+        """Return the rows of a CSV table."""
+        text = (self._root / "tables" / f"{name}.csv").read_text(encoding="utf-8")
+        return list(csv.DictReader(io.StringIO(text)))
+
+
+@pytest.fixture(scope="module", params=["example", "with_every_role", "of_two_packages"])
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def run(name: str, tmp_path: Path, talking: Path, capsys: pytest.CaptureFixture[str]) -> Run:
+    root = tmp_path / "workspace"
+    more = example(root) if name == "example" else globals()[name](root, talking)
+    return Run(root, more, capsys)
+
+
+@pytest.fixture
+def site(run: Run) -> Iterator[Site]:
+    with open_store(str(run._root)) as store:
+        yield site_of(store.view())
+
+
+def page(site: Site, name: str, key: str = "", **query: str) -> View:
+    found = PAGES[name](
+        site, Request(key, query=Query(query.items()), limits=Limits(findings=10_000, per_group=10_000))
+    )
+    assert found is not None
+    return found
+
+
+def column(table: Table, key: str) -> list[Any]:
+    place = [one.key for one in table.columns].index(key)
+    return [row[place].value for row in table.rows]
+
+
+def total(table: Table, key: str) -> int:
+    return sum(column(table, key))
+
+
+def by_severity(findings: list[dict[str, Any]]) -> dict[str, int]:
+    return {severity: sum(one["severity"] == severity for one in findings) for severity in ("error", "warning", "note")}
+
+
+def test_the_workspaces_hold_what_makes_sums_differ(run: Run, name: str) -> None:
+    findings = run.report["findings"]
+    graph = [one for one in findings if one["rule"].startswith("graph.")]
+    assert graph
+    assert all(one["package"] for one in graph)
+    role_of = {file["path"]: file["role"] for file in run.report["files"]}
+    if name == "with_every_role":
+        assert {role_of[one["path"]] for one in findings if one["path"]} == {"own", "test", "generated", "vendored"}
+    if name == "of_two_packages":
+        assert {one["package"] for one in findings} == {"talk", "(outside packages)"}
+
+
+def test_tables_and_report_hold_the_same_findings(run: Run) -> None:
+    of_report = Counter((one["rule"], one["package"], one["path"], one["line"]) for one in run.report["findings"])
+    of_table = Counter((one["rule"], one["package"], one["path"], int(one["line"])) for one in run.table("findings"))
+    assert of_report == of_table
+    for package in run.table("packages"):
+        of_package = [one for one in run.report["findings"] if one["package"] == package["id"]]
+        assert {key: int(package[f"{key}s"]) for key in ("error", "warning", "note")} == by_severity(of_package)
+
+
+def test_the_terminal_counts_what_counts_for_gates(run: Run) -> None:
+    counted = [one for one in run.report["findings"] if one["gated"]]
+    told = re.search(r"^Findings: (.*)$", run.text, re.MULTILINE)
+    assert told
+    words = dict(re.findall(r"(\w+?)s? (\d+)", " ".join(reversed(told[1].replace(",", "").split()))))
+    assert {word: int(count) for word, count in words.items()} == {
+        word: count for word, count in by_severity(counted).items() if count
+    }
+    aside = re.search(r"(\d+) more findings? in test, generated or vendored code", run.text)
+    assert int(aside[1] if aside else 0) == len(run.report["findings"]) - len(counted)
+
+
+def test_the_terminals_packages_add_up(run: Run) -> None:
+    head, *lines = run.text.split("\n\n")[1].splitlines()
+    severities = [word.removesuffix("s") for word in head.split() if word in {"errors", "warnings", "notes"}]
+    found = Counter[str]()
+    for line in lines:
+        if match := re.match(r"  (\(outside packages\)|\S+)((?: +(?:\d+|·))+)", line):
+            for severity, count in zip(severities, match[2].split(), strict=False):
+                found[severity] += 0 if count == "·" else int(count)
+    counted = by_severity([one for one in run.report["findings"] if one["gated"]])
+    assert found == {severity: counted[severity] for severity in severities}
+
+
+def test_the_overview_adds_up(run: Run, site: Site) -> None:
+    findings = run.report["findings"]
+    facts = page(site, "overview").facts
+    assert facts["counts"]["findings"] == len(findings)
+    assert facts["counts"]["aside"] == sum(not one["gated"] for one in findings)
+    assert facts["severities"] == by_severity(findings)
+    whole = page(site, "packages").tables[0]
+    assert total(whole, "findings") == len(findings)
+    assert [total(whole, f"{key}s") for key in ("error", "warning", "note")] == list(by_severity(findings).values())
+
+
+def test_every_package_page_adds_up(run: Run, site: Site) -> None:
+    owned = Counter(one["package"] for one in run.report["findings"])
+    for package in site.packages:
+        facts = page(site, "package", package.id).facts
+        of_package = [one for one in run.report["findings"] if one["package"] == package.id]
+        assert facts["severities"] == by_severity(of_package)
+        assert facts["total"] == len(facts["findings"]) == owned[package.id]
+        in_files = page(site, "package", package.id).table("files")
+        assert total(in_files, "findings") == sum(bool(one["path"]) for one in of_package)
+    assert sum(owned.values()) == len(run.report["findings"])
+
+
+def test_every_file_page_lists_what_its_package_counts(run: Run, site: Site) -> None:
+    for package in site.packages:
+        files = page(site, "package", package.id).table("files")
+        for path, count in zip(column(files, "path"), column(files, "findings"), strict=True):
+            assert page(site, "file", path).facts["total"] == count
+
+
+def test_every_rule_page_adds_up(run: Run, site: Site) -> None:
+    broken = Counter(one["rule"] for one in run.report["findings"])
+    rules = page(site, "rules").tables[0]
+    assert dict(zip(column(rules, "rule"), column(rules, "findings"), strict=True)) == {
+        rule: broken[rule] for rule in site.rules
+    }
+    for rule in broken:
+        view = page(site, "rule", rule)
+        packages = view.table("packages")
+        assert total(packages, "findings") == view.facts["total"] == broken[rule]
+        assert total(packages, "gated") == sum(one["gated"] for one in run.report["findings"] if one["rule"] == rule)
+        assert "(workspace)" not in column(packages, "package")
+
+
+def test_lists_of_findings_are_as_long_as_the_numbers_that_lead_to_them(run: Run, site: Site) -> None:
+    assert page(site, "findings").facts["total"] == len(run.report["findings"])
+    pairs = Counter((one["package"], one["rule"]) for one in run.report["findings"])
+    for (package, rule), count in pairs.items():
+        facts = page(site, "findings", package=package, rule=rule).facts
+        assert facts["total"] == len(facts["findings"]) == count
+        assert {one["package"] for one in facts["findings"]} == {package}
+
+
+def test_the_graph_and_the_store_count_them_too(run: Run, site: Site) -> None:
+    nodes = page(site, "graph").facts["graph"]["nodes"]
+    assert sum(count for node in nodes for _, count, _ in node["counts"]) == len(run.report["findings"])
+    gated = sum(gated for node in nodes for _, _, gated in node["counts"])
+    assert gated == sum(one["gated"] for one in run.report["findings"])
+    with open_store(str(run._root)) as store:
+        assert store.runs()[0].findings == len(run.report["findings"])
+        assert store.runs()[0].packages == len(run.report["packages"])

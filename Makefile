@@ -31,17 +31,17 @@ testbed: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m testbed $(ARGS)
 
 test: export ROSLENS_SAME_EXAMPLES = 1
-test: lint parts
+test: parts lint
 	$(BIN)/pytest -n auto -m "not slow and not browser"
 	$(BIN)/pytest -n auto -m "browser and not slow" tests/browser
 	$(BIN)/pytest -m "slow and not table"
 
 # Speed, size and whole robots alone; wants an otherwise idle machine.
-slow: lint parts
+slow: parts lint
 	$(BIN)/pytest -m "slow and not table"
 
 # Every fault of docs/faults.md, injected into real robots on three hosts; wants an otherwise idle machine, and root.
-faults: lint parts
+faults: parts lint
 	$(BIN)/pytest -m table
 
 # An answer in two minutes: no real tools, no browser, no pages, no whole runs, no recorded systems, nothing slow, and fewer examples.

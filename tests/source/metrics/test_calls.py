@@ -4,10 +4,6 @@ from roslens.source.metrics import calls
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("calls")
-
-
 def test_lambdas_and_later_arms_can_be_left_out(function_of):
     facts = function_of(counts={"call": 9}, lambda_counts={"call": 2}, alternative_counts={"call": 3})
     assert calls.of_function(facts, CountingSettings()) == 9

@@ -8,10 +8,6 @@ from roslens.source.syntax.facts import ClassFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("cbo")
-
-
 def test_a_class_that_is_used_and_uses_counts_once():
     subject = ClassInPackage(FACTS, suppliers=frozenset({"a", "b"}), clients=frozenset({"b", "c"}))
     assert cbo.of_class(subject, CountingSettings()) == 3

@@ -5,10 +5,6 @@ from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import ClassFacts, FileFacts, Lines
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("classes")
-
-
 def test_it_is_their_number():
     facts = FileFacts("cpp", Lines(), classes=(ClassFacts("A", "A", "struct", 1, 1, 2),))
     assert classes.of_file(facts, CountingSettings()) == 1

@@ -6,10 +6,6 @@ from roslens.source.metrics import cognitive_complexity
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("cognitive_complexity")
-
-
 def value(facts, **options):
     return cognitive_complexity.of_function(facts, CountingSettings(**options))
 

@@ -5,10 +5,6 @@ import pytest
 from roslens.source.metrics import comment_ratio
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("comment_ratio")
-
-
 @pytest.mark.parametrize("values", [{"loc": 0.0, "comment_lines": 5.0}, {"comment_lines": 5.0}])
 def test_without_code_there_is_no_ratio(values):
     assert comment_ratio.of_values(values) is None

@@ -9,10 +9,6 @@ from roslens.source.metrics.profiles import ROSLENS
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("cyclomatic_complexity")
-
-
 @pytest.mark.parametrize("role", sorted(cyclomatic_complexity.DECISIONS))
 def test_every_decision_adds_one(function_of, role):
     assert cyclomatic_complexity.of_function(function_of(f"{role}\n{role}"), CountingSettings()) == 3

@@ -4,9 +4,5 @@ from roslens.source.metrics import dependencies
 from roslens.source.metrics.dependency_graph import dependency_graph
 
 
-def test_values_worked_out_by_hand(check_workspace):
-    check_workspace("dependencies")
-
-
 def test_an_empty_workspace_has_no_values():
     assert dependencies.of_graph(dependency_graph([])) == {}

@@ -6,11 +6,6 @@ from hypothesis import strategies as st
 from roslens.source.metrics import dependents
 from roslens.source.metrics.dependency_graph import dependency_graph
 
-
-def test_values_worked_out_by_hand(check_workspace):
-    check_workspace("dependents")
-
-
 LINES = st.lists(st.lists(st.sampled_from("abcdef"), max_size=4), min_size=6, max_size=6)
 
 

@@ -8,9 +8,5 @@ from roslens.source.syntax.facts import ClassFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("dit")
-
-
 def test_it_is_the_depth():
     assert dit.of_class(ClassInPackage(FACTS, depth=3), CountingSettings()) == 3

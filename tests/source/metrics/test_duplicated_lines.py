@@ -9,10 +9,6 @@ from hypothesis import strategies as st
 from roslens.source.metrics.duplicated_lines import of_files
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("duplicated_lines")
-
-
 def test_no_lines_are_no_duplicates():
     assert of_files([], 10) == []
     assert of_files([(), (1, 2)], 2) == [0, 0]

@@ -5,10 +5,6 @@ import pytest
 from roslens.source.metrics.duplication_ratio import of_values
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("duplication_ratio")
-
-
 @pytest.mark.parametrize("values", [{"loc": 0.0, "duplicated_lines": 0.0}, {"loc": 5.0}, {}])
 def test_without_code_or_before_the_package_is_known_there_is_none(values):
     assert of_values(values) is None

@@ -4,9 +4,5 @@ from roslens.source.metrics import eloc
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("eloc")
-
-
 def test_it_is_what_the_parse_found(function_of):
     assert eloc.of_function(function_of(eloc=7), CountingSettings()) == 7

@@ -8,10 +8,6 @@ from roslens.source.syntax.facts import ClassFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("fan_out")
-
-
 def test_only_suppliers_count():
     subject = ClassInPackage(FACTS, suppliers=frozenset({"a"}), clients=frozenset({"b", "c"}))
     assert fan_out.of_class(subject, CountingSettings()) == 1

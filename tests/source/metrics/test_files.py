@@ -4,10 +4,6 @@ from roslens.model.source import Language, SourceFile
 from roslens.source.metrics import files
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("files")
-
-
 def test_it_is_their_number():
     assert files.of_files([SourceFile("a.cpp", Language.CPP), SourceFile("b.py", Language.PYTHON)]) == 2
     assert files.of_files([]) == 0

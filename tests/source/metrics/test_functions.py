@@ -5,10 +5,6 @@ from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import FileFacts, Lines
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("functions")
-
-
 def test_it_is_their_number(function_of):
     facts = FileFacts("cpp", Lines(), functions=(function_of(), function_of()))
     assert functions.of_file(facts, CountingSettings()) == 2

@@ -7,10 +7,6 @@ COUNTS = Halstead(distinct_operators=6, distinct_operands=4, operators=6, operan
 NOTHING = Halstead()
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("halstead_difficulty")
-
-
 def test_it_rises_with_the_use_of_each_operand():
     rarely = Halstead(distinct_operators=6, distinct_operands=8, operators=6, operands=8)
     assert halstead_difficulty.of_halstead(COUNTS) == 6 > halstead_difficulty.of_halstead(rarely) == 3

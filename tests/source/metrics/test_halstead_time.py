@@ -3,9 +3,5 @@ from __future__ import annotations
 from roslens.source.metrics import halstead_time
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("halstead_time")
-
-
 def test_it_is_an_eighteenth_of_the_effort():
     assert halstead_time.of_values({"halstead_effort": 36.0}) == 2

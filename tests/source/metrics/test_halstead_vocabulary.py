@@ -7,10 +7,6 @@ COUNTS = Halstead(distinct_operators=6, distinct_operands=4, operators=6, operan
 NOTHING = Halstead()
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("halstead_vocabulary")
-
-
 def test_it_is_all_kinds_of_tokens():
     assert halstead_vocabulary.of_halstead(COUNTS) == 10
     assert halstead_vocabulary.of_halstead(NOTHING) == 0

@@ -7,10 +7,6 @@ COUNTS = Halstead(distinct_operators=6, distinct_operands=4, operators=6, operan
 NOTHING = Halstead()
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("halstead_volume")
-
-
 def test_one_kind_of_token_has_no_information():
     assert halstead_volume.of_halstead(Halstead(0, 1, 0, 5)) == 0
     assert halstead_volume.of_halstead(Halstead(1, 1, 5, 5)) == 10

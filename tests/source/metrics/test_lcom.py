@@ -11,10 +11,6 @@ from roslens.source.syntax.facts import ClassFacts, FieldFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("lcom")
-
-
 FIELDS = replace(FACTS, fields=(FieldFacts("x"), FieldFacts("y"), FieldFacts("z")))
 
 

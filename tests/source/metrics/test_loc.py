@@ -4,9 +4,5 @@ from roslens.source.metrics import loc
 from roslens.source.syntax.facts import Lines
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("loc")
-
-
 def test_it_is_one_column_of_the_lines():
     assert loc.of_lines(Lines(physical=10, code=5, comment=3, blank=2)) == 5

@@ -10,10 +10,6 @@ from roslens.source.syntax.facts import ClassFacts, MethodFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("mac")
-
-
 def test_what_is_not_private_is_available():
     declared = tuple(MethodFacts("move", "()", access) for access in ("public", "protected", "private", "public"))
     assert mac.of_class(ClassInPackage(replace(FACTS, methods=declared)), CountingSettings()) == 3

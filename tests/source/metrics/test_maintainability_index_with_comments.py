@@ -6,10 +6,6 @@ from hypothesis import strategies as st
 from roslens.source.metrics import maintainability_index, maintainability_index_with_comments
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("maintainability_index_with_comments")
-
-
 def values(comments: float, loc: float = 50.0, **more: float) -> dict[str, float]:
     return {"halstead_volume": 1000.0, "cyclomatic_complexity": 5.0, "loc": loc, "comment_lines": comments, **more}
 

@@ -10,10 +10,6 @@ from roslens.source.syntax.facts import ClassFacts, MethodFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("methods")
-
-
 def test_every_overload_counts():
     facts = replace(FACTS, methods=(MethodFacts("move", "(int)"), MethodFacts("move", "(double)")))
     assert methods.of_class(ClassInPackage(facts), CountingSettings()) == 2

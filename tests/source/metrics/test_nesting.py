@@ -8,10 +8,6 @@ from roslens.source.metrics import nesting
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("nesting")
-
-
 def value(facts, **options):
     return nesting.of_function(facts, CountingSettings(**options))
 

@@ -8,9 +8,5 @@ from roslens.source.syntax.facts import ClassFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("noc")
-
-
 def test_it_is_the_number_of_children():
     assert noc.of_class(ClassInPackage(FACTS, children=frozenset({"a", "b"})), CountingSettings()) == 2

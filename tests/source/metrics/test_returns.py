@@ -4,10 +4,6 @@ from roslens.source.metrics import returns
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("returns")
-
-
 def test_lambdas_and_later_arms_can_be_left_out(function_of):
     facts = function_of(counts={"return": 9}, lambda_counts={"return": 2}, alternative_counts={"return": 3})
     assert returns.of_function(facts, CountingSettings()) == 9

@@ -4,10 +4,6 @@ from roslens.source.metrics import statements
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("statements")
-
-
 def test_lambdas_and_later_arms_can_be_left_out(function_of):
     facts = function_of(counts={"statement": 9}, lambda_counts={"statement": 2}, alternative_counts={"statement": 3})
     assert statements.of_function(facts, CountingSettings()) == 9

@@ -8,10 +8,6 @@ from roslens.source.metrics import static_paths
 from roslens.source.settings import CountingSettings
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("static_paths")
-
-
 def paths(facts, **options):
     return static_paths.of_function(facts, CountingSettings(**options))
 

@@ -94,6 +94,18 @@ def test_keys_are_unique_and_the_published_ones_are_there():
 
 
 @pytest.mark.parametrize("metric", METRICS, ids=name_of)
+def test_values_worked_out_by_hand(metric, check_example, check_workspace, example_findings):
+    key = name_of(metric)
+    if "of_findings" in vars(metric):
+        findings, expected = example_findings(key)
+        assert metric.of_findings(findings) == expected
+    elif "of_graph" in vars(metric):
+        check_workspace(key)
+    else:
+        check_example(key)
+
+
+@pytest.mark.parametrize("metric", METRICS, ids=name_of)
 def test_texts_are_sentences_and_bounds_make_sense(metric):
     quantity = metric.QUANTITY
     assert quantity.text.endswith(".")

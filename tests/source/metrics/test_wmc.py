@@ -12,10 +12,6 @@ from roslens.source.syntax.facts import ClassFacts, MethodFacts
 FACTS = ClassFacts("Arm", "arm::Arm", "class", 1, 1, 9)
 
 
-def test_values_worked_out_by_hand(check_example):
-    check_example("wmc")
-
-
 def declared(*names: str) -> ClassFacts:
     return replace(FACTS, methods=tuple(MethodFacts(name, "()") for name in names))
 

@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.source.extract.environment_defaults import supposed, supposed_place, supposed_rule
+from roslens.source.extract.environment_defaults import supposed, supposed_place, supposed_rule, with_defaults
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.resolve_name import Place, Rule
 from roslens.source.extract.text import Hole, Text
@@ -49,3 +49,8 @@ def test_a_remapping_says_which_of_its_names_is_supposed():
     found, of_source, of_target = supposed_rule(rule)
     assert found.target.known == "scan"
     assert (of_source, of_target) == ((), ("default of environment T",))
+
+
+def test_a_default_in_words():
+    text = Text.of("/", variable("R", "r1"), "/", variable("S"), "/", Hole("parameter a", "a", "x"))
+    assert with_defaults(text) == "/{environment R, 'r1' where that is not set}/{environment S}/{parameter a}"

@@ -92,3 +92,34 @@ def test_a_module_of_a_package(before, body):
     found = launched(entry(body, before), robot__robot__shared_py=SHARED)
     assert [str(full_name(one)) for one in found.nodes] == ["/a", "/b"]
     assert {one.evidence.path for one in found.nodes} == {"robot/robot/shared.py"}
+
+
+CLASSES = """
+from enum import Enum
+class Base:
+    NAME = 'arm'
+class Settings(Base):
+    TOPIC: str = '/scan'
+    def __init__(self):
+        self.other = 'x'
+class Mode(Enum):
+    NAME = 'fast'
+"""
+
+
+def named(name, settings=CLASSES):
+    text = entry(f"[Node(package='p', executable='e', name={name})]", f"{PATH}from settings import *\n")
+    (node,) = launched(text, robot__launch__settings_py=settings).nodes
+    return str(node.name)
+
+
+def test_what_is_assigned_in_a_class():
+    assert named("Settings.TOPIC") == "/scan"
+    assert named("Settings.NAME") == "arm"
+
+
+@pytest.mark.parametrize(
+    ("name", "class_"), [("Settings().other", "Settings"), ("Settings.missing", "Settings"), ("Mode.NAME", "Mode")]
+)
+def test_a_class_is_of_the_file_that_defines_it(name, class_):
+    assert named(name) == f"{{class {class_} of robot/launch/settings.py}}"

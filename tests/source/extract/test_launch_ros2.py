@@ -233,3 +233,23 @@ def test_elements_that_change_the_environment(element, usual):
     )
     (node,) = evaluate_ros2("a.launch.xml", Written(a_launch_xml=content)).nodes
     assert node.namespace.usual == usual
+
+
+def test_a_default_of_an_argument_declared_before():
+    body = """return LaunchDescription([
+        DeclareLaunchArgument('robot', default_value='rover'),
+        DeclareLaunchArgument('given'),
+        DeclareLaunchArgument('space', default_value=['/', LaunchConfiguration('robot')]),
+        DeclareLaunchArgument('other', default_value=LaunchConfiguration('given')),
+        DeclareLaunchArgument('late', default_value=LaunchConfiguration('later')),
+        DeclareLaunchArgument('later', default_value='x')])"""
+    whole = evaluate_ros2("a.py", Written(a_py=python(body)))
+    defaults = {one.name: None if one.default is None else str(one.default) for one in whole.arguments}
+    assert defaults == {
+        "robot": "rover",
+        "given": None,
+        "space": "/rover",
+        "other": "{argument given, which is not given}",
+        "late": "{launch configuration later, which is not set}",
+        "later": "x",
+    }

@@ -103,3 +103,27 @@ def test_of_two_packages_with_a_header_of_one_path_the_one_is_meant_that_is_need
     index = Index(programs, {path: path[0] for path in texts}, needs)
     found = {one: facts_of_main(index, f"{one}/src/main.cpp")[0].name.known for one in "abc"}
     assert found == {"a": "a", "b": "b", "c": name}
+
+
+def test_a_constant_means_what_it_does_where_it_is_defined(main_of, names):
+    before = """
+namespace a { const std::string Prefix = "/a/"; const std::string Name = Prefix + "x"; }
+namespace b { const std::string Prefix = "/b/"; const std::string Name = Prefix + "x";
+  namespace inner { const std::string Deep = Name + "/y";
+    void make(ros::NodeHandle & nh) { auto p = nh.advertise<p::M>(Name, 1); auto q = nh.advertise<p::M>(Deep, 1); } } }
+"""
+    body = "auto p = nh.advertise<p::M>(a::Name, 1); b::inner::make(nh);"
+    assert names(main_of(body, before)) == [("publisher", "/a/x"), ("publisher", "/b/x"), ("publisher", "/b/x/y")]
+
+
+def test_a_constant_of_two_headers_is_that_of_the_included_one(units, names):
+    main = (
+        'int main(int c, char ** v) { ros::init(c, v, "a"); ros::NodeHandle n; auto p = n.advertise<p::M>(TOPIC, 1); }'
+    )
+    found = units(
+        a_h='const char TOPIC[] = "of_a";',
+        b_h='const char TOPIC[] = "of_b";',
+        a_cpp='#include "a.h"\n' + main,
+        b_cpp='#include "b.h"\n' + main,
+    )
+    assert [names(one) for one in found] == [[("publisher", "of_a")], [("publisher", "of_b")]]

@@ -22,7 +22,7 @@ from roslens.source.extract.assemble_plugins import with_plugins
 from roslens.source.extract.assemble_proof import launch_proof
 from roslens.source.extract.assemble_units import Meant, Units, as_script, meant_by
 from roslens.source.extract.command_words import words_of
-from roslens.source.extract.environment_defaults import supposed_name
+from roslens.source.extract.environment_defaults import supposed_name, with_defaults
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Argument, Launch, Launched, Setting
 from roslens.source.extract.node_facts import Inherits, NodeFacts, Target, TargetKind
@@ -305,5 +305,5 @@ def _shown(launched: Launched) -> str:
 
 
 def _argument(one: Argument) -> ConfiguredArgument:
-    default = None if one.default is None else str(one.default)
+    default = None if one.default is None else with_defaults(one.default)
     return ConfiguredArgument(one.name, launch_proof(one.evidence), default, one.description, one.choices)

@@ -28,6 +28,16 @@ def supposed(text: Text) -> tuple[Text, tuple[str, ...]]:
     return Text.of(*parts), tuple(dict.fromkeys(words))
 
 
+def with_defaults(text: Text) -> str:
+    """Return a text in words, with what stands there where a variable of the environment is not set."""
+    return "".join(
+        f"{{{part.reason}, {part.default!r} where that is not set}}"
+        if isinstance(part, Hole) and _has_default(part)
+        else str(Text((part,)))
+        for part in text.parts
+    )
+
+
 def supposed_name(name: Text) -> Text:
     """Return a resolved name with defaults of the environment."""
     return tidy(supposed(name)[0]) if name.holes else name

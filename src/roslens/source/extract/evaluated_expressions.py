@@ -394,9 +394,11 @@ def _defined(engine: Evaluation, of: Defined | None, name: str) -> tuple[str, An
             constant = index.member(one, name)
             if constant is not None:
                 return "constant", f"{one.what.qualified_name}.{name}", constant
-    constant = index.constant(name, frame.path, frame.scope)
-    if constant is not None:
-        return "constant", name, constant
+    outside = index.constant(name, frame.path, frame.scope)
+    if outside is not None:
+        path, value, whole = outside
+        # What a constant of C++ is made of means what it does where that is defined.
+        return "constant", whole if index.programs[path].language == "cpp" else name, (path, value)
     found = index.class_of(name, frame.path, frame.scope)
     if found is not None:
         return "class", found, None

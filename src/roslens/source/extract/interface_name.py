@@ -12,6 +12,7 @@ _ENDS = re.compile(
     r"(\.|_)?(ConstPtr|SharedPtr|UniquePtr|ConstSharedPtr|ConstUniquePtr|Ptr|ConstWeakPtr|WeakPtr|Request|Response|"
     r"ConstRef|Goal|Result|Feedback)+$"
 )
+_POINTER_END = re.compile(r"(Const|Shared|Unique|Weak)*Ptr$")
 _EVENT = re.compile(r"(?:::)?(?:ros::)?MessageEvent\s*<(.*)>[\s&]*$", re.DOTALL)
 _MIDDLE = frozenset({"msg", "srv", "action"})
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -105,6 +106,11 @@ def _without_end(name: str) -> str:
     head, dot, last = name.rpartition(".")
     if not head:
         return name
+    around = head.rpartition(".")[2]
+    if around in _MIDDLE or around[:1] == "_" or (around == head and head[:1].islower()):
+        # Nothing but the package is before it: a message may be named ``Feedback`` itself.
+        shorter = _POINTER_END.sub("", last)
+        return f"{head}{dot}{shorter or last}"
     if _ENDS.fullmatch(f".{last}"):
         return _without_end(head)
     shorter = re.sub(r"(ConstPtr|ConstSharedPtr|SharedPtr|Ptr)$", "", last) if last.endswith("Ptr") else last

@@ -35,6 +35,27 @@ class Module(msgspec.Struct, eq=False):
     names: dict[str, Any]
 
 
+class ClassOfFile(msgspec.Struct, eq=False):
+    """A class of a launch file or of a module.
+
+    Attributes:
+        name: of it.
+        path: of the file that it is in.
+        names: what is assigned in its body and in those of its bases.
+        plain: whether nothing but classes of the workspace says what that means.
+    """
+
+    name: str
+    path: str
+    names: dict[str, Any]
+    plain: bool
+
+    @property
+    def unknown(self) -> Unknown:
+        """An object of the class, or what it inherits: it is not evaluated."""
+        return Unknown(f"class {self.name} of {self.path}")
+
+
 class Modules:
     """The modules that one launch file imports, directly or not.
 
@@ -117,6 +138,8 @@ def bring_from(interpreter: Interpreter, statement: ast.ImportFrom) -> None:
         interpreter.keep(alias.asname or alias.name, deeper or (Dotted(whole) if inside is None else inside))
 
 
-def member(of: Module, name: str) -> Any:
-    """Return what a module has under a name."""
-    return of.names.get(name, Unknown(f"{name} of {of.path}"))
+def member(of: Module | ClassOfFile, name: str) -> Any:
+    """Return what a module or class has under a name."""
+    if name in of.names:
+        return of.names[name]
+    return of.unknown if isinstance(of, ClassOfFile) else Unknown(f"{name} of {of.path}")

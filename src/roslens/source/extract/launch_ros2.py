@@ -108,7 +108,7 @@ class _Whole:
         self._open.append(path)
         scope = Scope(self.files, configurations, self._environment, path, self._assigned)
         if outer:
-            self._declare(actions, scope)
+            self._declare(actions, msgspec.structs.replace(scope, configurations=dict(configurations)))
         self._all(actions, scope, space)
         self._open.pop()
 
@@ -119,16 +119,23 @@ class _Whole:
             self.unresolved.append(found)
 
     def _declare(self, actions: tuple[Action, ...], scope: Scope) -> None:
-        """Note the arguments of the outermost file."""
+        """Note the arguments of the outermost file; a default may be made of arguments declared before it."""
         for action in actions:
-            if action.kind == "argument":
-                default = action.values.get("default")
+            if action.kind == "set":
+                name = str(resolve(action.values["name"], scope))
+                scope.configurations[name] = resolve(action.values["value"], scope)
+            elif action.kind == "argument":
+                name = str(resolve(action.values["name"], scope))
+                written = action.values.get("default")
+                default = None if written is None else resolve(written, scope)
+                held = unknown(f"argument {name}, which is not given") if default is None else default
+                scope.configurations.setdefault(name, held)
                 choices = action.values.get("choices", "")
                 self.arguments.append(
                     Argument(
-                        str(resolve(action.values["name"], scope)),
+                        name,
                         action.evidence,
-                        None if default is None else resolve(default, scope),
+                        default,
                         str(resolve(action.values.get("description", ""), scope)),
                         tuple(one for one in str(choices).split("\n") if one) if isinstance(choices, str) else (),
                     )

@@ -2,7 +2,7 @@
 
 Programs of one package often define a class ``Node`` or a constant ``TOPIC`` each in its own source. No file sees that
 of another one, so each means its own; what a header defines is meant by all that do not. Of several headers that define
-a class, the one is meant that a file includes, directly or not. Of several that one path may mean, as packages have
+a name, the one is meant that a file includes, directly or not. Of several that one path may mean, as packages have
 headers of one name each, it is that of its own package, else of one that its package depends on, else the nearest.
 """
 
@@ -14,7 +14,8 @@ from types import MappingProxyType
 
 from roslens.source.extract.program import Assign, Name, Program
 
-_HEADERS = (".h", ".hpp", ".hh", ".hxx")
+HEADERS = (".h", ".hpp", ".hh", ".hxx")
+"""Ends of the names of files that others include."""
 
 
 Packages = Mapping[str, str]
@@ -39,28 +40,28 @@ def own_names(
                     variables.setdefault(statement.target.name, set()).add(path)
     found: dict[str, dict[str, str]] = {}
     for name, paths in (*classes.items(), *variables.items()):
-        sources = [path for path in paths if not path.endswith(_HEADERS) and path.rpartition("/")[2] not in included]
+        sources = [path for path in paths if not path.endswith(HEADERS) and path.rpartition("/")[2] not in included]
         # What a header declares without a value, a source may define for all.
         if len(paths) > 1 and (name in classes or len(sources) == len(paths)):
             for path in sources:
                 found.setdefault(path, {})[name] = path
     several = {
         name: headers
-        for name, paths in classes.items()
-        if len(headers := sorted(path for path in paths if path.endswith(_HEADERS))) > 1
+        for name, paths in (*classes.items(), *variables.items())
+        if len(headers := sorted(path for path in paths if path.endswith(HEADERS))) > 1
     }
     if several:
-        _by_header(_including(programs, packages, needs), several, found)
+        _by_header(including(programs, packages, needs), several, found)
     return found
 
 
 def _by_header(
     including: Mapping[str, set[str]], several: Mapping[str, Sequence[str]], found: dict[str, dict[str, str]]
 ) -> None:
-    """Add what files mean by the names of classes that several headers define; the first means what all others do."""
+    """Add what files mean by the names that several headers define; the first means what all others do."""
     seen: dict[str, set[str]] = {}
     for header in {header for headers in several.values() for header in headers}:
-        seen[header] = _reached(header, including)
+        seen[header] = reached(header, including)
     for name, headers in several.items():
         for header in headers[1:]:
             others = [seen[other] for other in headers if other != header]
@@ -69,11 +70,11 @@ def _by_header(
                     found.setdefault(path, {}).setdefault(name, header)
 
 
-def _including(programs: Mapping[str, Program], packages: Packages, needs: Needs) -> dict[str, set[str]]:
+def including(programs: Mapping[str, Program], packages: Packages, needs: Needs) -> dict[str, set[str]]:
     """Return the files that include each header of the workspace."""
     by_name: dict[str, list[str]] = {}
     for path in programs:
-        if path.endswith(_HEADERS):
+        if path.endswith(HEADERS):
             by_name.setdefault(path.rpartition("/")[2], []).append(path)
     found: dict[str, set[str]] = {}
     for path, program in programs.items():
@@ -97,7 +98,7 @@ def _meant(headers: Sequence[str], path: str, packages: Packages, needs: Needs) 
     return max(headers, key=rank)
 
 
-def _reached(header: str, including: Mapping[str, set[str]]) -> set[str]:
+def reached(header: str, including: Mapping[str, set[str]]) -> set[str]:
     """Return the files that see a header, itself among them."""
     seen, waiting = {header}, [header]
     while waiting:

@@ -14,7 +14,7 @@ from typing import Any
 from roslens.source.extract.deferred import Deferred, Scope, resolve
 from roslens.source.extract.launch_action import text
 from roslens.source.extract.launch_file_reads import READS, read
-from roslens.source.extract.launch_modules import Module, Modules, bring, bring_from, member
+from roslens.source.extract.launch_modules import ClassOfFile, Module, Modules, bring, bring_from, member
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.python_arguments import bound, given, items_of
 from roslens.source.extract.python_calls import call_known, call_method, known_name
@@ -175,8 +175,19 @@ class Interpreter:
         self._names[-1][statement.name] = Closure(statement, list(self._names))
 
     def define_class(self, statement: ast.ClassDef) -> None:
-        """Keep that there is a class; its objects are unknown."""
-        self._names[-1][statement.name] = Unknown(f"class {statement.name} of this file")
+        """Keep a class with what is assigned in it, where no class from outside says what that means (``Enum``)."""
+        bases = [self.value(one) for one in statement.bases]
+        names: dict[str, Any] = {}
+        for base in reversed(bases):
+            names.update(base.names if isinstance(base, ClassOfFile) else {})
+        self._names.append(names)
+        for one in statement.body:
+            if isinstance(one, ast.Assign | ast.AnnAssign):
+                self.block([one])
+        self._names.pop()
+        known = not statement.keywords and all(isinstance(one, ClassOfFile) and one.plain for one in bases)
+        found = ClassOfFile(statement.name, self.path, names if known else {}, known)
+        self._names[-1][statement.name] = found
 
     def stop(self, statement: ast.stmt) -> Left:
         """End a block."""
@@ -208,7 +219,7 @@ class Interpreter:
             return Dotted(f"{of.name}.{node.attr}")
         if isinstance(of, Unknown):
             return of
-        return member(of, node.attr) if isinstance(of, Module) else Bound(of, node.attr)
+        return member(of, node.attr) if isinstance(of, Module | ClassOfFile) else Bound(of, node.attr)
 
     def sequence(self, node: ast.List | ast.Tuple | ast.Set) -> list[Any]:
         """Return a list; tuples and sets are lists too."""
@@ -366,6 +377,8 @@ class Interpreter:
             return read(function, positional, self.path, self.modules.files, self.scope)
         if isinstance(function, Dotted):
             return call_known(function, positional, named, self.place(node), tuple(self.notes))
+        if isinstance(function, ClassOfFile):
+            return function.unknown
         return function if isinstance(function, Unknown) else Unknown(f"call of {ast.unparse(node.func)[:60]}")
 
     def _method(self, bound: Bound, positional: list[Any], named: dict[str, Any], node: ast.Call) -> Any:

@@ -229,8 +229,9 @@ def _in_scope(engine: Evaluation, written: str, kind: str) -> str:
     if not written.isidentifier():
         return ""
     if program.language == "python":
-        known = {f"{one.replace('.', '/')}/{written}" for one in program.using if one.endswith(f".{kind}")}
-        return next(iter(known)) if len(known) == 1 else ""
+        modules = [one for one in program.using if one.endswith(f".{kind}")]
+        module = engine.index.interfaces.of_modules(written, modules)
+        return f"{module.replace('.', '/')}/{written}" if module else ""
     found = used_interface(written, kind, program.using, engine.index.headers)
     if found:
         return found

@@ -79,6 +79,7 @@ _MODULES = (
     "vocabulary_nodelets",
     "vocabulary_plugins",
     "vocabulary_markers",
+    "vocabulary_realtime",
     "vocabulary_durations",
     "vocabulary_lists",
     "vocabulary_numbers",

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.source.extract.interfaces_by_package import InterfacesByPackage
 from roslens.source.extract.lookups import Lookups
+from roslens.source.extract.macro_values import MacroValues
 from roslens.source.extract.own_names import Needs, Packages, own_names
 from roslens.source.extract.program import (
     Assign,
@@ -26,6 +28,7 @@ from roslens.source.extract.program import (
 )
 from roslens.source.extract.python_modules import PythonModules
 from roslens.source.extract.type_names import dotted, type_arguments, type_name
+from roslens.source.extract.used_names import UsedNames
 
 if TYPE_CHECKING:
     from roslens.source.extract.node_facts import NodeFacts
@@ -48,6 +51,7 @@ class Index:
 
     Attributes:
         programs: by path.
+        interfaces: that packages have, by name.
         parameter_libraries: code that builds generate to declare parameters, which no program holds.
         units: what units came to, and the functions that they called; None where none is asked for again.
     """
@@ -64,6 +68,7 @@ class Index:
         self.programs = dict(programs)
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
         self.units: dict[tuple[str, ...], tuple[list[NodeFacts], set[tuple[str, int]]]] | None = None
+        self.interfaces = InterfacesByPackage(packages or {})
         self._own = own_names(self.programs, packages or {}, needs or {})
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}
@@ -74,6 +79,7 @@ class Index:
         self._declared: dict[tuple[str, int], Function] = {}
         self._methods: dict[str, list[Defined]] = {}
         self._modules = PythonModules(self.programs, self._outer)
+        self._used = UsedNames(self.programs, self._outer, packages or {}, needs or {})
         self._aliases: dict[str, str] = {}
         self._header_aliases: dict[tuple[str, str], set[str]] = {}
         self._globals: set[str] = set()
@@ -92,12 +98,9 @@ class Index:
         self._last_named: tuple[tuple[str, str, str], tuple[str, ...]] = (("", "", ""), ())
         # By identity, which is a lot cheaper than by value; what is kept beside it keeps it from being given again.
         self._keys: dict[int, tuple[Class | Function, str]] = {}
-        self._found_constants: dict[tuple[str, str, str], tuple[str, Expression] | None] = {}
+        self._found_constants: dict[tuple[str, str, str], tuple[str, Expression, str] | None] = {}
         self._found_globals: dict[tuple[str, str, str], str] = {}
-        self._macros: dict[str, Expression] = {}
-        for program in self.programs.values():
-            for name, value in program.macros.items():
-                self._macros.setdefault(name, value)
+        self._macros = MacroValues(self.programs, packages or {}, needs or {})
         for path in sorted(self.programs):
             self._add(path, self.programs[path])
         for path in sorted(self.programs):
@@ -281,7 +284,9 @@ class Index:
             return dotted(whole)
         head, dot, rest = name.partition(".")
         found = self.alias(head, path, scope)
-        return dotted(found) + dot + rest if found and dotted(found) != name else name
+        if found and dotted(found) != name:
+            return dotted(found) + dot + rest
+        return self._used.meant(name, path, _scopes(scope)) or name
 
     def alias(self, name: str, path: str, scope: str) -> str:
         """Return what a name without scope is an alias of, as written; empty where it is none."""
@@ -380,21 +385,19 @@ class Index:
         """Return the file and value of a constant of a class."""
         return self._constants.get(f"{self.key(defined)}.{name}")
 
-    def constant(self, name: str, path: str, scope: str) -> tuple[str, Expression] | None:
-        """Return the file and value of a constant outside of functions."""
+    def constant(self, name: str, path: str, scope: str) -> tuple[str, Expression, str] | None:
+        """Return the file, the value and the whole name of a constant outside of functions."""
         key = (name, path, scope)
         if key not in self._found_constants:
             self._found_constants[key] = self._constant(name, path, scope)
         return self._found_constants[key]
 
-    def _constant(self, name: str, path: str, scope: str) -> tuple[str, Expression] | None:
+    def _constant(self, name: str, path: str, scope: str) -> tuple[str, Expression, str] | None:
         for one in self.named(name, path, scope):
             if one in self._constants:
-                return self._constants[one]
-        program = self.programs.get(path)
-        if program and name in program.macros:
-            return path, program.macros[name]
-        return (path, self._macros[name]) if name.isupper() and name in self._macros else None
+                return (*self._constants[one], one.rpartition(":")[2])
+        value = self._macros.value(name, path)
+        return None if value is None else (path, value, name)
 
     def global_name(self, name: str, path: str, scope: str) -> str:
         """Return the whole name of a variable of C++ outside of functions; empty where it is none."""

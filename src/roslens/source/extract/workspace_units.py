@@ -27,7 +27,7 @@ _MAKE = frozenset(
     {"create_publisher", "create_subscription", "create_service", "create_client", "create_wall_timer", "advertise",
      "subscribe", "advertiseService", "serviceClient", "create_action_server", "create_action_client", "Publisher",
      "Subscriber", "ServiceProxy", "create_server", "ActionClient", "ActionServer", "advertiseCamera",
-     "subscribeCamera"}
+     "subscribeCamera", "SimpleActionClient", "SimpleActionServer", "RealtimePublisher", "InteractiveMarkerServer"}
 )  # fmt: skip
 _LEAVES = frozenset({str, int, float, bool, type(None), Literal, Name, Opaque, Lambda})
 """What holds no call."""

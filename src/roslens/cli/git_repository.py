@@ -11,7 +11,11 @@ import msgspec
 from roslens.model.errors import UsageError
 
 # A repository may configure programs that a look at it must not start, and a part of it may still be on a server.
-_QUIETLY = ("-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null", "-c", "protocol.allow=never")
+# Nor is its index written anew.
+_QUIETLY = (
+    "--no-optional-locks",
+    *("-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null", "-c", "protocol.allow=never"),
+)
 
 
 class Repository(msgspec.Struct, frozen=True):

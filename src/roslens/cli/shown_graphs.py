@@ -28,17 +28,24 @@ def add_shown_argument(parser: argparse.ArgumentParser) -> None:
 def site_with_graphs(view: RunView, options: argparse.Namespace, progress: FinishedProgress) -> Site:
     """Return the site of a run with the computation graphs that the options ask for."""
     from roslens.cli.site import site_of
-    from roslens.cli.workplace import CACHE, find_folder
 
     if options.no_graph:
         return site_of(view)
     if (kept := kept_graphs(view, quiet=options.quiet)) is not None:
         return site_of(view, kept)
     try:
-        shown, note = shown_graphs(view, find_folder(options.path) / CACHE, progress, quiet=options.quiet)
+        shown, note = shown_graphs(view, _cache(view, options), progress, quiet=options.quiet)
     finally:
         progress.finish()
     return site_of(view, shown, note)
+
+
+def _cache(view: RunView, options: argparse.Namespace) -> Path | None:
+    from roslens.cli.workplace import CACHE, FOLDER, find_folder
+
+    if options.no_cache:
+        return None
+    return (Path(view.header.root) / FOLDER if options.no_store else find_folder(options.path)) / CACHE
 
 
 def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
@@ -58,7 +65,7 @@ def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
 
 
 def shown_graphs(
-    view: RunView, cache: Path, progress: Progress, *, quiet: bool = False
+    view: RunView, cache: Path | None, progress: Progress, *, quiet: bool = False
 ) -> tuple[Assembled | None, str]:
     """Return the configurations that a run declares, or of its largest launch files that no other includes.
 
@@ -68,7 +75,7 @@ def shown_graphs(
 
     Args:
         view: the run: it knows where its workspace is and what the user chose.
-        cache: the file in which is kept what was learned of files.
+        cache: the file in which is kept what was learned of files; None keeps nothing.
         progress: who watches.
         quiet: no hints.
     """

@@ -23,6 +23,9 @@ def main() -> None:
     """Serve orders from standard input until it is closed."""
     orders, answers = _private_pipes()
     faulthandler.enable()
+    # A plug-in may stand in the workspace, and import or start its other files whenever it likes.
+    sys.dont_write_bytecode = True
+    os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
     queue: SimpleQueue[bytes] = SimpleQueue()
     threading.Thread(target=_receive, args=(orders, queue), daemon=True).start()
     performer = Performer(lambda answer: _send(answers, answer))

@@ -18,8 +18,9 @@ def commit_of(root: str) -> str:
 
 
 def _git(root: str, *arguments: str) -> str:
-    # A repository may configure programs (fsmonitor, hooks) that a look at it must not start.
-    command = ["git", "-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null", "-C", root, *arguments]
+    # A look at a repository must start no program that it configures (fsmonitor, hooks), and write nothing into it.
+    quietly = ("--no-optional-locks", "-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null")
+    command = ["git", *quietly, "-C", root, *arguments]
     try:
         done = subprocess.run(command, capture_output=True, timeout=20, check=False)
     except (OSError, subprocess.TimeoutExpired):

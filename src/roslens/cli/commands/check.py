@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import argparse
 import sys
-from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
-from roslens.cli.check_graph import add_graph_argument, graph_look
+from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.streams import add_stream_arguments, progress_for, wants_color, width_of
-from roslens.cli.workplace import CACHE, FOLDER, STORE
+from roslens.cli.workplace import FOLDER, STORE
 
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
     from roslens.model.finding import Finding
     from roslens.model.result import RuleCount
     from roslens.model.tags import TagFilter
-    from roslens.source.settings import SourceSettings
     from roslens.store.read import RunView
 
 TEXT = "Measure and judge the packages below the given folders."
@@ -71,14 +69,12 @@ def run(options: argparse.Namespace) -> int:
     """
     import os
     import time
-    from datetime import datetime, timezone
 
+    from roslens.cli.analysed import analysed
     from roslens.cli.configuration import find_configuration
     from roslens.model.errors import UsageError
     from roslens.model.tags import parse_tags
-    from roslens.source.pipeline import Clock, analyse
     from roslens.source.workspace.find import root_of
-    from roslens.store.cache import Cache
     from roslens.store.runs import Store
 
     begun = time.monotonic()
@@ -87,35 +83,16 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
     root = root_of(options.paths)
     configuration = find_configuration(root, options.config)
-    settings = _settings(options, configuration, dict(os.environ))
-    folder = root / FOLDER
-    now = time.time()
-    utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
-    clock = Clock(utc, now, lambda: time.monotonic() - begun)
-    progress = progress_for(options)
-    kept = None if options.no_cache else folder / CACHE
-    beyond = graph_look(options, configuration, settings, root, kept, progress)
-    with ExitStack() as opened:
-        store = opened.enter_context(Store.open(None if options.no_store else folder / STORE))
-        cache = opened.enter_context(Cache.open(kept))
-        try:
-            outcome = analyse(
-                options.paths,
-                settings,
-                store=store,
-                cache=cache,
-                clock=clock,
-                base=Path(configuration.base or "."),
-                jobs=configuration.jobs if options.jobs is None else options.jobs,
-                progress=progress,
-                log=None if options.no_store else folder / "log",
-                programs=beyond is not None and kept is not None,
-                beyond=beyond,
-            )
-        finally:
-            progress.finish()
-        for warning in cache.warnings:
-            print(f"roslens: {warning}", file=sys.stderr)
+    with Store.open(None if options.no_store else root / FOLDER / STORE) as store:
+        outcome = analysed(
+            options,
+            root,
+            configuration,
+            environment=dict(os.environ),
+            store=store,
+            progress=progress_for(options),
+            begun=begun,
+        )
         view = store.view(outcome.run)
         _write(options, view, tags)
         if not options.quiet:
@@ -123,21 +100,6 @@ def run(options: argparse.Namespace) -> int:
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)
         return _exit_code(options, configuration, view, tags)
-
-
-def _settings(options: argparse.Namespace, configuration: Configuration, environment: dict[str, str]) -> SourceSettings:
-    import msgspec
-
-    from roslens.source.workspace.conditions import environment_of
-
-    settings = configuration.source
-    if options.model:
-        names = [name for given in options.model for name in given.split(",") if name]
-        settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
-    # Conditions of manifests (REP-149) see what the user sourced, unless the configuration says otherwise.
-    seen = {**environment_of(environment), **settings.workspace.environment}
-    workspace = msgspec.structs.replace(settings.workspace, environment=seen)
-    return msgspec.structs.replace(settings, workspace=workspace)
 
 
 def _write(options: argparse.Namespace, view: RunView, tags: TagFilter) -> None:

@@ -60,6 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
     parser.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing")
+    parser.add_argument("--no-store", action="store_true", help="as with check; graphs alone are never stored")
     add_check_arguments(parser)
     add_stream_arguments(parser)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from roslens.cli.analysed import add_kept_arguments
 from roslens.cli.shown_graphs import add_shown_argument
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace import add_workspace_argument
@@ -25,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--jobs", type=int, metavar="N", help="processes that write pages (default: one per processor)")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
     add_shown_argument(parser)
+    add_kept_arguments(parser)
     add_stream_arguments(parser)
 
 
@@ -36,13 +38,13 @@ def run(options: argparse.Namespace) -> int:
         StoreError: the store cannot be read.
     """
     from roslens.cli.shown_graphs import site_with_graphs
-    from roslens.cli.workplace import open_store
+    from roslens.cli.shown_run import shown_run
 
     if options.jobs is not None and options.jobs < 0:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
     progress = progress_for(options)
-    with open_store(options.path) as store:
-        site = site_with_graphs(store.view(options.number), options, progress)
+    with shown_run(options, progress) as view:
+        site = site_with_graphs(view, options, progress)
         try:
             if options.single_file:
                 from roslens.dashboard.single_file import single_file

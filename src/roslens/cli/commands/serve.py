@@ -6,6 +6,7 @@ import argparse
 import sys
 from contextlib import nullcontext
 
+from roslens.cli.analysed import add_kept_arguments
 from roslens.cli.observers import add_observer_arguments, given
 from roslens.cli.param_reference import add_reference_argument
 from roslens.cli.shown_graphs import add_shown_argument
@@ -27,6 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=int, default=8080, help="port (default: 8080; 0 takes a free one)")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
     add_shown_argument(parser)
+    add_kept_arguments(parser)
     live = parser.add_argument_group("the robot that runs")
     live.add_argument("--live", action="store_true", help="watch it, and show it on a page beside the others")
     add_reference_argument(live)
@@ -47,11 +49,12 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
     from roslens.cli.live_beside import live_beside
     from roslens.cli.shown_graphs import site_with_graphs
-    from roslens.cli.workplace import open_store
+    from roslens.cli.shown_run import shown_run
     from roslens.dashboard.server import serve
 
-    with open_store(options.path) as store:
-        site = site_with_graphs(store.view(options.number), options, progress_for(options))
+    progress = progress_for(options)
+    with shown_run(options, progress) as view:
+        site = site_with_graphs(view, options, progress)
         with live_beside(options) if options.live else nullcontext() as snapshot:
             serve(site, host=options.host, port=options.port, ready=_ready, snapshot=snapshot)
     return 0

@@ -162,12 +162,30 @@ def test_what_is_wrong_with_a_constraint(lines: str, message: str):
         (HEAD + "namespace: /a*\nconstraints: [{topic: 're:x', rate: 1..2}]", "which has wildcards; begin it with `/`"),
         (HEAD + "defaults: [1]", "defaults is a list; expected a table of defaults"),
         (HEAD + "defaults: {fore: 2 s}", "unknown key 'fore' of a table of defaults"),
-        (HEAD + "fields: [{topic: /a*, field: x, range: 1..2}]", "topic '/a*' has wildcards; expected the name of one"),
+        (
+            HEAD + "fields: [{topic: /a, field: x, range: 1..2, when: {topic: /b*, field: y, range: 1}}]",
+            "topic '/b*' has wildcards; expected the name of one",
+        ),
         (HEAD + "fields: [{topic: /a, field: x..y, range: 1..2}]", "field is 'x..y'; expected a path such as"),
         (HEAD + "fields: [{topic: /a, field: x, range: 1..2 m}]", "'m' is not its unit; expected a number without a"),
         (HEAD + "fields: [{topic: /a, field: x, range: p95 1..2}]", "a percentile in 'p95 1..2'"),
         (HEAD + "fields: [{topic: /a, field: x, range: 1..2, when: 3}]", "when is '3'; expected a condition"),
         (HEAD + "fields: [{topic: /a, field: x}]", "a field check without 'range'"),
+        (
+            HEAD + "fields: [{topic: /a, field: x, difference: 1..2}]",
+            "r.yaml:3:44: difference without `to`; expected the other field. Write `to: {field: …}`",
+        ),
+        (HEAD + "fields: [{topic: /a, field: x, range: 1..2, to: {field: y}}]", "r.yaml:3:49: to without a difference"),
+        (HEAD + "fields: [{topic: /a, field: x, chang: 1..2}]", "Did you mean 'change'?"),
+        (HEAD + "fields: [{topic: '/{a', field: x, change: 1..2}]", "r.yaml:3:18: topic: '{' without '}'"),
+        (
+            HEAD + "fields: [{topic: '/*', field: x, change: 1..2}, {topic: /a, field: x, change: 3..4}]",
+            "contradicts 'r.field.*.x.change' (field x of /*: change 1..2) at r.yaml:3:34; both are about '/a'",
+        ),
+        (
+            HEAD + "constraints: [{node: '/{a,b}', expected: always}, {node: /b, expected: never}]",
+            "(node /{a,b}: each is always there) at r.yaml:3:32; both are about '/b'",
+        ),
         (HEAD + "chains: [{topics: [/a], age: 1..2 s}]", "a chain over 1 topics; expected two or more"),
         (HEAD + "chains: [{topics: [/a, /b, a], age: 1..2 s}]", "'/a' twice in a chain"),
         (

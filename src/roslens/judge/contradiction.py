@@ -9,6 +9,7 @@ from itertools import combinations
 
 import msgspec
 
+from roslens.judge.alternatives import each
 from roslens.judge.common_name import common_name
 from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, PresenceMode, Selector
 from roslens.judge.pattern import Pattern
@@ -17,7 +18,7 @@ from roslens.judge.sentence_words import expected_words, subject_words
 from roslens.model.errors import DocumentError
 
 _ADVICE = "Replace one (`override: true` with its `id`), or leave names out of it with `without`"
-_OPPOSITE = {PresenceMode.ALWAYS, PresenceMode.NEVER}
+_NEEDED = (PresenceMode.ALWAYS, PresenceMode.ANY)
 
 
 class Contradiction(msgspec.Struct, frozen=True):
@@ -65,7 +66,7 @@ def _suspects(group: Sequence[Declared]) -> Iterator[tuple[Declared, Declared]]:
     """Yield the pairs that are worth a closer look: of a thousand sentences only few share a name."""
     sentences = [one.sentence for one in group]
     modes = {one.mode for one in sentences if isinstance(one, Presence)}
-    if modes and not modes >= _OPPOSITE:
+    if modes and not (PresenceMode.NEVER in modes and modes.intersection(_NEEDED)):
         return
     expectations = [sentence for sentence in sentences if isinstance(sentence, Expectation)]
     if len(expectations) < len(group) or len({one.percentile for one in expectations}) > 1:
@@ -108,7 +109,7 @@ def _theme(sentence: Sentence) -> tuple[object, ...]:
         return ("presence", sentence.selector.kind)
     if isinstance(sentence, AgeChain):
         return ("chain", sentence.topics)
-    return ("field", sentence.topic, sentence.field, sentence.condition)
+    return ("field", sentence.field, sentence.condition, sentence.measure, sentence.other)
 
 
 def _clash(one: Sentence, other: Sentence) -> str | None:
@@ -116,13 +117,17 @@ def _clash(one: Sentence, other: Sentence) -> str | None:
     if isinstance(one, Expectation) and isinstance(other, Expectation):
         return meeting_name(one.selector, other.selector) if _apart(one, other) else None
     if isinstance(one, Presence) and isinstance(other, Presence):
-        if {one.mode, other.mode} != _OPPOSITE:
+        needed, never = (one, other) if other.mode is PresenceMode.NEVER else (other, one)
+        if needed.mode not in _NEEDED or never.mode is not PresenceMode.NEVER:
             return None
-        always, never = (one, other) if one.mode is PresenceMode.ALWAYS else (other, one)
-        return _forbidden(always.selector, never.selector)
+        banned = (_forbidden(single.selector, never.selector) for single in each(needed))
+        return next((name for name in banned if name is not None), None)
     if isinstance(one, FieldCheck | AgeChain) and isinstance(other, FieldCheck | AgeChain):
-        topic = one.topic if isinstance(one, FieldCheck) else one.topics[-1]
-        return None if one.range.overlaps(other.range) else topic
+        if one.range.overlaps(other.range):
+            return None
+        if isinstance(one, FieldCheck) and isinstance(other, FieldCheck):
+            return meeting_name(one.selector, other.selector)
+        return one.topics[-1] if isinstance(one, AgeChain) else None
     return None
 
 

@@ -94,16 +94,22 @@ class PresenceMode(str, Enum):
     """How an entity has to be there."""
 
     ALWAYS = "always"
-    WHILE = "while"
     AT_MOST_ONE = "at most one"
     NEVER = "never"
+    WHILE = "while"
+    ANY = "any"
+    ANY_WHILE = "any while"
+
+
+CONDITIONAL = (PresenceMode.WHILE, PresenceMode.ANY_WHILE)
+"""Modes that ask for something only while another entity is there."""
 
 
 class Presence(msgspec.Struct, frozen=True, omit_defaults=True):
     """Selected entities are there: always, while another is there, at most one of them, or never.
 
-    With ``always`` a name without wildcards must exist; one with wildcards must match something.
-    ``condition`` is the other entity of ``while``.
+    With ``always`` and ``while`` each of the names that braces list must exist, and where one of them has wildcards,
+    something that it matches; with ``any`` one that matches is enough. ``condition`` is the other entity of ``while``.
     """
 
     told: Told
@@ -113,17 +119,42 @@ class Presence(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class FieldCondition(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A field of the last message on a topic is in a range."""
+    """A field of the last message on a topic is in a range; an empty topic is that of the check."""
 
     topic: str
     field: str
     range: Range
 
 
+class FieldMeasure(str, Enum):
+    """What of a field has to be in a range."""
+
+    VALUE = "value"
+    CHANGE = "change"
+    DIFFERENCE = "difference"
+
+
+class OtherField(msgspec.Struct, frozen=True):
+    """A field to compare with; an empty topic is that of the check."""
+
+    topic: str
+    field: str
+
+
 class FieldCheck(msgspec.Struct, frozen=True, omit_defaults=True):
     """A field of the messages of a topic is in a range, as long as a condition holds.
 
-    ``field`` is a path such as ``pose.position.x`` or ``ranges[0]``.
+    Attributes:
+        told: what goes with the sentence.
+        topic: pattern of the topic.
+        field: a path such as ``pose.position.x`` or ``ranges[0]``.
+        range: of what is measured.
+        written: the range as the document has it.
+        condition: what enables it; None for always.
+        measure: the value itself, its change since the message before, or how much more it is than ``other``.
+        other: field whose newest value is subtracted; of a difference.
+        type: pattern of the message type.
+        without: patterns of topics that are left out.
     """
 
     told: Told
@@ -132,6 +163,15 @@ class FieldCheck(msgspec.Struct, frozen=True, omit_defaults=True):
     range: Range
     written: str = ""
     condition: FieldCondition | None = None
+    measure: FieldMeasure = FieldMeasure.VALUE
+    other: OtherField | None = None
+    type: str = ""
+    without: tuple[str, ...] = ()
+
+    @property
+    def selector(self) -> Selector:
+        """The topics it is about."""
+        return Selector(EntityKind.TOPIC, self.topic, type=self.type, without=self.without)
 
 
 class AgeChain(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -110,7 +110,9 @@ def _role(sentence: Sentence, subject: Subject) -> str | None:
 
 
 def _field_role(sentence: FieldCheck, subject: Subject) -> str | None:
-    if subject.name == sentence.topic:
+    if _provided(sentence.selector, subject) is not None:
         return ""
+    if sentence.other is not None and subject.name == sentence.other.topic:
+        return "it is compared with"
     enabled_by = sentence.condition.topic if sentence.condition else ""
     return "it holds the condition" if subject.name == enabled_by else None

@@ -34,13 +34,14 @@ def read_selector(section: Section, scope: Scope) -> Selector:
     narrowing = {key: _narrowing(section, scope, key, kind) for key in NARROWING}
     return Selector(
         kind=kind,
-        name=_pattern(section, scope, kind.value, section.text(kind.value), scoped=kind not in _UNSCOPED),
+        name=read_pattern(section, scope, kind.value, section.text(kind.value), scoped=kind not in _UNSCOPED),
         host=narrowing["on"],
         type=narrowing["type"],
         publisher=narrowing["publisher"],
         subscriber=narrowing["subscriber"],
         without=tuple(
-            _pattern(section, scope, "without", text, scoped=kind not in _UNSCOPED) for text in section.texts("without")
+            read_pattern(section, scope, "without", text, scoped=kind not in _UNSCOPED)
+            for text in section.texts("without")
         ),
     )
 
@@ -56,7 +57,7 @@ def read_condition(section: Section, scope: Scope, key: str, text: str) -> Selec
         expected = f"while KIND NAME, with one of {', '.join(_KIND_WORDS)}"
         raise section.fault(key, f"{key} is 'while {text}'", expected=expected, advice=did_you_mean(word, _KIND_WORDS))
     kind = _KIND_WORDS[word]
-    return Selector(kind, _pattern(section, scope, key, name.strip(), scoped=kind not in _UNSCOPED))
+    return Selector(kind, read_pattern(section, scope, key, name.strip(), scoped=kind not in _UNSCOPED))
 
 
 def read_name(section: Section, scope: Scope, key: str, text: str) -> str:
@@ -65,7 +66,7 @@ def read_name(section: Section, scope: Scope, key: str, text: str) -> str:
     Raises:
         DocumentError: it has wildcards or is no pattern.
     """
-    pattern = _pattern(section, scope, key, text, scoped=True)
+    pattern = read_pattern(section, scope, key, text, scoped=True)
     name = Pattern.parse(pattern).literal
     if name is None:
         raise section.fault(key, f"{key} {pattern!r} has wildcards", expected="the name of one topic")
@@ -78,10 +79,16 @@ def _narrowing(section: Section, scope: Scope, key: str, kind: EntityKind) -> st
     if kind not in NARROWING[key]:
         right = " or ".join(one.value for one in NARROWING[key])
         raise section.fault(key, f"{key!r} of a {kind.value}", expected=f"it with a {right} only")
-    return _pattern(section, scope, key, section.text(key), scoped=key in {"publisher", "subscriber"})
+    return read_pattern(section, scope, key, section.text(key), scoped=key in {"publisher", "subscriber"})
 
 
-def _pattern(section: Section, scope: Scope, key: str, text: str, *, scoped: bool) -> str:
+def read_pattern(section: Section, scope: Scope, key: str, text: str, *, scoped: bool = True) -> str:
+    """Return a pattern, put into the namespace of the document where it is ``scoped``.
+
+    Raises:
+        DocumentError: it is none.
+    """
+
     def read() -> str:
         Pattern.parse(visible(section, key, text))
         pattern = put_under(scope.namespace, text) if scoped else text

@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
+from roslens.judge.alternatives import alternatives
 from roslens.judge.amount import Limits, parse_limits
 from roslens.judge.document import Section
 from roslens.judge.expectation import (
+    CONDITIONAL,
     AgeChain,
     Expectation,
-    FieldCheck,
-    FieldCondition,
     Presence,
     PresenceMode,
     Selector,
 )
 from roslens.judge.range import Range
+from roslens.judge.read_field_check import read_field_checks
 from roslens.judge.read_selector import read_condition, read_name, read_selector
-from roslens.judge.read_told import declared, name_of, reading, slug, told_of
+from roslens.judge.read_told import declared, plain_range, prefixed, reading, slug, squeezed, told_of
 from roslens.judge.reference_document import Declared, Scope
-from roslens.judge.reference_keys import CHAIN_KEYS, FIELD_KEYS, KINDS, WHEN_KEYS, constraint_keys
+from roslens.judge.reference_keys import CHAIN_KEYS, FIELD_KEYS, KINDS, constraint_keys
 from roslens.model.quantity import Quantity
 from roslens.plugins.nearest import did_you_mean
-
-_FIELD = re.compile(r"[A-Za-z_]\w*(?:\[\d{1,9}\])*(?:\.[A-Za-z_]\w*(?:\[\d{1,9}\])*)*\Z")
 
 
 def read_sentences(document: Section, scope: Scope) -> Iterator[Declared]:
@@ -36,14 +34,14 @@ def read_sentences(document: Section, scope: Scope) -> Iterator[Declared]:
     for section in document.sections("constraints", "constraint", constraint_keys(scope.known)):
         yield from _constraint(section, scope)
     for section in document.sections("fields", "field check", FIELD_KEYS):
-        yield _field_check(section, scope)
+        yield from read_field_checks(section, scope)
     for section in document.sections("chains", "chain", CHAIN_KEYS):
         yield _chain(section, scope)
 
 
 def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
     selector = read_selector(section, scope)
-    name = _prefixed(scope, section, _default_name(selector))
+    name = prefixed(scope, section, _default_name(selector))
     signals = [quantity for key, quantity in scope.known.items() if key in section]
     if not signals and "expected" not in section:
         example = next((key for key, quantity in scope.known.items() if selector.kind in quantity.kinds), "")
@@ -62,7 +60,7 @@ def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
             selector=selector,
             quantity=quantity.key,
             range=limits.range,
-            written=_squeezed(section.text(quantity.key)),
+            written=squeezed(section.text(quantity.key)),
             percentile=limits.percentile,
         )
         yield declared(section, scope, expectation, name, quantity.key, void=limits.range == Range())
@@ -84,37 +82,17 @@ def _limits(section: Section, quantity: Quantity, selector: Selector) -> Limits:
 def _presence(section: Section, scope: Scope, selector: Selector, name: str) -> Presence:
     words = section.text("expected")
     told = told_of(section, scope, name, "presence", "expected")
-    if words.startswith("while "):
-        condition = read_condition(section, scope, "expected", words.removeprefix("while ").strip())
-        return Presence(told, selector, PresenceMode.WHILE, condition)
-    modes = [mode.value for mode in PresenceMode if mode is not PresenceMode.WHILE]
+    reading(section, selector.kind.value, lambda: alternatives(selector.name))
+    for mode in CONDITIONAL:
+        if words.startswith(f"{mode.value} "):
+            condition = read_condition(section, scope, "expected", words.removeprefix(mode.value).strip())
+            return Presence(told, selector, mode, condition)
+    modes = [mode.value for mode in PresenceMode if mode not in CONDITIONAL]
     if words not in modes:
-        valid = [*modes, "while KIND NAME"]
+        valid = [f"{mode.value} KIND NAME" if mode in CONDITIONAL else mode.value for mode in PresenceMode]
         expected = f"one of {', '.join(valid)}"
         raise section.fault("expected", f"expected is {words!r}", expected=expected, advice=did_you_mean(words, valid))
     return Presence(told, selector, PresenceMode(words))
-
-
-def _field_check(section: Section, scope: Scope) -> Declared:
-    topic = read_name(section, scope, "topic", section.text("topic"))
-    field = _field(section)
-    condition = None
-    if (when := section.section("when", "condition", WHEN_KEYS)) is not None:
-        condition = FieldCondition(
-            topic=read_name(when, scope, "topic", when.text("topic")) if "topic" in when else topic,
-            field=_field(when),
-            range=_plain_range(when, "range", ""),
-        )
-    name = _prefixed(scope, section, slug("field", topic, field))
-    check = FieldCheck(
-        told=told_of(section, scope, name, "value", "range"),
-        topic=topic,
-        field=field,
-        range=_plain_range(section, "range", ""),
-        written=_squeezed(section.text("range")),
-        condition=condition,
-    )
-    return declared(section, scope, check, name, "range", void=check.range == Range())
 
 
 def _chain(section: Section, scope: Scope) -> Declared:
@@ -126,43 +104,15 @@ def _chain(section: Section, scope: Scope) -> Declared:
     if len(set(topics)) < len(topics):
         twice = next(topic for topic in topics if topics.count(topic) > 1)
         raise section.fault("topics", f"{twice!r} twice in a chain", expected="each topic once")
-    name = _prefixed(scope, section, slug("chain", topics[0], topics[-1]))
+    name = prefixed(scope, section, slug("chain", topics[0], topics[-1]))
     chain = AgeChain(
         told=told_of(section, scope, name, "age", "age"),
         topics=topics,
-        range=_plain_range(section, "age", "s"),
-        written=_squeezed(section.text("age")),
+        range=plain_range(section, "age", "s"),
+        written=squeezed(section.text("age")),
     )
     return declared(section, scope, chain, name, "age", void=chain.range == Range())
 
 
-def _squeezed(text: str) -> str:
-    """Return a range on one line."""
-    return " ".join(text.split())
-
-
-def _plain_range(section: Section, key: str, unit: str) -> Range:
-    text = section.text(key)
-    limits = reading(section, key, lambda: parse_limits(text, unit))
-    if limits.percentile:
-        raise section.fault(key, f"{key}: a percentile in {text!r}", expected="a range of single values")
-    return limits.range
-
-
-def _field(section: Section) -> str:
-    field = section.text("field")
-    if not _FIELD.match(field):
-        raise section.fault(
-            "field", f"field is {field[:60]!r}", expected="a path such as `pose.position.x` or `ranges[0]`"
-        )
-    return field
-
-
 def _default_name(selector: Selector) -> str:
     return slug(selector.kind.value, selector.name, selector.publisher, selector.subscriber, selector.host)
-
-
-def _prefixed(scope: Scope, section: Section, default: str) -> str:
-    """Return the name of a sentence; one that is given is told apart by the namespace it was included into."""
-    name = name_of(section, default)
-    return f"{scope.prefix}.{name}" if scope.prefix and "id" in section else name

@@ -6,9 +6,10 @@ import re
 from collections.abc import Callable
 from typing import TypeVar
 
-from roslens.judge.amount import parse_amount
+from roslens.judge.amount import parse_amount, parse_limits
 from roslens.judge.document import Section
 from roslens.judge.expectation import Timing, Told
+from roslens.judge.range import Range
 from roslens.judge.reference_document import Declared, Defaults, Scope, Sentence
 from roslens.model.finding import Severity
 
@@ -140,6 +141,30 @@ def sentence_id(document: str, name: str, aspect: str) -> str:
 def slug(*names: str) -> str:
     """Return names and patterns as one word of an id: ``robot.scan`` for ``/robot/scan``."""
     return ".".join(name.strip("/").replace("/", ".").replace(" ", "_") or "root" for name in names if name)
+
+
+def squeezed(text: str) -> str:
+    """Return a range on one line."""
+    return " ".join(text.split())
+
+
+def plain_range(section: Section, key: str, unit: str) -> Range:
+    """Return a range of single values, in ``unit``.
+
+    Raises:
+        DocumentError: it is none, or about a percentile.
+    """
+    text = section.text(key)
+    limits = reading(section, key, lambda: parse_limits(text, unit))
+    if limits.percentile:
+        raise section.fault(key, f"{key}: a percentile in {text!r}", expected="a range of single values")
+    return limits.range
+
+
+def prefixed(scope: Scope, section: Section, default: str) -> str:
+    """Return the name of a sentence; one that is given is told apart by the namespace it was included into."""
+    name = name_of(section, default)
+    return f"{scope.prefix}.{name}" if scope.prefix and "id" in section else name
 
 
 def _seconds(section: Section, key: str, default: float) -> float:

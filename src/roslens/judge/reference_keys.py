@@ -74,14 +74,27 @@ NARROWING: Mapping[str, tuple[EntityKind, ...]] = {
 }
 """Of which kinds a key can narrow the choice."""
 
-EXPECTED_KEY = {"expected": "being there: `always`, `never`, `at most one`, or `while KIND NAME` is there"}
+EXPECTED_KEY = {
+    "expected": "being there: `always` or `while KIND NAME` is there, each name that `{a,b}` lists; `any` or "
+    "`any while KIND NAME`, one that matches is enough; `at most one`; `never`"
+}
 
 FIELD_KEYS = {
-    "topic": "name of the topic",
+    "topic": "topics with such a name",
+    "type": "only topics with such a message type",
+    "without": "names to leave out",
     "field": "path of the field: `pose.position.x`, `ranges[0]`",
     "range": "values that are fine, such as `-2..2` or `<= 15`",
+    "change": "how much it may change from one message to the next: `-0.5..0.5`; `>= 1` of a counter that must go on",
+    "difference": "how much more than the field in `to` it may be: `-0.1..0.1`",
+    "to": "the other field of a difference, with its newest value",
     "when": "only while this other field is in this range",
     **TOLD_KEYS,
+}
+
+TO_KEYS = {
+    "topic": "name of the topic; by default the same",
+    "field": "path of the field",
 }
 
 WHEN_KEYS = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from roslens.judge.amount import UNITS
-from roslens.judge.expectation import PresenceMode
+from roslens.judge.expectation import CONDITIONAL, PresenceMode
 from roslens.judge.reference_keys import (
     CHAIN_KEYS,
     DEFAULT_KEYS,
@@ -16,6 +16,7 @@ from roslens.judge.reference_keys import (
     NARROWING,
     REFERENCE_KEYS,
     SELECTOR_KEYS,
+    TO_KEYS,
     TOLD_KEYS,
     WHEN_KEYS,
     constraint_keys,
@@ -53,6 +54,10 @@ constraints:
     cpu: <= 80 %
     disk_free: ">= 2 GB"
 
+  # Each of the three; `any` would be content with one of them.
+  - node: "/{lidar,planner,controller}"
+    expected: always
+
   - node: /joy
     expected: while node /teleop
 
@@ -67,6 +72,14 @@ fields:
     field: cells[0].voltage
     range: 3..4.2
     when: {field: present, range: 1}
+
+  # An encoder counts on while the wheel turns, makes no jumps, and stays with the one on the other side.
+  - topic: "/{front,rear}/left/encoder"
+    field: ticks
+    change: 1..50
+    difference: -200..200
+    to: {topic: /front/right/encoder, field: ticks}
+    when: {topic: /cmd_vel, field: linear.x, range: ">= 0.1"}
 
 chains:
   - topics: [/scan, /map, /cmd_vel]
@@ -106,7 +119,10 @@ with one of ``* { [ > & ! % @ ` |``, such as `"**/scan"` and `">= 5 Hz"`; `at le
 Everything else stands for itself: `[::1]` is a host. A name that does not begin with `/` is below the `namespace` of
 the document; without one, below `/`. There `**` means everything below the namespace. Hosts, processes and types are in
 no namespace. The namespace of a document goes before that of what it includes, so that one file can describe each
-robot of a fleet.
+robot of a fleet. A name that was recorded without `/` is the one below the root that playing the recording makes of it.
+
+`{a,b}` lists names: `expected: always` of `/{lidar,planner}` is about `/lidar` and `/planner`, each on its own, and
+`expected: any` about the two together. Of `/camera_*` one match is enough for both.
 
 ## Ranges
 
@@ -138,6 +154,13 @@ entity, and so are `expected: always` and `expected: never` of the same.
 """
 
 
+_FIELDS = """\
+At least one of `range`, `change` and `difference` has to be there. `change` is the value less that of the message
+before, `difference` the value less the newest one of the field in `to`; both are taken when a message on `topic` comes,
+so that fields of one message are compared within it. A message that is wrong counts although the next one is fine
+before anybody looks; with `for` every message is judged at its time.
+"""
+
 _ALSO = f"""\
 and the signals below, each with a range; and the keys of every sentence. Exactly one of
 {", ".join(f"`{kind.value}`" for kind in KINDS)} selects.
@@ -159,6 +182,8 @@ def references_page(known: Mapping[str, Quantity]) -> str:
             _ALSO,
             _keys("## Keys of every sentence", TOLD_KEYS),
             _keys("## Keys of a field check", _without(FIELD_KEYS)),
+            _FIELDS,
+            _keys("## Keys of the field it is compared with", TO_KEYS),
             _keys("## Keys of its condition", WHEN_KEYS),
             _keys("## Keys of a chain", _without(CHAIN_KEYS)),
             _signals(known),
@@ -180,7 +205,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
         "id": {"type": ["string", "number"]},
         **{key: dict(amount) for key in ("for", "recover", "margin", "grace", "window")},
     }
-    modes = [mode.value for mode in PresenceMode if mode is not PresenceMode.WHILE]
+    modes = [mode.value for mode in PresenceMode if mode not in CONDITIONAL]
     kinds = "|".join(kind.value for kind in KINDS)
     constraint = _described(
         constraint_keys(known),
@@ -190,14 +215,21 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
             **{kind.value: dict(word) for kind in KINDS},
             **{key: dict(word) for key in NARROWING},
             **{key: dict(amount) for key in known},
-            "expected": {"anyOf": [{"enum": modes}, {"type": "string", "pattern": f"^while\\s+({kinds})\\s+\\S"}]},
+            "expected": {
+                "anyOf": [{"enum": modes}, {"type": "string", "pattern": f"^(any\\s+)?while\\s+({kinds})\\s+\\S"}]
+            },
         },
     )
     constraint["oneOf"] = [{"required": [kind.value]} for kind in KINDS]
     constraint["anyOf"] = [{"required": [key]} for key in ("expected", *known)]
     constraint["dependentRequired"] = {"override": ["id"]}
     when = _described(WHEN_KEYS, {"range": amount}, "field", "range")
-    check = _described(FIELD_KEYS, {**told, "range": amount, "when": when}, "topic", "field", "range")
+    to = _described(TO_KEYS, {}, "field")
+    measures = ("range", "change", "difference")
+    ranges = {key: dict(amount) for key in measures}
+    check = _described(FIELD_KEYS, {**told, **ranges, "without": texts, "to": to, "when": when}, "topic", "field")
+    check["anyOf"] = [{"required": [key]} for key in measures]
+    check["dependentRequired"] = {"difference": ["to"], "to": ["difference"]}
     chain = _described(
         CHAIN_KEYS,
         {**told, "age": amount, "topics": {"type": "array", "minItems": 2, "items": {"type": "string"}}},

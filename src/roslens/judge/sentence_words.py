@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from roslens.judge.alternatives import EACH, alternatives
 from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, PresenceMode, Selector
 from roslens.judge.reference_document import Sentence
+from roslens.model.entity import EntityKind
 
 
 def selector_words(selector: Selector) -> str:
@@ -22,7 +24,8 @@ def selector_words(selector: Selector) -> str:
 def subject_words(sentence: Sentence) -> str:
     """Return what a sentence is about: entities, a field of messages, a path over topics."""
     if isinstance(sentence, FieldCheck):
-        return f"field {sentence.field} of {sentence.topic}"
+        words = selector_words(sentence.selector).removeprefix(f"{EntityKind.TOPIC.value} ")
+        return f"field {sentence.field} of {words}"
     if isinstance(sentence, AgeChain):
         return f"data over {' > '.join(sentence.topics)}"
     return selector_words(sentence.selector)
@@ -33,17 +36,22 @@ def expected_words(sentence: Sentence) -> str:
     if isinstance(sentence, Expectation):
         return f"{sentence.quantity} {sentence.written}"
     if isinstance(sentence, Presence):
-        if sentence.mode is PresenceMode.WHILE and sentence.condition is not None:
-            return f"is there while {selector_words(sentence.condition)} is"
+        several = sentence.mode in EACH and len(alternatives(sentence.selector.name)) > 1
+        if sentence.condition is not None:
+            who = "each is" if several else "one is" if sentence.mode is PresenceMode.ANY_WHILE else "is"
+            return f"{who} there while {selector_words(sentence.condition)} is"
         return {
-            PresenceMode.ALWAYS: "is always there",
+            PresenceMode.ALWAYS: "each is always there" if several else "is always there",
+            PresenceMode.ANY: "one is always there",
             PresenceMode.NEVER: "is never there",
             PresenceMode.AT_MOST_ONE: "is there at most once",
         }.get(sentence.mode, sentence.mode.value)
     if isinstance(sentence, AgeChain):
         return f"age {sentence.written}"
-    words = f"value {sentence.written}"
+    words = f"{sentence.measure.value} {sentence.written}"
+    if (other := sentence.other) is not None:
+        words = f"difference to {other.topic + ' ' if other.topic else ''}{other.field} {sentence.written}"
     if (condition := sentence.condition) is not None:
-        topic = "" if condition.topic == sentence.topic else f"{condition.topic} "
+        topic = "" if condition.topic in ("", sentence.topic) else f"{condition.topic} "
         words += f" while {topic}{condition.field} is {condition.range}"
     return words

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 import msgspec
 
-from roslens.judge.expectation import AgeChain, FieldCheck, Presence, PresenceMode, Reference, Selector
+from roslens.judge.expectation import AgeChain, FieldCheck, Presence, Reference, Selector
 from roslens.judge.merge_references import sentences_of
 from roslens.judge.pattern import Pattern
 from roslens.judge.pattern_index import PatternIndex
@@ -113,12 +113,11 @@ def _find(index: PatternIndex[int], subject: Subject) -> Sequence[int]:
 def _selectors(sentence: Sentence) -> tuple[Selector, ...]:
     """Return what a sentence needs to be there to be about something."""
     if isinstance(sentence, Presence):
-        if sentence.mode in (PresenceMode.ALWAYS, PresenceMode.NEVER, PresenceMode.AT_MOST_ONE):
-            return ()
         return (sentence.condition,) if sentence.condition is not None else ()
     if isinstance(sentence, FieldCheck):
-        topics = {sentence.topic, sentence.condition.topic if sentence.condition else sentence.topic}
-        return tuple(Selector(EntityKind.TOPIC, _escaped(topic)) for topic in sorted(topics))
+        named = {part.topic for part in (sentence.condition, sentence.other) if part is not None and part.topic}
+        others = sorted(named - {Pattern.parse(sentence.topic).literal})
+        return (sentence.selector, *(Selector(EntityKind.TOPIC, _escaped(topic)) for topic in others))
     if isinstance(sentence, AgeChain):
         return tuple(Selector(EntityKind.TOPIC, _escaped(topic)) for topic in sentence.topics)
     return (sentence.selector,)

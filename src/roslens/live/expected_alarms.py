@@ -64,7 +64,7 @@ class ExpectedAlarm(msgspec.Struct, frozen=True):
     def fits(self, alarm: Alarm, start: float) -> bool:
         """Whether an alarm of a recording that began at ``start`` is this one."""
         return (
-            str(alarm.first.entity) == self.entity
+            str(alarm.first.entity) in (self.entity, self.entity.replace(":", ":/", 1))
             and self.quantity in ("", alarm.first.quantity)
             and self.state in (None, alarm.first.state, alarm.worst.state)
             and abs(alarm.since - start - self.at) <= self.within

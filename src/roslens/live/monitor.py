@@ -179,7 +179,8 @@ class Monitor:
     def add_field(self, topic: str, time: float, values: Mapping[str, float]) -> None:
         """Take values of fields of the last message on a topic, by path."""
         if time - time == 0:
-            self._fields.add(topic, values)
+            known = self._world.topics.get(topic)
+            self._fields.add(topic, time, values, known.types if known is not None else ())
 
     def add_frame(self, frame: Frame) -> None:
         """Take everything that an observer tells at once."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.expectation import Presence, PresenceMode, Selector, essence
+from roslens.judge.expectation import CONDITIONAL, Presence, PresenceMode, Selector, essence
 from roslens.judge.pattern import Pattern
 from roslens.live.rulebook import Facts, Rulebook, find_all
 from roslens.live.standing import Standing
@@ -13,7 +13,9 @@ from roslens.model.verdict import State
 Key = tuple[EntityKind, str]
 _RANGES = {
     PresenceMode.ALWAYS: ">= 1",
+    PresenceMode.ANY: ">= 1",
     PresenceMode.WHILE: ">= 1",
+    PresenceMode.ANY_WHILE: ">= 1",
     PresenceMode.AT_MOST_ONE: "<= 1",
     PresenceMode.NEVER: "<= 0",
 }
@@ -36,11 +38,11 @@ class _Watched(Standing):
     def raw(self) -> State:
         """Return how it stands at this moment."""
         mode, count = self.presence.mode, len(self.matching)
-        if mode is PresenceMode.WHILE and not self.enabling:
+        if mode in CONDITIONAL and not self.enabling:
             return State.SUSPENDED
-        if mode in (PresenceMode.ALWAYS, PresenceMode.WHILE):
-            return State.OK if count else State.ABSENT
-        return State.HIGH if count > (mode is PresenceMode.AT_MOST_ONE) else State.OK
+        if mode in (PresenceMode.AT_MOST_ONE, PresenceMode.NEVER):
+            return State.HIGH if count > (mode is PresenceMode.AT_MOST_ONE) else State.OK
+        return State.OK if count else State.ABSENT
 
     def explain(self) -> str:
         """Return what matches, in words."""
@@ -65,11 +67,11 @@ class Presences:
         """Begin with what is expected; what ``old`` has too keeps its state, and what exists stays."""
         known: dict[Presence, _Watched] = {essence(one.presence): one for one in old.standing} if old else {}
         self._index = rules.presences
-        presences = rules.reference.presences
+        presences = rules.single_presences
         self.standing: list[_Watched] = [known.get(essence(one)) or _Watched(one, now) for one in presences]
         for watched, presence in zip(self.standing, presences, strict=True):
             watched.presence, watched.told = presence, presence.told
-        self._by_id = {one.told.id: one for one in self.standing}
+        self._by_presence = {one.presence: one for one in self.standing}
         self._existing: dict[Key, Facts] = {}
         self._hits: dict[Key, list[tuple[_Watched, bool]]] = {}
         self._waiting = set(self.standing)
@@ -93,7 +95,7 @@ class Presences:
         self._existing[key] = facts
         if not self.standing:
             return
-        hits = [(self._by_id[one.told.id], condition) for one, condition in find_all(self._index, *key, facts)]
+        hits = [(self._by_presence[one], condition) for one, condition in find_all(self._index, *key, facts)]
         if hits:
             self._hits[key] = hits
         for watched, condition in hits:

@@ -9,6 +9,7 @@ import msgspec
 
 from roslens.judge.expectation import Reference, Selector
 from roslens.judge.pattern import Pattern
+from roslens.judge.pattern_index import CompiledSelector
 from roslens.live.session import Session, Step
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
@@ -29,6 +30,10 @@ class RecordedTopic(Protocol):
     @property
     def name(self) -> str:
         """Resolved name."""
+
+    @property
+    def type(self) -> str:
+        """Of its messages."""
 
     @property
     def stamped(self) -> bool:
@@ -77,8 +82,7 @@ def replay(
     """
     session = Session(reference, start=recording.start)
     session.take([Frame(VERSION, "recording", 0, recording.start, graph=recording.graph())])
-    names = {topic.name for topic in recording.topics}
-    fields = recording.fields(wanted_fields(reference, names))
+    fields = recording.fields(wanted_fields(reference, ((topic.name, topic.type) for topic in recording.topics)))
     waiting = next(fields, None)
     length = step_s or usual_step(reference)
     for step, tallies in recording.tallies(length, stamps=wanted_stamps(reference, recording.topics)):
@@ -115,15 +119,21 @@ def wanted_stamps(reference: Reference, topics: Iterable[RecordedTopic]) -> list
     )
 
 
-def wanted_fields(reference: Reference, names: Iterable[str]) -> dict[str, list[str]]:
-    """Return the paths of fields that the reference asks for, by topic that is there."""
-    known = set(names)
+def wanted_fields(reference: Reference, topics: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """Return the paths of fields that the reference asks for, by topic that is there; of ``topics`` name and type."""
+    known = sorted(set(topics))
     wanted: dict[str, set[str]] = {}
     for check in reference.field_checks:
-        wanted.setdefault(check.topic, set()).add(check.field)
-        if check.condition is not None:
-            wanted.setdefault(check.condition.topic, set()).add(check.condition.field)
-    return {topic: sorted(paths) for topic, paths in sorted(wanted.items()) if topic in known}
+        selector = CompiledSelector(check.selector)
+        chosen = [name for name, type_ in known if selector.matches(name, ("", type_, "", ""))]
+        for topic in chosen:
+            wanted.setdefault(topic, set()).add(check.field)
+        for part in (check.condition, check.other):
+            if part is not None:
+                for topic in [part.topic] if part.topic else chosen:
+                    wanted.setdefault(topic, set()).add(part.field)
+    names = {name for name, _ in known}
+    return {topic: sorted(paths) for topic, paths in sorted(wanted.items()) if topic in names}
 
 
 def _of_traffic(selector: Selector) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from itertools import product
 from typing import NamedTuple, TypeVar
 
+from roslens.judge.alternatives import each
 from roslens.judge.expectation import Expectation, Presence, Reference, Selector, essence
 from roslens.judge.pattern import Pattern
 from roslens.judge.pattern_index import PatternIndex
@@ -49,7 +50,8 @@ class Rulebook:
     Attributes:
         reference: they are from.
         required: sentences about one name without wildcards, by kind and name: it should be there.
-        presences: by the selectors they name; True for that of a condition.
+        single_presences: presences about one name or pattern each.
+        presences: these by the selectors they name; True for that of a condition.
     """
 
     def __init__(self, reference: Reference, old: Rulebook | None = None) -> None:
@@ -66,7 +68,8 @@ class Rulebook:
         for one in self.sentences:
             if one.literal is not None:
                 self.required.setdefault((one.kind, one.literal), []).append(one)
-        self.presences: PatternIndex[tuple[Presence, bool]] = PatternIndex(_presence_selectors(reference.presences))
+        self.single_presences = tuple(single for one in reference.presences for single in each(one))
+        self.presences: PatternIndex[tuple[Presence, bool]] = PatternIndex(_presence_selectors(self.single_presences))
         # Last, since until here something may be wrong, and then everything stays as it is.
         for kept, source in zip(self.sentences, reference.expectations, strict=True):
             kept.source, kept.told = source, source.told

@@ -9,11 +9,16 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 
+from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.unmatched import unmatched
 from roslens.live.adapters.bag import steps
 from roslens.live.adapters.bag.open_bag import open_bag
+from roslens.live.replay import replay
+from roslens.live.signals import BY_KEY
 from roslens.model.errors import UsageError
 from roslens.model.graph import Node, Role
 from roslens.model.tally import Observer
+from roslens.model.verdict import State
 
 START = 1_700_000_000_000_000_000
 SAME = settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -119,6 +124,21 @@ def test_no_messages_are_no_steps(tmp_path, kind, recording):
     assert (bag.messages, bag.start, bag.end, bag.failures) == (0, 0.0, 0.0, ())
     assert [topic.name for topic in bag.topics] == ["/a"]
     assert bag.times("/a").tolist() == []
+
+
+@pytest.mark.parametrize("name", ["chatter", "/chatter"])
+@pytest.mark.parametrize("kind", ["ros1", "mcap", "sqlite"])
+def test_a_name_without_a_slash_is_the_one_that_playing_makes_of_it(tmp_path, kind, name, recording):
+    rows = [("chatter", START + number * 50_000_000, poses(generation(kind), 1)[0][2]) for number in range(100)]
+    bag = open_bag(recording(tmp_path, kind, rows))
+    assert [topic.name for topic in bag.topics] == ["/chatter"]
+    assert len(bag.times("/chatter")) == 100
+    lines = f"constraints:\n  - {{topic: {name}, rate: 18..22 Hz}}\n"
+    lines += f"fields:\n  - {{topic: {name}, field: pose.position.y, range: 2..3}}\n"
+    reference = load_reference([GivenText("r.yaml", f"kind: reference\nname: r\n{lines}".encode())], BY_KEY)
+    session = replay(bag, reference, told=lambda _: None)
+    assert {verdict.state for verdict in session.monitor.standing()} == {State.OK}
+    assert unmatched(reference, session.seen()) == []
 
 
 def poses(generation, count):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from roslens.live.adapters.bag.block import FOREVER, Bytes, Ints
-from roslens.live.adapters.bag.channel import Channel
+from roslens.live.adapters.bag.channel import Channel, resolved
 from roslens.live.adapters.bag.cursor import Cursor
 from roslens.live.adapters.bag.damage import DamageError
 from roslens.live.adapters.bag.layout import Entries, Walk, cut, numbers_at, walked
@@ -57,10 +57,10 @@ class McapLayout:
         topic, encoding = cursor.text(), cursor.text()
         extra = cursor.table()
         self.channels[number] = Channel(
-            topic,
+            resolved(topic),
             schema.name,
             extra.get("topic_type_hash", "") or extra.get("md5sum", ""),
-            extra.get("callerid", ""),
+            resolved(extra.get("callerid", "")),
             extra.get("offered_qos_profiles", ""),
             schema.definition,
             schema.language,

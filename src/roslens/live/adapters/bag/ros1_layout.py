@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from roslens.live.adapters.bag.block import Bytes, Ints
-from roslens.live.adapters.bag.channel import Channel
+from roslens.live.adapters.bag.channel import Channel, resolved
 from roslens.live.adapters.bag.damage import DamageError
 from roslens.live.adapters.bag.layout import Entries, Walk, cut, numbers_at, walked
 
@@ -124,10 +124,10 @@ class Ros1Layout:
         """
         inner = {name: value.decode(errors="replace") for name, value in fields_of(content).items()}
         self.channels[number(fields, "conn", 4)] = Channel(
-            fields["topic"].decode(errors="replace") if "topic" in fields else inner.get("topic", ""),
+            resolved(fields["topic"].decode(errors="replace") if "topic" in fields else inner.get("topic", "")),
             inner.get("type", ""),
             inner.get("md5sum", ""),
-            inner.get("callerid", ""),
+            resolved(inner.get("callerid", "")),
             "",
             inner.get("message_definition", ""),
             "msg",

@@ -15,7 +15,7 @@ from urllib.parse import quote
 import numpy as np
 
 from roslens.live.adapters.bag.block import FOREVER, Block, Ints, Load, Message, Portion
-from roslens.live.adapters.bag.channel import Channel
+from roslens.live.adapters.bag.channel import Channel, resolved
 from roslens.live.adapters.bag.damage import DamageError, FailureLog
 from roslens.live.adapters.bag.moments_by_step import edges_of
 from roslens.live.adapters.bag.source import Source
@@ -254,7 +254,7 @@ def _channels(database: sqlite3.Connection) -> dict[int, Channel]:
         kind = _text(values.get("type"))
         encoding, definition = definitions.get(kind, ("", ""))
         channels[int(values["id"])] = Channel(
-            _text(values.get("name")),
+            resolved(_text(values.get("name"))),
             kind,
             _text(values.get("type_description_hash")),
             "",

@@ -20,8 +20,8 @@ def renamed_files(repository: Repository, before: str, after: str) -> dict[str, 
     Raises:
         UsageError: git cannot be run.
     """
-    options = ("--no-ext-diff", "--no-textconv", "--find-renames", "--diff-filter=R", "--name-status", "-z")
-    done = repository.git("diff", *options, before, after, "--", ":/")
+    options = ("-r", "--find-renames", "--diff-filter=R", "--name-status", "-z")
+    done = repository.git("diff-tree", *options, before, after, "--", ":/")
     if done.returncode:
         return {}
     words = [os.fsdecode(word) for word in done.stdout.split(b"\0")]

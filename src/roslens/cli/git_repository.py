@@ -8,14 +8,8 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.children.git import git_environment, git_words, looks_bare
 from roslens.model.errors import UsageError
-
-# A repository may configure programs that a look at it must not start, and a part of it may still be on a server.
-# Nor is its index written anew.
-_QUIETLY = (
-    "--no-optional-locks",
-    *("-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null", "-c", "protocol.allow=never"),
-)
 
 
 class Repository(msgspec.Struct, frozen=True):
@@ -42,15 +36,13 @@ class Repository(msgspec.Struct, frozen=True):
 
     def environment(self) -> dict[str, str]:
         """Return the variables that git is run with."""
-        quoted = ('"' + path.replace("\\", "\\\\").replace('"', '\\"') + '"' for path in self.objects)
-        more = {"GIT_ALTERNATE_OBJECT_DIRECTORIES": os.pathsep.join(quoted)} if self.objects else {}
-        return {**os.environ, "GIT_TERMINAL_PROMPT": "0", "GIT_NO_LAZY_FETCH": "1", "LC_ALL": "C", **more}
+        return git_environment(os.environ, self.objects)
 
-    def command(self, *arguments: str) -> list[str]:
-        """Return the words that run git on it."""
-        return ["git", *_QUIETLY, "-C", self.asked, *arguments]
+    def command(self, command: str, *arguments: str) -> list[str]:
+        """Return the words that run a command of git on it."""
+        return git_words(self.asked, command, *arguments)
 
-    def git(self, *arguments: str) -> subprocess.CompletedProcess[bytes]:
+    def git(self, command: str, *arguments: str) -> subprocess.CompletedProcess[bytes]:
         """Run git and return what it said.
 
         Raises:
@@ -58,7 +50,7 @@ class Repository(msgspec.Struct, frozen=True):
         """
         try:
             return subprocess.run(
-                self.command(*arguments), capture_output=True, timeout=60, check=False, env=self.environment()
+                self.command(command, *arguments), capture_output=True, timeout=60, check=False, env=self.environment()
             )
         except FileNotFoundError as error:
             raise UsageError("git is not installed", expected="git, to read revisions", advice="Install git") from error
@@ -74,6 +66,12 @@ def repository_of(path: str) -> Repository:
     Raises:
         UsageError: it is in none, or git cannot be run.
     """
+    if bare := looks_bare(path):
+        raise UsageError(
+            f'"{bare}" looks like a bare git repository, whose configuration is not trusted',
+            expected="a folder of a repository with files",
+            advice="Give the folder of a clone as PATH",
+        )
     done = Repository(path).git("rev-parse", "--show-toplevel", "--show-prefix", "--git-common-dir")
     if done.returncode:
         raise UsageError(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
@@ -37,9 +36,10 @@ def each(work: Callable[[Task], None], tasks: Sequence[Task], jobs: int) -> Iter
 
 
 def _by_copies(work: Callable[[Task], None], tasks: Sequence[Task], jobs: int) -> Iterator[Task]:
-    import multiprocessing
-    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures import as_completed
     from concurrent.futures.process import BrokenProcessPool
+
+    from roslens.children.worker_pool import worker_pool
 
     # The one way to hand copies of this process what cannot be written down.
     global _share
@@ -50,7 +50,7 @@ def _by_copies(work: Callable[[Task], None], tasks: Sequence[Task], jobs: int) -
 
     _share = share
     lost: list[int] = []
-    pool = ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("fork"), initializer=_leave_signals)
+    pool = worker_pool(jobs, "fork")
     try:
         futures = {pool.submit(_do_share, first): first for first in range(0, len(tasks), _BATCH)}
         for future in as_completed(futures):
@@ -71,11 +71,6 @@ def _by_copies(work: Callable[[Task], None], tasks: Sequence[Task], jobs: int) -
 
 
 _share: Callable[[int], None] | None = None
-
-
-def _leave_signals() -> None:
-    # An interrupt goes to all processes of a terminal; the one that waits for these ends them.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _do_share(first: int) -> None:

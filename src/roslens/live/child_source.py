@@ -8,10 +8,13 @@ from collections.abc import Callable, Mapping, Sequence
 
 import msgspec
 
+from roslens.children.safe_path import python_words
 from roslens.live.adapters.child import Child, find_ros2_python, ros2_command
 from roslens.live.publish.downlink import Downlink
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
+
+_ROS1 = "from roslens.live.adapters.ros1.__main__ import main; sys.exit(main(sys.argv[1:]))"
 
 
 class Publishes(msgspec.Struct, frozen=True):
@@ -73,8 +76,9 @@ def ros1_source(
     publishes: Publishes | None = None,
 ) -> ChildSource:  # fmt: skip
     """Return what observes the ROS 1 system of ``master``; empty is that of the environment."""
-    words = [*(["--master", master] if master else []), *_taps(taps), *_published(publishes)]
-    command = [sys.executable, "-m", "roslens.live.adapters.ros1", "--statistics", "--parameters", "--reports", *words]
+    asked = [*(["--master", master] if master else []), *_taps(taps), *_published(publishes)]
+    words = ("--statistics", "--parameters", "--reports", *asked)
+    command = python_words(sys.executable, _ROS1, words, path=sys.path)
     return _source("ros1", command, environment, steady, publishes)
 
 

@@ -8,6 +8,7 @@ import subprocess
 from collections.abc import Mapping
 from typing import Any
 
+from roslens.children.safe_path import NEUTRAL
 from roslens.live.adapters.child import clean_environment, find_ros2_python, ros2_command
 from roslens.model.errors import UsageError
 
@@ -65,7 +66,7 @@ def ros2_parameter(
     try:
         ended = subprocess.run(
             command, env=clean_environment(environment), capture_output=True, text=True, check=False,
-            timeout=WAIT_S + _START_S, stdin=subprocess.DEVNULL,
+            timeout=WAIT_S + _START_S, cwd=NEUTRAL, stdin=subprocess.DEVNULL,
         )  # fmt: skip
         values = json.loads(ended.stdout) if not ended.returncode else None
     except (subprocess.TimeoutExpired, ValueError) as error:

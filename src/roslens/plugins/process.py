@@ -9,13 +9,18 @@ import subprocess
 import sys
 from pathlib import Path
 
+from roslens.children.safe_path import python_words, safe_environment
 from roslens.plugins.frames import LOST_CONNECTION, AnswerBuffer, Began
 from roslens.plugins.job import Job
 
 _OUTPUT_KEPT = 1 << 20
 """Bytes of output that one step may add to the log; the rest of what it printed is left out."""
 
-_START = "import sys; sys.path[:] = {path!r}; from roslens.plugins.worker import main; main()"
+_START = """\
+from roslens.children.lifeline import end_with_parent
+end_with_parent({parent})
+from roslens.plugins.worker import main
+main()"""
 
 
 class WorkerProcess:
@@ -32,13 +37,13 @@ class WorkerProcess:
         self._read = 0
         with output.open("ab") as stream:
             self._process = subprocess.Popen(
-                [sys.executable, "-c", _START.format(path=[folder for folder in sys.path if folder])],
+                python_words(sys.executable, _START.format(parent=os.getpid()), path=sys.path),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=stream,
                 bufsize=0,
                 start_new_session=True,
-                env={**os.environ, "PYTHONHASHSEED": hash_seed},
+                env=safe_environment({**os.environ, "PYTHONHASHSEED": hash_seed}),
             )
         assert self._process.stdin is not None  # noqa: S101 - Popen was asked for pipes
         assert self._process.stdout is not None  # noqa: S101

@@ -63,12 +63,12 @@ class ProcessPool:
     def _run_pool(
         self, function: Callable[[Task], Result], tasks: Sequence[Task], lost: list[Task]
     ) -> Iterator[tuple[Task, Result | BaseException]]:
-        import multiprocessing
-        from concurrent.futures import ProcessPoolExecutor, as_completed
+        from concurrent.futures import as_completed
         from concurrent.futures.process import BrokenProcessPool
 
-        context = multiprocessing.get_context("forkserver" if os.name == "posix" else "spawn")
-        with ProcessPoolExecutor(min(self.jobs, len(tasks)) or 1, mp_context=context) as pool:
+        from roslens.children.worker_pool import worker_pool
+
+        with worker_pool(min(self.jobs, len(tasks)) or 1, "forkserver" if os.name == "posix" else "spawn") as pool:
             futures = {pool.submit(function, task): task for task in tasks}
             for future in as_completed(futures):
                 task = futures.pop(future)

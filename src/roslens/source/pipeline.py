@@ -338,7 +338,7 @@ def _header(run: _Run) -> RunHeader:
         key=run.key,
         root=run.workspace.root,
         started=run.clock.utc,
-        commit=commit_of(run.workspace.root),
+        commit=commit_of(run.workspace.root, (file for held in run.inventory.files.values() for file in held)),
         tools=tool_versions(run.plugins.members),
         configuration=msgspec.to_builtins(run.settings),
         models=run.settings.models,

@@ -9,6 +9,7 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from roslens.children.safe_path import NEUTRAL, python_words
 from roslens.live.inside.environment import undone
 from roslens.live.inside.slots import VARIABLE as COUNTERS
 from roslens.live.publish.downlink import Downlink
@@ -27,7 +28,7 @@ _PROBE_S = 20.0
 _BOOTSTRAPPED = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
 _PARENT = str(Path(__file__).parents[3])
 # What the other Python brings itself goes first: folders of another version may hold libraries that it cannot load.
-_START = "import sys; sys.path.append({parent!r}); from {module} import main; sys.exit(main(sys.argv[1:]))"
+_START = "sys.path.append({parent!r}); from {module} import main; sys.exit(main(sys.argv[1:]))"
 _ROS2 = "roslens.live.adapters.ros2.__main__"
 VARIABLE = "ROSLENS_ROS2_PYTHON"
 
@@ -71,11 +72,11 @@ def find_ros2_python(option: str, environment: Mapping[str, str]) -> str:
 
 
 def _unfit(python: str, environment: Mapping[str, str]) -> str:
-    code = f"import sys; sys.path.append({_PARENT!r}); import rclpy, msgspec"
+    code = f"sys.path.append({_PARENT!r}); import rclpy, msgspec"
     try:
         ended = subprocess.run(
-            [python, "-c", code], env=clean_environment(environment), capture_output=True, text=True,
-            timeout=_PROBE_S, check=False, stdin=subprocess.DEVNULL,
+            python_words(python, code), env=clean_environment(environment), capture_output=True, text=True,
+            timeout=_PROBE_S, cwd=NEUTRAL, check=False, stdin=subprocess.DEVNULL,
         )  # fmt: skip
     except OSError as error:
         return error.strerror or str(error)
@@ -86,7 +87,7 @@ def _unfit(python: str, environment: Mapping[str, str]) -> str:
 
 def ros2_command(python: str, words: Sequence[str], module: str = _ROS2) -> list[str]:
     """Return the command that runs ``main`` of a module, by default that which observes ROS 2, in another Python."""
-    return [python, "-c", _START.format(parent=_PARENT, module=module), *words]
+    return python_words(python, _START.format(parent=_PARENT, module=module), words)
 
 
 class Child:
@@ -155,7 +156,7 @@ class Child:
         self.starts += 1
         try:
             self._process = subprocess.Popen(
-                self._command, env=self._environment,
+                self._command, env=self._environment, cwd=NEUTRAL,
                 stdin=subprocess.DEVNULL if self._downlink is None else subprocess.PIPE,
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0,
             )  # fmt: skip

@@ -1,16 +1,10 @@
 """Units of a workspace, on small programs."""
 
 from roslens.source.extract.cpp_program import program_of_cpp
+from roslens.source.extract.makes_endpoints import MAKE, STEMS, makes_endpoints
 from roslens.source.extract.python_program import program_of_python
 from roslens.source.extract.workspace_index import Index
-from roslens.source.extract.workspace_units import (
-    _MAKE,
-    _STEMS,
-    facts_of_workspace,
-    makes_endpoints,
-    never_followed,
-    unreached,
-)
+from roslens.source.extract.workspace_units import facts_of_workspace, never_followed, unreached
 from roslens.source.syntax.macros import load_macros
 
 MACROS = load_macros()
@@ -125,4 +119,4 @@ def test_a_function_that_nothing_calls_is_told():
 
 
 def test_all_that_makes_endpoints_is_found_by_its_letters():
-    assert [name for name in sorted(_MAKE) if not any(stem.decode() in name for stem in _STEMS)] == []
+    assert [name for name in sorted(MAKE) if not any(stem.decode() in name for stem in STEMS)] == []

@@ -61,6 +61,7 @@ class Definitions:
         self._templates: tuple[str, ...] = ()
         self._own_templates: tuple[str, ...] = ()
         self._bases: dict[str, tuple[str, ...]] = {}
+        self._hidden = 0
 
     def add(self, nodes: Iterable[Node], out: Statements) -> None:
         """Add what ``nodes`` define to the program, and what they do where no function is to ``out``."""
@@ -117,7 +118,9 @@ class Definitions:
         if name is not None:
             scope = self._lowered.qualified(dotted(text_of(self._lowered.text(name))))
         around = self._enter("file", self._templates, scope, self._lowered.class_name)
+        self._hidden += name is None
         self.add(body.named_children, out)
+        self._hidden -= name is None
         self._leave(around)
 
     def _template(self, node: Node, out: Statements) -> None:
@@ -235,10 +238,16 @@ class Definitions:
                 if one.type[-1:] == "&" and one.name and "const" not in one.type:
                     sets += (one.name,)
         hands = outer.type in _HANDING and b"const" not in self._lowered.source[node.start_byte : outer.start_byte]
+        local = not class_name and (self._hidden > 0 or self._is_static(node))
         function = Function(
-            name, qualified, line, class_name, parameters, first, statements, templates, sets=sets, hands=hands
-        )
+            name, qualified, line, class_name, parameters, first, statements, templates,
+            sets=sets, hands=hands, local=local,
+        )  # fmt: skip
         self._lowered.end_function(index, function)
+
+    def _is_static(self, node: Node) -> bool:
+        kinds = (child for child in node.named_children if child.type == "storage_class_specifier")
+        return any(self._lowered.text(one) == b"static" for one in kinds)
 
     def _initialisers(self, node: Node, class_name: str) -> tuple[Statement, ...]:
         listed = next((one for one in node.named_children if one.type == "field_initializer_list"), None)

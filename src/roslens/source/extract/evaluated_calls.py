@@ -120,7 +120,7 @@ class Calls(Expressions):
         key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
         meant = lookups.outside.get(key)
         if meant is None:
-            found = engine.function(name, key[-1]) or self.defined(name)
+            found = engine.function(name, key[-1], arguments) or self.defined(name)
             if isinstance(found, Callable) and "." in name:
                 found = self._overload(found, name, arguments)
             place = (name, frame.path, frame.scope)
@@ -129,7 +129,7 @@ class Calls(Expressions):
             if isinstance(found, _FUNCTIONS):
                 return self._apply(found, expression, arguments, keywords, templates)
             meant = engine.index.meaning(*place), engine.index.alias(*place)
-            if found is None:
+            if found is None and not engine.index.functions_of(*place):
                 lookups.outside[key] = meant
         meaning, alias = meant
         if "<" in alias and not templates:

@@ -13,6 +13,7 @@ from roslens.source.extract.evaluation_frame import Frame, either, one_of, one_o
 from roslens.source.extract.list_slices import is_slice, part_of
 from roslens.source.extract.module_values import module_value
 from roslens.source.extract.operand_ways import after_others, does_something, way_of
+from roslens.source.extract.overload_choice import known_function
 from roslens.source.extract.perhaps import Perhaps, is_counted
 from roslens.source.extract.plain_methods import SAME, formatted, hashable
 from roslens.source.extract.plugin_held import item_held
@@ -113,7 +114,10 @@ class Expressions:
         known, key = engine.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
         found = known.get(key)
         if found is None:
-            found = known[key] = _defined(engine, of, name)
+            found = _defined(engine, of, name)
+            if found[0] not in ("function", "") or len(engine.index.functions_of(name, frame.path, frame.scope)) < 2:
+                # Which of several functions is meant depends on the program.
+                known[key] = found
         kind, one, other = found
         if kind == "constant":
             return self._constant(one, other)
@@ -403,8 +407,9 @@ def _defined(engine: Evaluation, of: Defined | None, name: str) -> tuple[str, An
     if found is not None:
         return "class", found, None
     functions = index.functions_of(name, frame.path, frame.scope)
-    if functions and isinstance(functions[0].what, Function):
-        return "function", functions[0].what, functions[0].path
+    chosen = known_function(index, functions, (frame.path, engine.first.path))
+    if chosen is not None and isinstance(chosen.what, Function):
+        return "function", chosen.what, chosen.path
     return "", None, None
 
 

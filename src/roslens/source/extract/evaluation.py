@@ -30,6 +30,7 @@ from roslens.source.extract.evaluated_statements import assign, block, initialis
 from roslens.source.extract.evaluation_bounds import MOST_DEPTH, MOST_OF_PLUGIN, MOST_STEPS, SpentError
 from roslens.source.extract.evaluation_frame import Frame, bind_rest, join
 from roslens.source.extract.lookups import Found
+from roslens.source.extract.makes_endpoints import makes_endpoints
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.overload_choice import overload, taking
@@ -47,6 +48,7 @@ _NONE = Text()
 _TYPED = (list, int)
 _SHARING = ("&", "*")
 _SHARED = (list, dict)
+_FEW = 3
 
 KNOWN_BETTER = frozenset({"declare_or_get_parameter"})
 """Methods of nodes whose meaning the vocabulary knows, wherever they are defined."""
@@ -342,18 +344,37 @@ class Evaluation(Objects):
             hidden = hidden or (chosen.what, chosen.path)
         return hidden
 
-    def function(self, name: str, count: int) -> Callable | None:
+    def function(self, name: str, count: int, arguments: Sequence[Any] = ()) -> Callable | None:
         """Return the function outside of classes that a name means and that takes so many arguments."""
         frame, known = self.frame, self.index.lookups.functions
         key = (name, frame.path, frame.scope, count)
-        found = known[key] if key in known else known.setdefault(key, self._function(name, count))
+        if key in known:
+            found = known[key]
+        else:
+            several = self.index.functions_of(name, frame.path, frame.scope)
+            found = self._function(several, name, count, arguments)
+            if len(several) < 2:
+                known[key] = found
         return None if found is None else Callable(found[0], found[1])
 
-    def _function(self, name: str, count: int) -> Found:
-        chosen = overload(self.index, self.index.functions_of(name, self.frame.path, self.frame.scope), count)
+    def _function(self, several: list[Defined], name: str, count: int, arguments: Sequence[Any]) -> Found:
+        running = self._stack[-1] if self._stack else ("", 0)
+        chosen = overload(self.index, several, count, arguments, running, (self.frame.path, self.first.path))
+        if chosen is None:
+            self._unknown_which(name, several)
         if chosen is None or not isinstance(chosen.what, Function) or chosen.what.class_name:
             return None
         return chosen.what, chosen.path
+
+    def _unknown_which(self, name: str, several: list[Defined]) -> None:
+        """Note a call of a function that makes endpoints, where the program of none of that name is this one."""
+        makes = [one for one in several if isinstance(one.what, Function) and makes_endpoints(one.what)]
+        if not makes:
+            return
+        places = ", ".join(f"{one.path}:{one.what.line}" for one in makes[:_FEW]) + (" …" if len(makes) > _FEW else "")
+        reason = f"{name}() is called, but none that is known to be linked here: there is {places}"
+        if (self.site, reason) not in self.node.unresolved:
+            self.node.unresolved.append((self.site, reason))
 
     def written_at(self, line: int) -> None:
         """Note the line at which something is made next that no call makes."""
@@ -371,7 +392,7 @@ class Evaluation(Objects):
     def _bind(self, what: Function, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
         declared, given, names = None, len(arguments), frame.names
         if given < len(what.parameters):
-            declared = self.index.declaration(what)
+            declared = self.index.declaration(what, frame.path)
         for place, parameter in enumerate(what.parameters):
             if parameter.name[:1] == "*":
                 given = min(given, place)

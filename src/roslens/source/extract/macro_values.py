@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 
-from roslens.source.extract.own_names import Needs, Packages, including, reached
+from roslens.source.extract.included_files import Needs, Packages, including, reached
 from roslens.source.extract.program import Expression, Program
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from roslens.source.extract.abstract_value import Callable, Handle, Obj
+from roslens.source.extract.linkage import Near
 from roslens.source.extract.program import Function
 from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_index import Defined, Index, type_name
@@ -19,9 +20,13 @@ _HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
 
 
 def overload(
-    index: Index, found: list[Defined], count: int, arguments: Sequence[Any] = (), running: tuple[str, int] = ("", 0)
-) -> Defined | None:
+    index: Index, found: list[Defined], count: int, arguments: Sequence[Any] = (), running: tuple[str, int] = ("", 0),
+    at: tuple[str, str] = ("", ""),
+) -> Defined | None:  # fmt: skip
     """Return the function that takes so many arguments, else the one with the most to say.
+
+    Of functions outside of classes that are those which the file that calls knows; of several files that are linked
+    with it none.
 
     Args:
         index: that knows how functions are declared.
@@ -29,8 +34,11 @@ def overload(
         count: how many arguments are given.
         arguments: those that are known, which decide where several functions take so many.
         running: path and line of the function that calls: it calls another one of its name, rather than itself.
+        at: path of the file that calls and of the program that it is a part of, where linkage decides.
     """
     functions = [one for one in found if isinstance(one.what, Function)]
+    near = _near(index, functions, at)
+    functions = [one for one in functions if (one.path, _line(one)) in near] if at[0] else functions
     if len(functions) < 2:
         return functions[0] if functions else None
     best = taking(index, functions, count) or functions
@@ -38,8 +46,32 @@ def overload(
         fits = [fit(one, arguments) for one in best]
         most = max(fits)
         best = [one for one, fitting in zip(best, fits, strict=True) if fitting == most]
-        best = [one for one in best if (one.path, getattr(one.what, "line", 0)) != running] or best
+        best = [one for one in best if (one.path, _line(one)) != running] or best
+    if at[0]:
+        nearest = min(near[one.path, _line(one)] for one in best)
+        best = [one for one in best if near[one.path, _line(one)] is nearest]
+        if nearest >= Near.LINKED and len({one.path for one in best}) > 1:
+            return None
     return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)
+
+
+def _line(one: Defined) -> int:
+    return one.what.line
+
+
+def _near(index: Index, found: list[Defined], at: tuple[str, str]) -> dict[tuple[str, int], Near]:
+    """Return how the file that calls knows functions, those that it does not know left out."""
+    path, unit = at
+    program = index.programs.get(path)
+    known = index.linkage.near if program is not None and program.language == "cpp" else None
+    near: dict[tuple[str, int], Near] = {}
+    for one in found:
+        what = one.what
+        if not isinstance(what, Function) or what.class_name or known is None:
+            near[one.path, what.line] = Near.OWN
+        elif (how := known(path, one.path, unit, local=what.local)) is not None:
+            near[one.path, what.line] = how
+    return near
 
 
 def taking(index: Index, found: list[Defined], count: int) -> list[Defined]:
@@ -48,8 +80,19 @@ def taking(index: Index, found: list[Defined], count: int) -> list[Defined]:
     return [
         one
         for one, what in functions
-        if isinstance(what, Function) and count <= len(what.parameters) and _least(index, what) <= count
+        if isinstance(what, Function) and count <= len(what.parameters) and _least(index, what, one.path) <= count
     ]
+
+
+def known_function(index: Index, found: list[Defined], at: tuple[str, str]) -> Defined | None:
+    """Return the function of a name that a file knows best, see :func:`overload`; None where several are as near."""
+    near = _near(index, found, at)
+    known = [one for one in found if (one.path, _line(one)) in near]
+    if not known:
+        return None
+    nearest = min(near[one.path, _line(one)] for one in known)
+    best = [one for one in known if near[one.path, _line(one)] is nearest]
+    return best[0] if nearest < Near.LINKED or len({one.path for one in best}) == 1 else None
 
 
 def taking_so_many(index: Index, callback: Callable, count: int) -> Callable:
@@ -58,15 +101,16 @@ def taking_so_many(index: Index, callback: Callable, count: int) -> Callable:
     if len(function.parameters) == count or function.name == "lambda":
         return callback
     several = index.functions_of(function.qualified_name, callback.path, "")
-    found = taking(index, several, count) if len(several) > 1 else []
+    near = _near(index, several, (callback.path, "")) if len(several) > 1 else {}
+    found = [one for one in taking(index, several, count) if (one.path, _line(one)) in near]
     if not found or not isinstance(chosen := found[0].what, Function):
         return callback
     return Callable(chosen, found[0].path, callback.self, callback.names, callback.arguments)
 
 
-def _least(index: Index, function: Function) -> int:
+def _least(index: Index, function: Function, path: str) -> int:
     """Return how many arguments a function needs, of which its declaration may have defaults."""
-    declared = index.declaration(function) or function
+    declared = index.declaration(function, path) or function
     pairs = zip(function.parameters, declared.parameters, strict=True)
     return sum(own.default is None and other.default is None for own, other in pairs)
 

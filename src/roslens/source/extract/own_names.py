@@ -8,20 +8,11 @@ headers of one name each, it is that of its own package, else of one that its pa
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from os.path import commonpath
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
+from roslens.source.extract.included_files import HEADERS, Needs, Packages, including, reached
 from roslens.source.extract.program import Assign, Name, Program
-
-HEADERS = (".h", ".hpp", ".hh", ".hxx")
-"""Ends of the names of files that others include."""
-
-
-Packages = Mapping[str, str]
-"""The package of each file."""
-Needs = Mapping[str, Collection[str]]
-"""The packages that each package depends on."""
 
 
 def own_names(
@@ -68,42 +59,3 @@ def _by_header(
             for path in seen[header]:
                 if path == header or not any(path in other for other in others):
                     found.setdefault(path, {}).setdefault(name, header)
-
-
-def including(programs: Mapping[str, Program], packages: Packages, needs: Needs) -> dict[str, set[str]]:
-    """Return the files that include each header of the workspace."""
-    by_name: dict[str, list[str]] = {}
-    for path in programs:
-        if path.endswith(HEADERS):
-            by_name.setdefault(path.rpartition("/")[2], []).append(path)
-    found: dict[str, set[str]] = {}
-    for path, program in programs.items():
-        for line, _ in program.includes:
-            wanted = line.strip('<>"')
-            fit = [one for one in by_name.get(wanted.rpartition("/")[2], ()) if f"/{one}".endswith(f"/{wanted}")]
-            if fit:
-                near = fit[0] if len(fit) == 1 else _meant(fit, path, packages, needs)
-                found.setdefault(near, set()).add(path)
-    return found
-
-
-def _meant(headers: Sequence[str], path: str, packages: Packages, needs: Needs) -> str:
-    own = packages.get(path, "")
-    depends = needs.get(own, ())
-
-    def rank(one: str) -> tuple[bool, bool, int, str]:
-        package = packages.get(one, "")
-        return bool(own) and package == own, package in depends, len(commonpath((one, path))), one
-
-    return max(headers, key=rank)
-
-
-def reached(header: str, including: Mapping[str, set[str]]) -> set[str]:
-    """Return the files that see a header, itself among them."""
-    seen, waiting = {header}, [header]
-    while waiting:
-        for path in including.get(waiting.pop(), ()):
-            if path not in seen:
-                seen.add(path)
-                waiting.append(path)
-    return seen

@@ -205,6 +205,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
         templates: names of its template parameters, those of its class first.
         decorators: Python's, as expressions.
         hands: whether it is of C++ and returns a reference or pointer to what may be changed.
+        local: whether it is of C++ and known to its own file only: ``static``, or in a namespace without name.
         sets: names that statements of C++ set which were left out, those of members among them, and parameters that
             such statements may set for the caller.
     """
@@ -220,6 +221,7 @@ class Function(msgspec.Struct, frozen=True, omit_defaults=True):
     decorators: tuple[Expression, ...] = ()
     sets: tuple[str, ...] = ()
     hands: bool = False
+    local: bool = False
 
 
 class Field(msgspec.Struct, frozen=True, array_like=True):

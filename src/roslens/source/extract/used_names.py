@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
 
-from roslens.source.extract.own_names import HEADERS, Needs, Packages, including, reached
+from roslens.source.extract.included_files import HEADERS, Needs, Packages, including, reached
 from roslens.source.extract.program import Program
 
 _DEEPEST = 4

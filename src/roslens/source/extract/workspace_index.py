@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.source.extract.included_files import Needs, Packages
 from roslens.source.extract.interfaces_by_package import InterfacesByPackage
+from roslens.source.extract.linkage import Linkage
 from roslens.source.extract.lookups import Lookups
 from roslens.source.extract.macro_values import MacroValues
-from roslens.source.extract.own_names import Needs, Packages, own_names
+from roslens.source.extract.outside_values import OutsideValues
+from roslens.source.extract.own_names import own_names
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -31,7 +34,7 @@ from roslens.source.extract.type_names import dotted, type_arguments, type_name
 from roslens.source.extract.used_names import UsedNames
 
 if TYPE_CHECKING:
-    from roslens.source.extract.node_facts import NodeFacts
+    from roslens.source.extract.node_facts import NodeFacts, Target
     from roslens.source.extract.parameter_library import ParameterLibrary
 
 __all__ = ["Defined", "Index", "assigned_names", "dotted", "type_arguments", "type_name"]
@@ -52,14 +55,26 @@ class Index:
     Attributes:
         programs: by path.
         interfaces: that packages have, by name.
+        linkage: which definitions files of C++ can mean.
         parameter_libraries: code that builds generate to declare parameters, which no program holds.
         units: what units came to, and the functions that they called; None where none is asked for again.
     """
 
     def __init__(
-        self, programs: Mapping[str, Program], packages: Packages | None = None, needs: Needs | None = None
+        self,
+        programs: Mapping[str, Program],
+        packages: Packages | None = None,
+        needs: Needs | None = None,
+        targets: Iterable[Target] = (),
     ) -> None:
-        """Index programs by path, with the package of each (by default its first folder) and what packages need."""
+        """Index programs by path.
+
+        Args:
+            programs: of the workspace.
+            packages: of each file; by default its first folder.
+            needs: what packages depend on.
+            targets: that builds make.
+        """
         # What the vocabulary knows is meant by it too where its source is in the workspace.
         from roslens.source.extract.vocabulary import known_names
 
@@ -69,16 +84,16 @@ class Index:
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
         self.units: dict[tuple[str, ...], tuple[list[NodeFacts], set[tuple[str, int]]]] | None = None
         self.interfaces = InterfacesByPackage(packages or {})
+        self.linkage = Linkage(self.programs, packages or {}, needs or {}, targets)
         self._own = own_names(self.programs, packages or {}, needs or {})
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}
         self._functions: dict[str, list[Defined]] = {}
         self._classes_by_last: dict[str, list[Defined]] = {}
         self._functions_by_last: dict[str, list[Defined]] = {}
-        self._constants: dict[str, tuple[str, Expression]] = {}
-        self._declared: dict[tuple[str, int], Function] = {}
+        self._outside = OutsideValues(self.linkage)
         self._methods: dict[str, list[Defined]] = {}
-        self._modules = PythonModules(self.programs, self._outer)
+        self._modules = PythonModules(self.programs, self._outer, self.linkage)
         self._used = UsedNames(self.programs, self._outer, packages or {}, needs or {})
         self._aliases: dict[str, str] = {}
         self._header_aliases: dict[tuple[str, str], set[str]] = {}
@@ -119,7 +134,7 @@ class Index:
             if not before:
                 self._globals.add(whole)
             if statement.value is not None:
-                self._constants.setdefault(whole, (path, statement.value))
+                self._outside.add(whole, path, statement.value)
         self._last_aliases.update(alias.rpartition(".")[2] for alias in program.imports)
         for alias, meaning in program.imports.items() if not before else ():
             if "." not in alias and path.endswith((".h", ".hpp", ".hh", ".hxx")):
@@ -127,8 +142,7 @@ class Index:
             if "." in alias:
                 # What a class or namespace names otherwise holds in all files that are in it.
                 self._aliases.setdefault(alias, meaning)
-        for declared in program.declarations:
-            self._declared.setdefault((declared.qualified_name, len(declared.parameters)), declared)
+        self._outside.add_file(path, program)
 
     @cached_property
     def headers(self) -> frozenset[str]:
@@ -146,7 +160,7 @@ class Index:
                 self._classes_by_last.setdefault(one.name, []).append(defined)
             for field in one.fields:
                 if field.value is not None:
-                    self._constants.setdefault(f"{before}{one.qualified_name}.{field.name}", (path, field.value))
+                    self._outside.add(f"{before}{one.qualified_name}.{field.name}", path, field.value)
 
     def _add_functions(self, path: str, program: Program) -> None:
         for function in program.functions:
@@ -383,7 +397,7 @@ class Index:
 
     def member(self, defined: Defined, name: str) -> tuple[str, Expression] | None:
         """Return the file and value of a constant of a class."""
-        return self._constants.get(f"{self.key(defined)}.{name}")
+        return self._outside.first(f"{self.key(defined)}.{name}")
 
     def constant(self, name: str, path: str, scope: str) -> tuple[str, Expression, str] | None:
         """Return the file, the value and the whole name of a constant outside of functions."""
@@ -393,9 +407,12 @@ class Index:
         return self._found_constants[key]
 
     def _constant(self, name: str, path: str, scope: str) -> tuple[str, Expression, str] | None:
+        # Names of modules of Python have their file in them.
+        everywhere = self._is_python(path) or path not in self.programs
         for one in self.named(name, path, scope):
-            if one in self._constants:
-                return (*self._constants[one], one.rpartition(":")[2])
+            found = self._outside.first(one) if everywhere else self._outside.constant(one, path)
+            if found is not None:
+                return (*found, one.rpartition(":")[2])
         value = self._macros.value(name, path)
         return None if value is None else (path, value, name)
 
@@ -410,9 +427,9 @@ class Index:
             self._found_globals[key] = found
         return found
 
-    def declaration(self, function: Function) -> Function | None:
-        """Return how a function is declared elsewhere, with the defaults of its parameters."""
-        return self._declared.get((function.qualified_name, len(function.parameters)))
+    def declaration(self, function: Function, path: str = "") -> Function | None:
+        """Return how a function of a file is declared elsewhere, with the defaults of its parameters."""
+        return self._outside.declaration(function, path)
 
     def chain(self, defined: Defined) -> list[Defined]:
         """Return a class and its bases in the workspace, nearest first, each once."""

@@ -17,6 +17,7 @@ from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
 from roslens.source.extract.files import FolderFiles
 from roslens.source.extract.kept_program import becomes_nodes, plain, squeezed
+from roslens.source.extract.node_facts import Target
 from roslens.source.extract.parameter_library import ParameterLibrary, parameter_library
 from roslens.source.extract.targets import Build, build_of
 from roslens.source.extract.workspace_index import Index
@@ -158,7 +159,13 @@ class WorkspaceParts:
         """A key of what the facts of units depend on: programs and their packages."""
         files = sorted((file.path, file.content_hash, file.language.value) for file in self.sources())
         owners = sorted(self.owners.items())
-        return key_of(analyser_version(), self._macros, files, owners, self.libraries, self.needs)
+        parts = sorted({(one.package, one.name, one.kind.value, one.sources) for one in self.targets})
+        return key_of(analyser_version(), self._macros, files, owners, self.libraries, self.needs, parts)
+
+    @property
+    def targets(self) -> list[Target]:
+        """What the builds of all packages make."""
+        return [target for build in self.builds.builds.values() for target in build.targets]
 
     @cached_property
     def programs(self) -> WorkspacePrograms:
@@ -170,7 +177,7 @@ class WorkspaceParts:
     @cached_property
     def index(self) -> Index:
         """What the programs of the workspace define."""
-        index = Index(self.programs.programs, self.owners, self.needs)
+        index = Index(self.programs.programs, self.owners, self.needs, self.targets)
         index.parameter_libraries = self.libraries
         index.units = {} if self.again else None
         return index

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import msgspec
-from msgspec.structs import astuple
-
 from roslens.source.extract.launched import Unresolved
+from roslens.source.extract.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.node_bases import generation_of
 from roslens.source.extract.node_facts import Evidence, NodeFacts
 from roslens.source.extract.node_units import (
@@ -20,21 +18,10 @@ from roslens.source.extract.node_units import (
     node_classes,
     registered,
 )
-from roslens.source.extract.program import Call, Function, Lambda, Literal, Member, Name, Opaque
+from roslens.source.extract.program import Function
 from roslens.source.extract.workspace_index import Defined, Index
 
-_MAKE = frozenset(
-    {"create_publisher", "create_subscription", "create_service", "create_client", "create_wall_timer", "advertise",
-     "subscribe", "advertiseService", "serviceClient", "create_action_server", "create_action_client", "Publisher",
-     "Subscriber", "ServiceProxy", "create_server", "ActionClient", "ActionServer", "advertiseCamera",
-     "subscribeCamera", "SimpleActionClient", "SimpleActionServer", "RealtimePublisher", "InteractiveMarkerServer"}
-)  # fmt: skip
-_LEAVES = frozenset({str, int, float, bool, type(None), Literal, Name, Opaque, Lambda})
-"""What holds no call."""
-_STEMS = (b"create_", b"dvertise", b"ubscribe", b"Publisher", b"ervice", b"Client", b"Server")
-"""Some of these letters are in each name of :data:`_MAKE`: to find them takes a tenth of looking at each call."""
 _REGISTRY = "BT_REGISTER_NODES"
-_encode = msgspec.msgpack.Encoder().encode
 NEVER_FOLLOWED = "this function makes endpoints, but nothing that was followed calls it"
 
 
@@ -114,24 +101,6 @@ def never_followed(index: Index, reached: Reached) -> Iterator[Unresolved]:
     """
     for path in sorted(index.programs):
         for one in index.programs[path].functions:
-            named = one.templates or one.name.startswith("TEST") or not _MAKE.isdisjoint(one.qualified_name.split("."))
+            named = one.templates or one.name.startswith("TEST") or not MAKE.isdisjoint(one.qualified_name.split("."))
             if not named and (path, one.line) not in reached and makes_endpoints(one):
                 yield Unresolved(f"{one.qualified_name}()", Evidence(path, one.line), NEVER_FOLLOWED)
-
-
-def makes_endpoints(function: Function) -> bool:
-    """Whether a function calls something that makes an endpoint, by its name."""
-    written = _encode((function.initialisers, function.body))
-    if not any(stem in written for stem in _STEMS):
-        return False
-    waiting: list[object] = [function.initialisers, function.body]
-    while waiting:
-        one = waiting.pop()
-        if isinstance(one, tuple):
-            waiting += [part for part in one if type(part) not in _LEAVES]
-        elif isinstance(one, msgspec.Struct):
-            called = one.function if isinstance(one, Call) else None
-            if isinstance(called, Name | Member) and called.name.rpartition(".")[2] in _MAKE:
-                return True
-            waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
-    return False

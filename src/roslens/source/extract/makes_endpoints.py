@@ -1,0 +1,38 @@
+"""Whether a function makes an endpoint, by the names that it calls."""
+
+from __future__ import annotations
+
+import msgspec
+from msgspec.structs import astuple
+
+from roslens.source.extract.program import Call, Function, Lambda, Literal, Member, Name, Opaque
+
+MAKE = frozenset(
+    {"create_publisher", "create_subscription", "create_service", "create_client", "create_wall_timer", "advertise",
+     "subscribe", "advertiseService", "serviceClient", "create_action_server", "create_action_client", "Publisher",
+     "Subscriber", "ServiceProxy", "create_server", "ActionClient", "ActionServer", "advertiseCamera",
+     "subscribeCamera", "SimpleActionClient", "SimpleActionServer", "RealtimePublisher", "InteractiveMarkerServer"}
+)  # fmt: skip
+_LEAVES = frozenset({str, int, float, bool, type(None), Literal, Name, Opaque, Lambda})
+"""What holds no call."""
+STEMS = (b"create_", b"dvertise", b"ubscribe", b"Publisher", b"ervice", b"Client", b"Server")
+"""Some of these letters are in each name of :data:`MAKE`: to find them takes a tenth of looking at each call."""
+_encode = msgspec.msgpack.Encoder().encode
+
+
+def makes_endpoints(function: Function) -> bool:
+    """Whether a function calls something that makes an endpoint, by its name."""
+    written = _encode((function.initialisers, function.body))
+    if not any(stem in written for stem in STEMS):
+        return False
+    waiting: list[object] = [function.initialisers, function.body]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, tuple):
+            waiting += [part for part in one if type(part) not in _LEAVES]
+        elif isinstance(one, msgspec.Struct):
+            called = one.function if isinstance(one, Call) else None
+            if isinstance(called, Name | Member) and called.name.rpartition(".")[2] in MAKE:
+                return True
+            waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
+    return False

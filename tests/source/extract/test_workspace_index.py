@@ -1,4 +1,4 @@
-from roslens.source.extract.workspace_index import assigned_names
+from roslens.source.extract.assigned_names import assigned_names
 
 CPP = """
 #include <std_msgs/String.h>

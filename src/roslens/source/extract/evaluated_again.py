@@ -12,10 +12,10 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.assigned_names import assigned_names
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Assign, Function, Member, Name
-from roslens.source.extract.workspace_index import assigned_names
 
 HEAVY = 100
 """So many steps are worth remembering; what takes fewer is followed each time."""

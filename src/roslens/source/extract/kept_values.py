@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Obj, QosValue, Unknown
+from roslens.source.extract.assigned_names import assigned_names
 from roslens.source.extract.program import Assign, Name, Return
 from roslens.source.extract.text import Text
-from roslens.source.extract.workspace_index import assigned_names
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation

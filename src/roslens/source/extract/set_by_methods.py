@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import astuple
 
 from roslens.source.extract.abstract_value import Obj, Unknown
+from roslens.source.extract.assigned_names import assigned_names
 from roslens.source.extract.program import (
     Assign,
     Branch,
@@ -26,7 +27,6 @@ from roslens.source.extract.program import (
     Statement,
 )
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.workspace_index import assigned_names
 
 if TYPE_CHECKING:
     from roslens.source.extract.evaluation import Evaluation

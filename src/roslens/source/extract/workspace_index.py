@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.source.extract.assigned_names import assigned_names
 from roslens.source.extract.included_files import Needs, Packages
 from roslens.source.extract.interfaces_by_package import InterfacesByPackage
 from roslens.source.extract.linkage import Linkage
@@ -17,17 +18,13 @@ from roslens.source.extract.outside_values import OutsideValues
 from roslens.source.extract.own_names import own_names
 from roslens.source.extract.program import (
     Assign,
-    Branch,
     Call,
     Class,
     Evaluate,
     Expression,
     Function,
-    Loop,
-    Member,
     Name,
     Program,
-    Statement,
 )
 from roslens.source.extract.python_modules import PythonModules
 from roslens.source.extract.type_names import dotted, type_arguments, type_name
@@ -37,7 +34,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.node_facts import NodeFacts, Target
     from roslens.source.extract.parameter_library import ParameterLibrary
 
-__all__ = ["Defined", "Index", "assigned_names", "dotted", "type_arguments", "type_name"]
+__all__ = ["Defined", "Index", "dotted", "type_arguments", "type_name"]
 
 _CUSTOM = Name("RCLCPP_USING_CUSTOM_TYPE_AS_ROS_MESSAGE_TYPE")
 
@@ -470,21 +467,6 @@ class Index:
     @staticmethod
     def _bases(defined: Defined) -> tuple[str, ...]:
         return defined.what.bases if isinstance(defined.what, Class) else ()
-
-
-def assigned_names(body: tuple[Statement, ...]) -> set[str]:
-    """Return the last names of what statements assign."""
-    found: set[str] = set()
-    waiting: list[Statement] = list(body)
-    while waiting:
-        one = waiting.pop()
-        if isinstance(one, Assign) and isinstance(one.target, Name | Member):
-            found.add(one.target.name)
-        elif isinstance(one, Branch):
-            waiting += [*one.then, *one.otherwise]
-        elif isinstance(one, Loop):
-            waiting += [*one.body, *one.update]
-    return found
 
 
 def _before(path: str, program: Program) -> str:

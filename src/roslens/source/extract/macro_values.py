@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
 
-from roslens.source.extract.included_files import Needs, Packages, including, reached
+from roslens.source.extract.linkage import Linkage
 from roslens.source.extract.program import Expression, Program
 
 
 class MacroValues:
     """The macros of a workspace that stand for a value."""
 
-    def __init__(self, programs: Mapping[str, Program], packages: Packages, needs: Needs) -> None:
+    def __init__(self, programs: Mapping[str, Program], linkage: Linkage) -> None:
         """Collect them."""
         self._programs = programs
-        self._packages = packages
-        self._needs = needs
+        self._linkage = linkage
         self._defined: dict[str, list[str]] = {}
         for path, program in programs.items():
             for name in program.macros:
@@ -27,12 +25,9 @@ class MacroValues:
         program = self._programs.get(path)
         if program is not None and name in program.macros:
             return program.macros[name]
-        homes = self._defined.get(name, ()) if name.isupper() else ()
+        known = self._defined.get(name, ()) if name.isupper() else ()
+        homes = [one for one in known if self._linkage.may_know(path, one)]
         values = [self._programs[one].macros[name] for one in homes]
         if len(set(values)) > 1:
-            values = [self._programs[one].macros[name] for one in homes if path in reached(one, self._includers)]
+            values = [self._programs[one].macros[name] for one in homes if one in self._linkage.seen(path)]
         return values[0] if values and len(set(values)) == 1 else None
-
-    @cached_property
-    def _includers(self) -> dict[str, set[str]]:
-        return including(self._programs, self._packages, self._needs)

@@ -112,7 +112,7 @@ class Index:
         self._keys: dict[int, tuple[Class | Function, str]] = {}
         self._found_constants: dict[tuple[str, str, str], tuple[str, Expression, str] | None] = {}
         self._found_globals: dict[tuple[str, str, str], str] = {}
-        self._macros = MacroValues(self.programs, packages or {}, needs or {})
+        self._macros = MacroValues(self.programs, self.linkage)
         for path in sorted(self.programs):
             self._add(path, self.programs[path])
         for path in sorted(self.programs):

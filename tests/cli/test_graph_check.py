@@ -81,9 +81,43 @@ def test_everything_is_found_at_its_place(workspace, capsys):
         ("graph.qos", "talk/talk/nodes.py", 17),
         ("graph.parameter_type", "talk/launch/talk.launch.xml", 4),
         ("graph.executable", "talk/launch/talk.launch.xml", 7),
-        ("graph.argument", "talk/launch/talk.launch.xml", 2),
         ("graph.dependency", "talk/talk/nodes.py", 17),
     }
+    assert "graph.argument" not in {rule for rule, _, _ in findings}, "it may be meant to be included"
+
+
+def test_a_start_that_lacks_an_argument_is_a_finding(workspace, capsys):
+    _, findings = found(workspace, capsys, "--arg", "speed:=1")
+    assert ("graph.argument", "talk/launch/talk.launch.xml", 2) in findings
+    config = Path(workspace, "roslens.toml")
+    config.write_text('[graph.configurations.talk]\nlaunch = "talk/talk.launch.xml"\n')
+    assert main(["graph", workspace, "--launch", "talk", "--check", "--fail-on", "never"]) == 0
+    assert "argument `robot` must be given" in capsys.readouterr().out
+    main(["check", workspace, "--format", "json", "--fail-on", "never", "--no-store", "--no-cache", "-q"])
+    report = json.loads(capsys.readouterr().out)
+    assert any(one["rule"] == "graph.argument" for one in report["findings"])
+
+
+def test_a_missing_argument_is_told_beside_a_check(workspace, capsys):
+    main(["graph", workspace, "--launch", "talk/talk.launch.xml", "--check"])
+    assert "argument `robot` must be given" in capsys.readouterr().err
+
+
+def test_a_system_that_is_whole_is_held_to_it(workspace, capsys):
+    nodes = Path(workspace, "talk/talk/nodes.py")
+    nodes.write_text(nodes.read_text().replace('Subscription(String, "chatter"', 'Subscription(String, "gossip"'))
+    nodes.write_text(nodes.read_text().replace('subscription(String, "chatter"', 'subscription(String, "gossip"'))
+    Path(workspace, "talk/launch/talk.launch.xml").write_text(LAUNCH.replace("listner", "talker"))
+    config = Path(workspace, "roslens.toml")
+    severities = []
+    for whole in ("false", "true"):
+        config.write_text(f'[graph.configurations.talk]\nlaunch = "talk/talk.launch.xml"\nwhole = {whole}\n')
+        for command in (["graph", workspace, "--launch", "talk", "--check"], ["check", workspace, "--no-store"]):
+            main([*command, "--format", "json", "--fail-on", "never", "--no-cache", "-q"])
+            report = json.loads(capsys.readouterr().out)
+            findings = report["findings"] if isinstance(report, dict) else report
+            severities.append([one["severity"] for one in findings if one["entity"] == "topic:/gossip"])
+    assert severities == [["note"], ["note"], ["warning"], ["warning"]]
 
 
 def test_what_is_given_is_no_finding_and_nothing_fails_on_never(workspace, capsys):
@@ -96,9 +130,12 @@ def test_lines_for_people(workspace, capsys):
     assert main(["graph", workspace, "--launch", "talk/talk.launch.xml", "--check"]) == 1
     said = capsys.readouterr()
     lines = said.out.splitlines()
+    order = [("error", "warning", "note").index(line.split(": ")[1]) for line in lines]
+    assert order == sorted(order)
+    assert len(set(order)) > 1
     assert any(line.startswith("talk/talk/nodes.py:17: error: /listener ") and "[graph.qos]" in line for line in lines)
     errors = sum(": error: " in line for line in lines)
-    assert said.err.startswith(f"roslens: {errors} errors, ")
+    assert f"roslens: {errors} errors, " in said.err
     assert "; --fail-on error" in said.err
 
 

@@ -139,9 +139,11 @@ def test_findings_in_a_table_and_in_json(history, capsys):
 
 
 def test_findings_of_two_sets_of_arguments(history, capsys):
+    git(history, "checkout", "-q", "before", "--", ".")
     robot = "talk/robot.launch.xml"
     text = compared(history, capsys, "--diff", robot, f"{robot}:listening=false").out
-    assert "[graph.one_end]" in text
+    assert "findings: 1 gone" in text
+    assert "[graph.qos]" in text
 
 
 def test_findings_alone_are_a_difference(history, capsys):

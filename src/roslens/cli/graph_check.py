@@ -43,7 +43,9 @@ def check(source: GraphSource, found: tuple[Configuration, ...], options: argpar
 
     settings = find_configuration(root_of([options.path]), options.config)
     given = arguments_of(options.arg)
-    findings = [finding for one in found for finding in findings_of(source, one, options.launch or "", given)]
+    every = (finding for one in found for finding in findings_of(source, one, options.launch or "", given))
+    # The worst first; those of one severity stay sorted by place.
+    findings = sorted(every, key=lambda one: -one.severity.rank)
     fail_on = options.fail_on or settings.fail_on
     fails = fail_on != "never" and any(one.gated and one.severity.rank >= Severity(fail_on).rank for one in findings)
     write_result((_json if options.format == "json" else _text)(findings), options.output)

@@ -45,12 +45,15 @@ class Assembled(msgspec.Struct, frozen=True):
     def all_findings(self) -> tuple[Finding, ...]:
         """Return the findings of all configurations, sorted by place; what several have in common once.
 
-        Where it reads differently in several, as what comes near to a name does, the first has its say.
+        Where it reads differently in several, as what comes near to a name does, the most severe one has its say, and
+        of these the first.
         """
         every: dict[str, Finding] = {}
         for found in self.findings.values():
             for finding in found:
-                every.setdefault(finding.fingerprint, finding)
+                known = every.get(finding.fingerprint)
+                if known is None or finding.severity.rank > known.severity.rank:
+                    every[finding.fingerprint] = finding
         order = attrgetter("path", "line", "column", "rule", "entity", "message")
         return tuple(sorted(every.values(), key=order))
 
@@ -86,7 +89,9 @@ def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | 
     for one in named:
         try:
             made = source.launched(one.launch, one.arguments)
-            found = findings_of(source, made, one.launch, one.arguments)
+            # What is declared is known by its name: how it is started, and whether it is whole.
+            declared = one.name in source.settings.graph.configurations
+            found = findings_of(source, made, one.name if declared else one.launch, one.arguments)
         except Exception as error:  # noqa: BLE001 - one configuration must not lose the others
             failures.append(_failure(one, error))
         else:

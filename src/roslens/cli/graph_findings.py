@@ -37,6 +37,7 @@ def findings_of(
     from roslens.source.rules.graph import graph_findings
     from roslens.source.rules.graph.gather import surroundings_of
 
+    declared = source.settings.graph.configurations.get(launch)
     launch, arguments = source.meant(launch, given or {})
     names = [one.name for one in source.facts.packages]
     surroundings = surroundings_of(
@@ -49,7 +50,10 @@ def findings_of(
         paths={name: source.facts.paths(name) for name in names},
         programs=_calling(configuration, source),
         options=source.settings.options.get("graph", {}),
+        content=source.facts.files.content,
         together=bool(launch),
+        started=declared is not None or bool(given),
+        whole=declared is not None and declared.whole,
     )
     return list(_counted(graph_findings(configuration, surroundings), source, source.settings.gate_roles))
 

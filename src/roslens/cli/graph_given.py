@@ -19,5 +19,5 @@ def wrong_arguments(configuration: Configuration, given: Mapping[str, str]) -> I
     from roslens.source.rules.graph.argument import found
     from roslens.source.rules.graph.surroundings import Surroundings
 
-    for one in found(configuration, Surroundings(given=dict(given))):
+    for one in found(configuration, Surroundings(given=dict(given), started=True)):
         yield f"{one.path}:{one.line}: {one.message}"

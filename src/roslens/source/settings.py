@@ -57,10 +57,14 @@ class NodeHint(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_f
 
 
 class DeclaredConfiguration(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
-    """A system that runs together: a launch file (``package/file`` or a path) and its arguments."""
+    """A system that runs together: a launch file (``package/file`` or a path) and its arguments.
+
+    ``whole`` says that nothing else runs beside it: who waits for what nobody in it provides waits for ever.
+    """
 
     launch: str
     arguments: dict[str, str | bool | int | float] = {}
+    whole: bool = False
 
     def given(self) -> dict[str, str]:
         """Return the arguments as a launch file sees them: as text."""

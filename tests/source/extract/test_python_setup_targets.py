@@ -61,3 +61,9 @@ def test_all_files_of_a_package():
     setup = read_setup("p", Files(), frozenset({"p/setup.py", "p/setup.cfg", "p/pyproject.toml"}))
     assert [one.name for one in setup.programs] == ["a", "b", "c"]
     assert setup.script_folder == "$base/lib/p"
+
+
+def test_what_is_put_among_programs_as_data_is_one():
+    setup = Setup(data=(("lib/p", ("scripts/go.bash", "scripts/gone.bash")), ("share/p", ("package.xml",))))
+    targets, _ = setup_targets("p", "p", setup, frozenset({"p/scripts/go.bash", "p/package.xml"}), "lib/p")
+    assert [(one.name, one.sources, one.installed) for one in targets] == [("go.bash", ("p/scripts/go.bash",), True)]

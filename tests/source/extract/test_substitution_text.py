@@ -33,6 +33,8 @@ SCOPE = Scope(
         ("$(find-pkg-share gone)/config", "*/config"),
         ("$(env HOME)$(env GONE x)", "/h*"),
         ("$(eval '1 + $(var a)')", "2"),
+        (r"$(eval '1 + int(\'$(var a)\') ')", "2"),
+        (r"$(eval ' \'uas_\' + \'$(var b)\' ')", "uas_two"),
         ("$(eval \"'$(var b)' == 'two'\")", "True"),
         ("$(not $(var yes))", "false"),
         ("$(and $(var yes) $(not false))", "true"),

@@ -33,6 +33,13 @@ def test_parameters_of_roscpp(main_of):
     assert str(facts.endpoints[0].name) == "{parameter t}{parameter u}"
 
 
+def test_the_type_that_the_code_asks_for_is_that_of_the_parameter(main_of):
+    facts = main_of(
+        'bool b; float f; nh.param<bool>("b", b, "false"); nh.param<float>("f", f, 1); nh.param("s", b, "x");'
+    )
+    assert [(str(one.name), one.type) for one in facts.parameters] == [("b", "bool"), ("f", "double"), ("s", "string")]
+
+
 def test_a_name_with_a_random_end(units):
     text = (
         '#include <ros/ros.h>\nint main(int c, char ** v) { ros::init(c, v, "a", ros::init_options::AnonymousName); }'

@@ -98,6 +98,7 @@ def run(options: argparse.Namespace) -> int:
         if options.check:
             from roslens.cli.graph_check import check
 
+            _say_lacking(source, found, options)
             return check(source, found, options) or _complete(source, found)
         require_nodes(found, options.node)
         _say_given(source, found, options)
@@ -129,6 +130,12 @@ def _say_given(source: GraphSource, found: tuple[Configuration, ...], options: a
 
     for line in wrong_arguments(found[0], source.meant(options.launch, arguments_of(options.arg))[1]):
         print(f"roslens: {line}", file=sys.stderr)
+
+
+def _say_lacking(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
+    """Tell what a launch file needs of which nobody says how it is started: that is no finding."""
+    if not options.arg and options.launch not in source.settings.graph.configurations:
+        _say_given(source, found, options)
 
 
 def _complete(source: GraphSource, found: tuple[Configuration, ...]) -> int:

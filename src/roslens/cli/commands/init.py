@@ -66,6 +66,7 @@ statement = []
 # [graph.configurations.robot]
 # launch = "my_bringup/robot.launch.py"
 # arguments = { simulation = false }
+# whole = true    # nothing runs beside it: who waits for what nobody in it provides waits for ever
 [graph.configurations]
 
 # What code cannot tell of a node, for `roslens graph`; by its name, or by package/executable:

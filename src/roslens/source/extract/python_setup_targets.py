@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from posixpath import basename
 
 import msgspec
@@ -76,7 +76,18 @@ def setup_targets(
             continue
         where = evidence if found else _elsewhere(evidence, package)
         targets.append(Target(TargetKind.SCRIPT, package, basename(name), (path,), where, installed=found))
+    targets.extend(_data_targets(package, folder, setup, listing))
     return targets, unresolved
+
+
+def _data_targets(package: str, folder: str, setup: Setup, listing: frozenset[str]) -> Iterator[Target]:
+    """Yield the files that are put where programs are looked for, though they are installed as data."""
+    for target_folder, names in setup.data:
+        if target_folder == f"lib/{package}":
+            for path in (joined(folder, name) for name in names):
+                if path in listing:
+                    evidence = Evidence(joined(folder, "setup.py"), 0, how="installed as data")
+                    yield Target(TargetKind.SCRIPT, package, basename(path), (path,), evidence, installed=True)
 
 
 def _missing(program: EntryPoint) -> Unresolved:

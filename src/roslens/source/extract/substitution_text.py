@@ -141,9 +141,12 @@ def _one(inside: str, depth: int) -> Value:
 
 
 def _unquoted(written: str) -> str:
-    if len(written) > 1 and written[0] == written[-1] and written[0] in "'\"" and written.count(written[0]) == 2:
-        return written[1:-1]
-    return written
+    if len(written) < 2 or written[0] != written[-1] or written[0] not in "'\"":
+        return written
+    quote, inside = written[0], written[1:-1]
+    # One inside that is escaped does not end it.
+    plain = inside.replace(f"\\{quote}", "")
+    return inside.replace(f"\\{quote}", quote) if quote not in plain and not plain.endswith("\\") else written
 
 
 def _words(written: str) -> list[str]:

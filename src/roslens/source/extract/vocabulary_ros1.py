@@ -192,13 +192,21 @@ def wait_for_message(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return Unknown("a message")
 
 
+_TYPES = {"bool": "bool", "int": "int", "double": "double", "float": "double", "std::string": "string"}
+"""Types of roscpp's parameters by the template argument that asks for them."""
+
+
 @method("handle", "param", "getParam", "getParamCached", "param_cached")
 def read(engine: Evaluation, thing: Any, called: Called) -> Any:
     """A parameter is read, into a variable where one is given."""
     default = called.argument(2) if called.name == "param" and len(called.arguments) > 2 else None
     if called.name == "param" and len(called.arguments) == 2:
         default = called.argument(1)
-    value = parameter(engine, thing, called, "read", called.argument(0), default=default, given=default is not None)
+    # What is said in the code decides, not the type of the default: `param<bool>("x", x, "false")` reads a bool.
+    kind = _TYPES.get(called.templates[0], "") if called.templates else ""
+    value = parameter(
+        engine, thing, called, "read", called.argument(0), default=default, given=default is not None, kind=kind
+    )
     if len(called.written) > 1 and not (called.name == "param" and len(called.arguments) == 2):
         test = is_set(value)
         engine.assign(called.written[1], value if default is not None else else_before(value, called.argument(1)))

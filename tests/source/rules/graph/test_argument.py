@@ -10,7 +10,12 @@ MODE = ConfiguredArgument("mode", launched(3), "slow", "", ("slow", "fast"))
 
 def findings(**given):
     known = configuration(node("/a"), arguments=(ROBOT, MODE))
-    return list(found(known, Surroundings(given=given)))
+    return list(found(known, Surroundings(given=given, started=True)))
+
+
+def test_what_must_be_given_to_a_file_that_nobody_starts_is_no_mistake_of_it():
+    known = configuration(node("/a"), arguments=(ROBOT, MODE))
+    assert not list(found(known, Surroundings()))
 
 
 def test_an_argument_without_a_default_must_be_given():

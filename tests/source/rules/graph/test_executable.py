@@ -13,8 +13,8 @@ def findings(*nodes):
 def test_a_name_that_no_build_makes_is_told_with_what_was_meant():
     (one,) = findings(node("/slam", executable="slam_nod", line=4, known=False))
     assert one.message == (
-        "launch/robot.launch.xml:4 starts `slam_nod` of robot as /slam, which robot does not install. "
-        "Did you mean `slam_node`?"
+        "no executable `slam_nod` in package robot, which launch/robot.launch.xml:4 starts as /slam; "
+        "did you mean `slam_node`?"
     )
 
 
@@ -31,7 +31,20 @@ def test_what_is_installed_and_what_is_not_known_is_none():
 
 def test_a_nodelet_is_looked_for_in_its_package():
     (one,) = findings(node("/c", executable="robot/Filtre", package="nodelet", kind="nodelet"))
-    assert "Did you mean `Filter`?" in one.message
+    assert one.message.startswith("no nodelet `Filtre` in package robot")
+    assert one.message.endswith("; did you mean `Filter`?")
+
+
+def test_a_program_of_another_package_and_all_there_are():
+    installed = {
+        "robot": ("slam_node", "robot.slam:main", "CMakeLists.txt", "README.md", "talker.py"), "demo": ("talk",),
+    }  # fmt: skip
+    unlike, elsewhere = found(
+        configuration(node("/a", executable="talk", line=3), node("/b", executable="map_server", line=4)),
+        Surroundings(installed=installed),
+    )
+    assert elsewhere.message.endswith("; package demo has one of that name.")
+    assert unlike.message.endswith(". It installs slam_node, talker.py: correct the name, or install it.")
 
 
 def test_targets_that_stand_for_themselves_are_none():

@@ -73,7 +73,6 @@ def test_what_may_never_run_together():
     assert {one.rule: one.severity.value for one in apart} == {
         "graph.type": "note",
         "graph.qos": "note",
-        "graph.one_end": "note",
         "graph.global_name": "note",
     } | {one: value for one, value in together.items() if one in ("graph.private_data", "graph.queue")}
     assert all("no launch file says" in one.message for one in apart if one.rule in ("graph.type", "graph.qos"))

@@ -1,3 +1,4 @@
+from roslens.model.configuration import Proof
 from roslens.model.finding import Severity
 from roslens.source.rules.graph.node_name import found
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -40,3 +41,12 @@ def test_a_name_that_only_code_which_is_unknown_gives_is_no_name():
     guessed = [node("/spawner", known=False, proof=launched(line, sure="likely")) for line in (3, 7)]
     assert not findings(*guessed)
     assert findings(*(node("/spawner", known=False, line=line) for line in (3, 7)))
+
+
+def test_nodes_that_one_program_makes_are_none_and_programs_that_end_a_note():
+    units = [node("/px4flow", unit="main", defined=Proof("src/main.cpp", line)) for line in (3, 7, 7, 7)]
+    assert not findings(*units, generation="ros1")
+    assert len(findings(*units, *units, generation="ros1")) == 1
+    spawners = [node("/create", package="ros_gz_sim", executable="create", line=line) for line in (3, 7)]
+    assert [one.severity for one in findings(*spawners)] == [Severity.NOTE]
+    assert [one.severity for one in findings(*spawners, generation="ros1")] == [Severity.ERROR]

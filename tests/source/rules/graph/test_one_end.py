@@ -32,9 +32,8 @@ def test_a_name_of_another_type_is_none():
     found_ones = findings(
         node("/a", end("pub", "/scan_raw", "sensor_msgs/msg/Imu")), node("/b", end("sub", "/scan_row"))
     )
-    assert [("Candidate" in one.message, one.severity) for one in found_ones] == [
-        (False, Severity.WARNING),
-        (False, Severity.NOTE),
+    assert [(one.entity, "Candidate" in one.message, one.severity) for one in found_ones] == [
+        ("topic:/scan_row", False, Severity.NOTE)
     ]
 
 
@@ -48,7 +47,7 @@ def test_a_name_that_is_used_by_both_sides_is_no_candidate():
 def test_services_and_actions_need_a_server():
     found_ones = findings(node("/a", end("call", "/load", "m/srv/Load"), end("ask", "/dock", "m/action/Dock")))
     assert [one.entity for one in found_ones] == ["action:/dock", "service:/load"]
-    assert all(one.severity is Severity.WARNING and "which nobody serves" in one.message for one in found_ones)
+    assert all(one.severity is Severity.NOTE and "which nobody serves" in one.message for one in found_ones)
 
 
 def test_what_is_joined_and_what_is_elsewhere_is_none():
@@ -113,8 +112,49 @@ def test_a_name_that_a_launch_file_gives_a_node_of_the_catalogue_is_meant():
     assert [one.entity for one in findings(node("/amcl", remapped))] == ["topic:/narrow_scan"]
 
 
+def test_the_interface_of_a_driver_is_nothing_but_in_a_whole_system():
+    driver = node("/driver", end("pub", "/points"), end("serve", "/reset", "m/srv/Reset"), end("sub", "/trigger"))
+    (one,) = findings(driver)
+    assert (one.entity, one.severity) == ("topic:/trigger", Severity.NOTE)
+    assert [(one.entity, one.severity) for one in findings(driver, whole=True)] == [
+        ("topic:/trigger", Severity.WARNING),
+        ("service:/reset", Severity.NOTE),
+        ("topic:/points", Severity.NOTE),
+    ]
+
+
+def test_a_name_below_that_of_a_node_which_has_none_of_it_is_a_warning():
+    tracker = node("/tracker", end("pub", "/tracker/feature"), line=7)
+    (one,) = findings(tracker, node("/slam", end("sub", "/tracker/features", "m/msg/F", line=3)))
+    assert (one.entity, one.severity) == ("topic:/tracker/features", Severity.WARNING)
+    assert (
+        "The name is below that of /tracker (launch/robot.launch.xml:7), which has none of it: it publishes "
+        "`/tracker/feature`. Correct the name, or let /tracker have it." in one.message
+    )
+
+
+def test_nothing_is_expected_of_a_node_that_is_not_known_or_has_what_every_node_has():
+    waiting = node("/slam", end("sub", "/tracker/features"), end("call", "/tracker/get_state", "m/srv/G"))
+    every = end("serve", "/tracker/get_state", "m/srv/G", origin=Origin.IMPLICIT)
+    half = node("/tracker", end("pub", "/tracker/*", resolved=False), every)
+    assert [(one.entity, one.severity) for one in findings(waiting, half)] == [
+        ("topic:/tracker/features", Severity.NOTE)
+    ]
+    assert findings(waiting, node("/tracker", every, known=False))[0].severity is Severity.NOTE
+
+
+def test_numbers_that_count_and_the_two_ends_of_one_node_are_no_candidates():
+    found_ones = findings(
+        node("/a", end("sub", "/camera1/image"), end("sub", "/state_raw"), end("pub", "/state")),
+        node("/b", end("pub", "/camera2/imagf", "m/msg/X"), end("pub", "/camera2/points")),
+        node("/c", end("sub", "/odom1", "m/msg/O")),
+        node("/d", end("pub", "/odom2", "m/msg/O")),
+    )
+    assert all("Candidate" not in one.message and one.severity is Severity.NOTE for one in found_ones)
+
+
 def test_a_configuration_that_is_not_whole_is_in_doubt():
-    whole = configuration(node("/a", end("sub", "/scan")))
+    whole = configuration(node("/a", end("sub", "/scan_raw")), node("/b", end("pub", "/scan_row")))
     missing = Unresolved("other/b.launch", PROOF, "there is no such file in the workspace", opens=True)
     (one,) = found(msgspec.structs.replace(whole, unresolved=(missing,)), Surroundings())
     assert one.severity is Severity.NOTE

@@ -124,3 +124,12 @@ def test_what_is_unknown_itself_is_none():
     assert not findings(node("/a", parameters=(*table, parameter("*", set_by=FILE), parameter("group", set_by=FILE))))
     (one,) = findings(node("/a", parameters=(*table, parameter("group", value="1", set_by=FILE))))
     assert "`group` is set" in one.message
+
+
+def test_a_parameter_of_another_node_of_the_same_program_is_known():
+    given = parameter("protocol", set_by=FILE)
+    declared = parameter("protocol", access="declared", proof=CODE)
+    router = node("/router", parameters=(KNOWN, given), executable="mavros_node", unit="Router")
+    uas = node("/mavros", parameters=(declared,), executable="mavros_node", unit="Uas")
+    assert not findings(router, uas)
+    assert findings(router)

@@ -58,3 +58,8 @@ def test_words_of_two_nodes_are_two_values():
     )
     assert one.severity is Severity.NOTE
     assert "only if `not is_stamped_ in /a` and `#if A` and `is_stamped_ in /b`; where both nodes" in one.message
+
+
+def test_a_type_of_the_same_definition_under_another_name_is_the_same():
+    ends = [end("pub", "/tf", "tf/tfMessage"), end("sub", "/tf", "tf2_msgs/TFMessage")]
+    assert not findings(*(node(f"/{place}", one) for place, one in enumerate(ends)))

@@ -14,8 +14,9 @@ from roslens.source.rules.graph.told import TOOL, told
 RULE = RuleInfo(
     "graph.argument",
     "Launch argument that is missing or wrong",
-    "A launch file declares an argument without a default that is not given, is given one that it does not declare, or "
-    "one whose value is none of its choices.",
+    "A launch file that is started with certain arguments, by `roslens.toml` or on the command line, lacks one that it "
+    "declares without a default, is given one that it does not declare, or one whose value is none of its choices. "
+    "Without such a start an argument that must be given is no mistake: the file is meant to be given it.",
     Severity.ERROR,
     ("ros", "graph", "launch"),
     "Launching ends at once where an argument is missing; one that is not declared is ignored without a word.",
@@ -31,7 +32,8 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
     for name, one in sorted(declared.items()):
         near = nearest_name(name, [other for other in given if other not in declared])
         if one.default is None and name not in given:
-            yield _missing(one, near)
+            if surroundings.started:
+                yield _missing(one, near)
         elif one.choices and name in given and given[name] not in one.choices:
             message = (
                 f"argument `{name}` is given as `{given[name]}`; {one.proof.place} allows {', '.join(one.choices)}."

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import PurePath
 
 from roslens.model.configuration import Configuration, ConfiguredNode
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_launched, listed
-from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.likeness import likely_program
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
@@ -24,6 +25,10 @@ RULE = RuleInfo(
     scope="configuration",
 )
 
+_WHAT = {"component": "component", "nodelet": "nodelet"}
+_ENDS = frozenset({".py", ".sh", ".bash", ".pl", ".rb", ".lua", ".exe"})
+_FILES = frozenset({"__init__.py", "setup.py", "LICENSE", "README", "Makefile", "Dockerfile", "CHANGELOG"})
+
 
 def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
     """Yield a finding for each name that is started and not installed."""
@@ -38,7 +43,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
         if not {name, node.executable} & set(installed):
             missing.setdefault((package, name), []).append(node)
     for (package, name), nodes in sorted(missing.items()):
-        yield _told(package, name, nodes, surroundings.installed[package])
+        yield _told(package, name, nodes, surroundings)
 
 
 def _owner(node: ConfiguredNode) -> tuple[str, str]:
@@ -49,13 +54,28 @@ def _owner(node: ConfiguredNode) -> tuple[str, str]:
     return node.package, node.executable
 
 
-def _told(package: str, name: str, nodes: list[ConfiguredNode], installed: tuple[str, ...]) -> Finding:
+def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Surroundings) -> Finding:
     node = min(nodes, key=lambda one: (len(one.conditions), one.proof))
     severity, doubt = weighed(RULE.severity, (node.proof,), node.conditions)
-    near = nearest_name(name, list(installed))
-    advice = f"Did you mean `{near}`?" if near else f"It installs {listed(sorted(installed), 5) or 'nothing'}."
+    what = _WHAT.get(node.kind, "executable")
     message = (
-        f"{node.proof.place} starts `{name}` of {package} as {node.name}, which {package} does not install. "
-        f"{advice}{doubt}"
+        f"no {what} `{name}` in package {package}, which {node.proof.place} starts as {node.name}"
+        f"{_advice(name, package, surroundings.installed)}{doubt}"
     )
     return told(RULE, message, node.proof, entity=f"package:{package}", severity=severity, context=name)
+
+
+def _advice(name: str, package: str, installed: dict[str, tuple[str, ...]]) -> str:
+    """Return the end of the sentence: what was likely meant, who has it, or what there is."""
+    programs = [one for one in installed[package] if _is_program(one)]
+    if near := likely_program(name, programs):
+        return f"; did you mean `{near}`?"
+    if having := [other for other, names in sorted(installed.items()) if name in names and _is_program(name)]:
+        return f"; package {listed(having)} has one of that name."
+    return f". It installs {listed(sorted(programs), 5) or 'nothing'}: correct the name, or install it."
+
+
+def _is_program(name: str) -> bool:
+    """Whether a name may be one of something that is started: files of any kind are found by roslaunch too."""
+    end = PurePath(name).suffix
+    return ":" not in name.replace("::", "") and (not end or end in _ENDS) and name not in _FILES

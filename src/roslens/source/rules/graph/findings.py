@@ -20,6 +20,7 @@ from roslens.source.rules.graph import (
     one_end,
     parameter_elsewhere,
     parameter_file,
+    parameter_namespace,
     parameter_range,
     parameter_topic,
     parameter_type,
@@ -39,8 +40,8 @@ Found = Callable[[Configuration, Surroundings], Iterator[Finding]]
 
 _MODULES = (
     qos, type, definition, one_end, remap, parameter_undeclared, parameter_type, parameter_range, parameter_file,
-    parameter_elsewhere, parameter_topic, node_name, shared_output, command_topic, transform, dependency, executable,
-    argument, sim_time, queue, deadlock, global_name, private_data,
+    parameter_elsewhere, parameter_namespace, parameter_topic, node_name, shared_output, command_topic, transform,
+    dependency, executable, argument, sim_time, queue, deadlock, global_name, private_data,
 )  # fmt: skip
 RULES: tuple[tuple[RuleInfo, Found], ...] = tuple((one.RULE, one.found) for one in _MODULES)
 """Each rule and the function that finds its occurrences, in the order in which they are documented."""

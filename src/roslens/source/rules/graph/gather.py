@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+import msgspec
+
 from roslens.model.configuration import Configuration
 from roslens.model.source import Package
 from roslens.source.extract.launched import Launch, Unresolved
 from roslens.source.extract.node_facts import Target
 from roslens.source.extract.program import Program
 from roslens.source.rules.graph.ignored_files import ignored_files
+from roslens.source.rules.graph.private_data import Content, mentioned
 from roslens.source.rules.graph.static_transforms import static_transforms
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.waits import waits
@@ -28,6 +31,9 @@ def surroundings_of(
     programs: Mapping[str, Program] | None = None,
     options: Mapping[str, Any] | None = None,
     together: bool = True,
+    started: bool = False,
+    whole: bool = False,
+    content: Content | None = None,
 ) -> Surroundings:
     """Return what the rules of the graph know besides a configuration; what is not given, rules do without.
 
@@ -42,6 +48,9 @@ def surroundings_of(
         programs: by path.
         options: what users set in ``[options.graph]``.
         together: whether a launch file says that the nodes run together.
+        started: whether somebody says with which arguments the launch file is started.
+        whole: whether the user says that nothing else runs beside it.
+        content: of a file by its path.
     """
     from roslens.source.rules.graph import with_options
 
@@ -60,8 +69,14 @@ def surroundings_of(
         tuple(static_transforms(configuration, launch)) if launch is not None else (),
         tuple(waits(programs)) if programs and configuration.generation == "ros2" else (),
         together=together,
+        started=started,
+        whole=whole,
     )
-    return with_options(found, dict(options or {}))
+    found = with_options(found, dict(options or {}))
+    if content is None:
+        return found
+    every = sorted({path for named in (paths or {}).values() for path in named})
+    return msgspec.structs.replace(found, mentioned=mentioned(configuration, found, every, content))
 
 
 def _is_in(path: str, package: Package) -> bool:

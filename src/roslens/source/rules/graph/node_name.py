@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations
 
 from roslens.model.configuration import Configuration, ConfiguredNode
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -16,7 +18,8 @@ RULE = RuleInfo(
     "Two nodes of one name",
     "Two nodes that run together have the same resolved name. Nodes whose names get a random end, those that "
     "only their own code names, which is unknown, and those of which only one is started because of opposite "
-    "conditions, are left out. Give each a name or a namespace of its own.",
+    "conditions, are left out; programs of ROS 2 that end once they have done their work, as spawners do, are a note. "
+    "Give each a name or a namespace of its own.",
     Severity.ERROR,
     ("ros", "graph", "names", "launch"),
     "ROS 1 shuts the first one down when the second comes. In ROS 2 both run, but services, parameters and life cycle "
@@ -33,22 +36,25 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
         if node.resolved and not node.anonymous and not node.name_is_guessed and node.kind not in ("process", "test"):
             by_name.setdefault(node.name, []).append(node)
     for name, nodes in sorted(by_name.items()):
-        pairs = [pair for pair in combinations(nodes, 2) if _collide(*pair)]
+        pairs = [pair for pair in combinations(nodes, 2) if _collide(*pair, nodes)]
         if pairs:
             first, second = min(pairs, key=lambda pair: len(pair[0].conditions) + len(pair[1].conditions))
             yield _told(name, first, second, len(nodes), ros1=configuration.generation == "ros1")
 
 
-def _collide(first: ConfiguredNode, second: ConfiguredNode) -> bool:
-    # One program may make several nodes, all of which a name given at its start renames: that is one process.
-    if first.proof.place == second.proof.place and first.unit != second.unit:
-        return False
+def _collide(first: ConfiguredNode, second: ConfiguredNode, nodes: list[ConfiguredNode]) -> bool:
+    # One program may make several nodes, all of which a name given at its start renames: that is one process. It is
+    # started twice where all of its units are there twice.
+    if first.proof.place == second.proof.place:
+        units = Counter((node.unit, node.defined) for node in nodes if node.proof.place == first.proof.place)
+        if (first.unit, first.defined) != (second.unit, second.defined) or min(units.values()) < 2:
+            return False
     return not exclude_each_other(first.conditions, second.conditions)
 
 
 def _told(name: str, first: ConfiguredNode, second: ConfiguredNode, count: int, *, ros1: bool) -> Finding:
     severity, doubt = weighed(
-        RULE.severity if ros1 else Severity.WARNING,
+        RULE.severity if ros1 else Severity.NOTE if is_brief(first) and is_brief(second) else Severity.WARNING,
         (first.proof, second.proof),
         (*first.conditions, *second.conditions),
     )

@@ -11,6 +11,7 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_unknown
 from roslens.source.rules.graph.likeness import nearest_name
+from roslens.source.rules.graph.parameter_namespace import misplaced
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
@@ -37,20 +38,34 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     """Yield a finding for each parameter that is set and not known by the node it is set for."""
     ros1 = configuration.generation == "ros1"
     open_nodes = {one.node for one in configuration.unresolved if one.node}
+    # What is set in the wrong namespace is told by a rule of its own.
+    elsewhere = {one.set.name for one in misplaced(configuration) if one.private}
     read = [one.name for node in configuration.nodes for one in node.parameters if one.access] if ros1 else []
     for node in configuration.nodes:
         if not _is_understood(node):
             continue
-        known = [one.name for one in node.parameters if one.access]
+        process = _of_process(node, configuration)
+        known = [one.name for each in process for one in each.parameters if one.access]
         spaces = _spaces(node) if ros1 else None
         unknown = [
             one
             for one in node.parameters
-            if (spaces is None or _above(one.name) in spaces) and _is_unknown(one, node, known, read, ros1=ros1)
+            if one.name not in elsewhere
+            and (spaces is None or _above(one.name) in spaces)
+            and _is_unknown(one, node, known, read, ros1=ros1)
         ]
-        is_open = node.name in open_nodes
+        is_open = any(each.name in open_nodes or is_unknown(each) for each in process)
         for group in _groups(unknown, known, ros1=ros1, is_open=is_open):
             yield _told(node, group, known, ros1=ros1, is_open=is_open)
+
+
+def _of_process(node: ConfiguredNode, configuration: Configuration) -> list[ConfiguredNode]:
+    """Return a node with the others that its program makes: what a program is given holds for all of its nodes."""
+    return [
+        each
+        for each in configuration.nodes
+        if each is node or (each.proof.place == node.proof.place and each.executable == node.executable)
+    ]
 
 
 def _groups(
@@ -99,6 +114,8 @@ def _is_unknown(
         return False
     if one.value is None and any(name.startswith(f"{one.name}.") for name in known):
         # It may be a table of parameters, of which nobody knows what is in it.
+        return False
+    if not ros1 and one.name in known:
         return False
     if ros1 and (not one.name.startswith(f"{node.name}/") or _is_read(one.name, read)):
         return False

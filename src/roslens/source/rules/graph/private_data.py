@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
 
 from roslens.model.configuration import Configuration, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
@@ -11,11 +12,14 @@ from roslens.source.rules.graph.ends import End, by_name, ends, is_launched, unk
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
+Content = Callable[[str], bytes | None]
+_WORD = re.compile(rb"\w+")
 RULE = RuleInfo(
     "graph.private_data",
     "Private data on a shared name",
-    "A node publishes a topic that only itself subscribes to, or serves what only itself calls, and the name is not a "
-    "private one. Use `~/name`, or a call within the program.",
+    "A node publishes a topic that only itself subscribes to, or serves what only itself calls, the name is not a "
+    "private one, its type is one of the workspace, and no other file of the workspace names it. Data of types that "
+    "everybody knows, as a map, is meant for others. Use `~/name`, or a call within the program.",
     Severity.NOTE,
     ("ros", "graph", "names", "reuse"),
     "What only concerns one node collides with another node, or a second one of its kind, that chooses the same name.",
@@ -25,7 +29,15 @@ RULE = RuleInfo(
 
 
 def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
-    """Yield a finding for each name whose both ends are in one node alone."""
+    """Yield a finding for each name whose both ends are in one node alone, and that nothing else names."""
+    own = {one.name for one in surroundings.packages}
+    for kind, end in within_one_node(configuration, surroundings):
+        if end.type.partition("/")[0] in own and _last(end.name) not in surroundings.mentioned:
+            yield _told(kind, end)
+
+
+def within_one_node(configuration: Configuration, surroundings: Surroundings) -> Iterator[tuple[str, End]]:
+    """Yield the kind and the first end of each name whose both ends are in one node alone."""
     if not is_launched(configuration) or unknown_nodes(configuration):
         # Who else uses a name is only known where all that run together are.
         return
@@ -36,11 +48,41 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
             continue
         end = all_ends[0]
         if end.one.proof.origin is Origin.CODE and not name.startswith(end.node.name + "/"):
-            yield _told(kind, end)
+            yield kind, end
+
+
+def mentioned(
+    configuration: Configuration, surroundings: Surroundings, paths: Iterable[str], content: Content
+) -> frozenset[str]:
+    """Return the last parts of names within one node that files besides those of the node itself hold.
+
+    Args:
+        configuration: what would run together.
+        surroundings: which names are left out anyway.
+        paths: of all files of the workspace.
+        content: of a file; None where it cannot be read.
+    """
+    wanted: dict[str, set[str]] = {}
+    for _kind, end in within_one_node(configuration, surroundings):
+        files = {one.proof.path for one in end.node.endpoints}
+        wanted.setdefault(_last(end.name), set()).update(files)
+    found_names: set[str] = set()
+    for path in paths if wanted else ():
+        left = [name for name, files in wanted.items() if name not in found_names and path not in files]
+        text = content(path) if left else None
+        words = set(_WORD.findall(text)) if text else set()
+        found_names |= {name for name in left if name.encode() in words}
+    return frozenset(found_names)
+
+
+def _last(name: str) -> str:
+    return name.rpartition("/")[2]
 
 
 def _told(kind: str, end: End) -> Finding:
     severity, doubt = weighed(RULE.severity, (end.one.proof,), end.conditions)
-    last = end.name.rpartition("/")[2]
-    message = f"only {end.told} itself uses both ends of {kind} {end.name}. Call it `~/{last}`.{doubt}"
+    message = (
+        f"only {end.told} itself uses both ends of {kind} {end.name}, and no other file of the workspace names it. "
+        f"Call it `~/{_last(end.name)}`, if nothing outside of the workspace uses it.{doubt}"
+    )
     return told(RULE, message, end.one.proof, entity=end.entity, severity=severity)

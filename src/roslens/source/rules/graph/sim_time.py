@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from roslens.model.configuration import Configuration, ConfiguredNode, Proof
+from roslens.model.configuration import Configuration, ConfiguredNode, Proof, Unresolved
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.graph import Role
+from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
-from roslens.source.rules.graph.ends import listed
+from roslens.source.rules.graph.ends import listed, missing_parts
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
 
 RULE = RuleInfo(
     "graph.sim_time",
     "Two clocks in one system",
-    "`use_sim_time` is true for some nodes and not for others that run together. Nodes for which it is unknown, and "
-    "publishers of static transforms, are left out. Set it for all of them, by one argument.",
+    "`use_sim_time` is true for some nodes and not for others that run together and use messages with a stamp. Nodes "
+    "for which it is unknown, publishers of static transforms, bridges to a simulator and programs that end once they "
+    "have done their work are left out. Set it for all of them, by one argument.",
     Severity.WARNING,
     ("ros", "graph", "parameters", "launch"),
     "Stamps of the two kinds of node are decades apart: transforms cannot be looked up, messages count as too old.",
@@ -23,7 +27,13 @@ RULE = RuleInfo(
     scope="configuration",
 )
 _NAME = "use_sim_time"
-_TIMELESS = frozenset({"static_transform_publisher"})
+_TIMELESS = frozenset(
+    {"static_transform_publisher", "parameter_bridge", "bridge_node", "image_bridge", "joy_node", "teleop_node"}
+)
+_STAMPED = re.compile(
+    r"(?:sensor_msgs|nav_msgs|tf2_msgs|vision_msgs|stereo_msgs|map_msgs)/msg/(?!Joy\b)\w+|\w+/msg/\w*Stamped\w*"
+)
+"""Types of messages that carry a time as a rule."""
 
 
 def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
@@ -33,24 +43,36 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
     simulated: list[tuple[ConfiguredNode, Proof]] = []
     real: list[ConfiguredNode] = []
     for node in configuration.nodes:
-        if node.kind in ("process", "test") or node.executable in _TIMELESS:
+        if node.kind in ("process", "test") or node.executable in _TIMELESS or is_brief(node):
             continue
         one = next((parameter for parameter in node.parameters if parameter.name == _NAME), None)
         if one is None or (one.value or "").lower() == "false":
-            real.append(node)
+            if _stamps(node):
+                real.append(node)
         elif one.value is not None and one.value.lower() == "true" and one.set_by is not None:
             simulated.append((node, one.set_by))
     real = [
         node for node in real if any(not exclude_each_other(node.conditions, one.conditions) for one, _ in simulated)
     ]
     if simulated and real:
-        yield _told(simulated, real)
+        yield _told(simulated, real, missing_parts(configuration))
 
 
-def _told(simulated: list[tuple[ConfiguredNode, Proof]], real: list[ConfiguredNode]) -> Finding:
+def _stamps(node: ConfiguredNode) -> bool:
+    """Whether a node is known to send, or to take, messages with a stamp; who gives the time needs none."""
+    ends = [one.endpoint for one in node.endpoints if not one.implicit]
+    if any(one.role is Role.PUBLISHER and one.name == "/clock" for one in ends):
+        return False
+    return any(_STAMPED.fullmatch(one.type) for one in ends)
+
+
+def _told(
+    simulated: list[tuple[ConfiguredNode, Proof]], real: list[ConfiguredNode], missing: list[Unresolved]
+) -> Finding:
     node, proof = min(simulated, key=lambda one: (len(one[0].conditions), one[0].name))
     without = sorted(real, key=lambda one: (len(one.conditions), one.name))
-    severity, doubt = weighed(RULE.severity, (proof,), (*node.conditions, *without[0].conditions))
+    more = f"what `{missing[0].text[:60]}` ({missing[0].proof.place}) starts or sets is unknown" if missing else ""
+    severity, doubt = weighed(RULE.severity, (proof,), (*node.conditions, *without[0].conditions), more=more)
     others = [f"{one.name} ({one.proof.place})" for one in without]
     message = (
         f"use_sim_time is true for {listed([one.name for one, _ in simulated])} ({proof.place}), but not for "

@@ -74,9 +74,13 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         installed: by package of the workspace what its build installs, by the names by which it is started or loaded;
             a package whose build is not known in full is left out.
         given: arguments of the launch file, by name.
+        started: whether somebody says with which arguments the launch file is started: `roslens.toml`, or a command
+            line; else it may be meant to be included.
+        whole: whether `roslens.toml` says that all of the system is in the configuration.
         ignored: files of parameters that are not for the node they are given to.
         transforms: that are published all the time.
         waits: places that wait for the answer of a service.
+        mentioned: last parts of names, of those that one node alone uses, that other files of the workspace hold.
         command_topics: patterns of topics that move something.
         external: patterns of names whose other end is elsewhere.
         fast_hz: from which on a topic is a fast one.
@@ -90,10 +94,13 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
     ignored: tuple[Ignored, ...] = ()
     transforms: tuple[Transform, ...] = ()
     waits: tuple[Wait, ...] = ()
+    mentioned: frozenset[str] = frozenset()
     command_topics: tuple[str, ...] = COMMAND_TOPICS
     external: tuple[str, ...] = EXTERNAL
     fast_hz: float = FAST_HZ
     together: bool = True
+    started: bool = False
+    whole: bool = False
 
     def is_external(self, name: str) -> bool:
         """Return whether the other end of a name is usually elsewhere."""

@@ -25,6 +25,8 @@ RULE = RuleInfo(
     scope="configuration",
 )
 _APART = "where both nodes decide this alike, they have one type"
+_SAME = {"tf/tfMessage": "tf2_msgs/TFMessage"}
+"""Types of ROS 1 that have the definition of another one: connections compare definitions, not names."""
 _ANY = frozenset({"*", "topic_tools/ShapeShifter", "topic_tools/msg/ShapeShifter"})
 
 
@@ -34,7 +36,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
         of_type: dict[str, list[End]] = {}
         for end in all_ends:
             if end.type and end.type not in _ANY:
-                of_type.setdefault(end.type, []).append(end)
+                of_type.setdefault(_SAME.get(end.type, end.type), []).append(end)
         # What most ends have is taken to be meant; the others are found fault with.
         ranked = sorted(of_type, key=lambda one: (-len(of_type[one]), one))
         pair = next((pair for pair in _pairs(ranked, of_type) if not exclude(*pair)), None)

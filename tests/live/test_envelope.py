@@ -78,7 +78,7 @@ def said(streams, *, every, by_columns):
             came.append(records[place][1])
             place += 1
         if by_columns:
-            monitor.add_frame(decode_frame(encode_frame(Frame(VERSION, "h/x", tick, now, came))[4:]))
+            monitor.add_frame(decode_frame(encode_frame(Frame(VERSION, "h/x", tick, now, came, looked=now))[4:]))
         else:
             for tally in came:
                 monitor.add_tally(tally)

@@ -126,10 +126,10 @@ class Starting:
 
     def poll(self, seconds):
         self.clock[0] += 0.25
-        if self.seeing or self.clock[0] < self.starts:
+        if self.clock[0] < self.starts:
             return []
-        self.seeing = True
-        return [frame(self.clock[0], graph=self.graph)]
+        graph, self.seeing = None if self.seeing else self.graph, True
+        return [frame(self.clock[0], graph=graph, looked=self.clock[0])]
 
     def close(self):
         pass

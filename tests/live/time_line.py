@@ -2,6 +2,11 @@
 
 A time line is a YAML mapping: ``expect`` (sentences), ``presence``, ``traffic`` (stretches of regular messages),
 ``samples``, ``graphs``, ``events``, ``calls`` and ``then``: the state that has to hold at an instant.
+
+``voices`` are observers that speak every so often: what names one as its ``voice`` is told by it. While one is
+``stopped`` it tells nothing and afterwards all at once; what it tells while its line is ``cut`` comes afterwards, one
+frame after the other. While the monitor is ``away``, which has a row of its own, it looks at nothing; afterwards it
+takes ``reads`` of what waits with each tick.
 """
 
 from __future__ import annotations
@@ -144,6 +149,34 @@ def graph(row: dict[str, Any]) -> Graph:
     )
 
 
+class Voice:
+    """An observer of a time line: when what it tells reaches the monitor."""
+
+    def __init__(self, row: dict[str, Any]) -> None:
+        self.name = row["name"]
+        self.of_graph = row.get("graph", False)
+        self.offset = float(row.get("offset", 0))
+        self.every = float(row.get("every", 0.2))
+        self.cut = row.get("cut", ())
+        self.stopped = row.get("stopped", ())
+        self.looks = row.get("looks", True)
+
+    def told(self, at: float) -> float:
+        """Return when it tells what it sees at an instant."""
+        return next((end for begin, end in self.stopped if begin <= at < end), at)
+
+    def delivered(self, at: float) -> float:
+        """Return when what it sees at an instant is delivered."""
+        told = self.told(at)
+        waited = [end + 0.02 * (told - begin) / self.every for begin, end in self.cut if begin <= told]
+        return max((told, *waited))
+
+    def frames(self, until: float) -> list[tuple[float, float]]:
+        """Return when frames are delivered, each with up to when it has looked on its own clock."""
+        times = dict.fromkeys(self.told(round(n * self.every, 6)) for n in range(1, round(until / self.every) + 1))
+        return [(self.delivered(at), at + self.offset if self.looks else 0.0) for at in times]
+
+
 class Played:
     """What a monitor said along a time line."""
 
@@ -152,13 +185,22 @@ class Played:
         self.changes: list[tuple[float, Verdict]] = []
         self.standing: list[tuple[float, dict[tuple[str, str], Verdict]]] = []
         actions: list[tuple[float, Any]] = []
+        voices = {row["name"]: Voice(row) for row in line.get("voices", ())}
         for row in line.get("traffic", ()):
-            actions += [(at, lambda t=t: self.monitor.add_tally(t)) for at, t in tallies(row)]
+            voice = voices.get(row.get("voice"))
+            for at, tally in tallies(row):
+                arrives = voice.delivered(at) if voice else at
+                actions.append((arrives, lambda t=tally, v=voice: self.monitor.add_tally(t, self._heard(v))))
+        for voice in voices.values():
+            for at, looked in voice.frames(line["until"]):
+                actions.append((at, lambda v=voice, t=looked: self._heard(v, t)))
         for row in line.get("samples", ()):
             at = float(row.get("from", 0))
             while at < row["to"]:
                 sample = Sample(EntityId.parse(row["entity"]), at, {k: float(v) for k, v in row["values"].items()})
-                actions.append((at, lambda s=sample: self.monitor.add_sample(s)))
+                voice = voices.get(row.get("voice"))
+                arrives = voice.delivered(at) if voice else at
+                actions.append((arrives, lambda s=sample, v=voice: self.monitor.add_sample(s, self._heard(v))))
                 at += row.get("every", 1.0)
         for row in line.get("graphs", ()):
             actions.append((row["at"], lambda r=row: self.monitor.add_graph(graph(r), r["at"])))
@@ -171,14 +213,21 @@ class Played:
         for row in line.get("calls", ()):
             actions.append((row["at"], lambda r=row: getattr(self.monitor, r["call"])(r["at"])))
         actions.sort(key=lambda action: action[0])
+        self._away = line.get("away", {})
         self._run(actions, line.get("clock", []), line["until"])
+
+    def _heard(self, voice: Voice | None, looked: float = 0.0) -> Any:
+        return voice and self.monitor.hear(voice.name, looked, of_graph=voice.of_graph)
 
     def _run(self, actions: list[tuple[float, Any]], clock: list[dict[str, Any]], until: float) -> None:
         """Tick ten times a second; ``clock`` has the stretches in which time stands or from which on it is shifted."""
         place = 0
         for number in range(1, round(until / TICK_S) + 1):
             now = round(number * TICK_S, 6)
-            while place < len(actions) and actions[place][0] <= now + 1e-9:
+            if self._away and self._away["from"] <= now < self._away["to"]:
+                continue
+            most = place + (self._away["reads"] if self._away and now >= self._away["to"] else len(actions))
+            while place < min(len(actions), most) and actions[place][0] <= now + 1e-9:
                 actions[place][1]()
                 place += 1
             shown = now

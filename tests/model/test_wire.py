@@ -54,9 +54,17 @@ def test_a_frame_that_is_too_long_is_refused_before_it_is_read():
         list(FrameReader().feed(b"\xff\xff\xff\xff"))
 
 
-def test_a_time_that_is_no_number():
-    with pytest.raises(WireError, match="the time nan"):
-        decode_frame(encode_frame(msgspec.structs.replace(FRAME, time=float("nan")))[4:])
+@pytest.mark.parametrize("field", ["time", "looked"])
+def test_a_time_that_is_no_number(field):
+    with pytest.raises(WireError, match=f"whose {field} is nan"):
+        decode_frame(encode_frame(msgspec.structs.replace(FRAME, **{field: float("nan")}))[4:])
+
+
+def test_up_to_when_was_looked_is_told_or_follows_from_traffic():
+    looked = decode_frame(encode_frame(msgspec.structs.replace(FRAME, looked=7.5))[4:])
+    assert (looked.looked, looked.vouched) == (7.5, 7.5)
+    assert FRAME.vouched == (FRAME.time if FRAME.tallies else 0.0)
+    assert msgspec.structs.replace(FRAME, tallies=[]).vouched == 0.0
 
 
 @settings(max_examples=500)

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 _ENDLESS = 10_000
 _KEPT = 20
-_UNJUDGED = (State.UNKNOWN, State.SUSPENDED)
 _HOW_TO_OBSERVE = "Start nodes through `roslens run`, or give --tap '**'; watch for longer than grace (5 s by default)"
 
 
@@ -67,7 +66,7 @@ class Teller:
     def count(self, step: Step) -> None:
         """Remember how a step went, without writing it."""
         self._states.update(one.state.value for one in step.changes)
-        self._judged = self._judged or any(one.state not in _UNJUDGED for one in step.changes)
+        self._judged = self._judged or any(one.state.judged and not one.of_observer for one in step.changes)
         self._alarms += sum(one.state.bad for one in step.changes)
         self._failed += len(step.failures)
         self.said.extend(str(failure) for failure in step.failures)
@@ -84,7 +83,7 @@ class Teller:
             lines += [failure_line(one) for one in step.failures]
             lines += [note_line(one) for one in step.notes]
         else:
-            shown = [one for one in step.changes if one.state.bad or self._options.verbose]
+            shown = [one for one in step.changes if one.state.bad or one.of_observer or self._options.verbose]
             terminal = self._uncut
             lines = [alert_line(terminal, one, self._clock(one.since)) for one in shown]
             events = [one for one in step.events if self._options.verbose or is_reported(one)]

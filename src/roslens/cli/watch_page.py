@@ -195,7 +195,9 @@ def _title(quantity: str) -> str:
 
 def _alerts(verdicts: Sequence[Verdict], clock: Callable[[float], str]) -> tuple[Alert, ...]:
     """Return the first causes, latest last, each with what follows from it."""
-    bad = sorted((one for one in verdicts if one.state.bad), key=lambda one: (one.since, one.entity, one.expectation))
+    silent = {str(one.entity) for one in verdicts if one.of_observer}
+    shown = (one for one in verdicts if one.wrong or one.cause in silent)
+    bad = sorted(shown, key=lambda one: (one.since, one.entity, one.expectation))
     causes = {str(one.entity): place for place, one in reversed(list(enumerate(bad))) if not one.cause}
     followers: dict[int, list[Alert]] = {}
     firsts = []

@@ -130,7 +130,8 @@ def _cell(row: SystemView, key: str) -> str:
 
 
 def _alerts(terminal: Terminal, verdicts: Sequence[Verdict], clock: Callable[[float], str]) -> list[str]:
-    bad = [one for one in verdicts if one.state.bad]
+    silent = {str(one.entity) for one in verdicts if one.of_observer}
+    bad = [one for one in verdicts if one.wrong or one.cause in silent]
     causes = sorted((one for one in bad if not one.cause), key=lambda one: one.since)
     lines = [""] if bad else []
     lines += [alert_line(terminal, one, clock(one.since)) for one in causes[:_MOST_ALERTS]]
@@ -144,8 +145,9 @@ def _alerts(terminal: Terminal, verdicts: Sequence[Verdict], clock: Callable[[fl
 
 def alert_line(terminal: Terminal, verdict: Verdict, when: str) -> str:
     """Return one verdict on one line: when, how it stands, what, why."""
-    text = terminal.clean(f"{verdict.entity}  {sentence(verdict)}" if verdict.state.bad else f"{verdict.entity}")
-    if not verdict.state.bad:
+    says = verdict.state.bad or verdict.of_observer
+    text = terminal.clean(f"{verdict.entity}  {sentence(verdict)}" if says else f"{verdict.entity}")
+    if not says:
         text += terminal.clean(f"  {verdict.quantity} {_value(verdict)}")
     room = terminal.width - columns(when) - 14
     return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"

@@ -8,6 +8,7 @@ from roslens.live.connection_name import connection_id
 from roslens.live.measured import Measured
 from roslens.live.traffic import MEASURES, percentile_of
 from roslens.live.verdict_state import NEVER
+from roslens.live.voice import Voice
 from roslens.live.window import MAX_BUCKETS, RANK, Window
 from roslens.model.tally import Observer, Tally
 
@@ -67,8 +68,8 @@ class Connection(Measured):
         self._sole: Observer | None = None
         self._order: list[list[Window]] = []
 
-    def add(self, tally: Tally, now: float) -> bool:
-        """Take a tally that is plausible; return whether it told anything new."""
+    def add(self, tally: Tally, now: float, voice: Voice | None = None) -> bool:
+        """Take a tally that is plausible, told by ``voice``; return whether it told anything new."""
         envelope = self.envelope
         if envelope is not None:
             self.catch_up()
@@ -77,6 +78,9 @@ class Connection(Measured):
         else:
             windows = self._by_observer.get(tally.observer) or self._observed(tally)
         first = windows[0]
+        if first.voice is not voice and voice is not None:
+            for window in windows:
+                window.voice = voice
         until = first.until
         news = False
         for window in windows:
@@ -156,7 +160,7 @@ class Connection(Measured):
             return None, None
         if len(self._order) == 1 and not percentile:
             window = self._order[0][at]
-            if not window.spacing:
+            if not window.spacing or window.unheard:
                 return None, None
             # A topic asks for what its connections were just asked for.
             if key not in window.cache:
@@ -165,7 +169,7 @@ class Connection(Measured):
         stale: tuple[float | None, Window | None] = (None, None)
         for windows in self._order:
             window = windows[at]
-            if not window.spacing:
+            if not window.spacing or window.unheard:
                 continue
             value = percentile_of(window, key, percentile) if percentile else measure(window)
             if value is None:
@@ -182,7 +186,7 @@ class Connection(Measured):
         quiet = None
         for windows in self._order:
             window = windows[at]
-            if window.spacing:
+            if window.spacing and not window.unheard:
                 if window.horizon == window.until:
                     return window
                 quiet = quiet or window
@@ -194,6 +198,18 @@ class Connection(Measured):
         self.catch_up()
         noticed = [windows[0].noticed for windows in self._order if windows[0].spacing]
         return max(noticed, default=None)
+
+    @property
+    def unheard(self) -> Voice | None:
+        """The observer of it, where nothing is heard of any that observes it."""
+        voices = [windows[0].voice for windows in self._order if windows[0].spacing]
+        if voices and all(voice is not None and voice.silent for voice in voices):
+            return voices[0]
+        return None
+
+    def told_by(self, voice: Voice) -> bool:
+        """Whether an observer tells of it."""
+        return any(windows[0].voice is voice for windows in self._order)
 
     @property
     def alone(self) -> list[Window] | None:
@@ -237,6 +253,10 @@ def _due(window: Window, now: float) -> float:
         return patient
     over = window.noticed + window.length + (window.until - (window.last or window.begun))
     step = min(max(window.length / 20, 0.05), 0.095)
+    if window.voice is not None:
+        if window.voice.silent:
+            return NEVER
+        over += window.voice.behind(now)
     return now + step if now <= over + step else NEVER
 
 

@@ -8,6 +8,7 @@ from roslens.judge.expectation import Reference
 from roslens.live.draft import Observed
 from roslens.live.draft_presence import Attendance, types_in
 from roslens.live.session import Session, Step
+from roslens.live.voice import Voice
 from roslens.model.tally import Tally
 
 LOOK_S = 1.0
@@ -31,11 +32,11 @@ class DraftSession(Session):
         self._first: float | None = None
         self._next = start
 
-    def rate(self, tallies: Iterable[Tally]) -> None:
+    def rate(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
         """Keep traffic to draft from."""
         kept = list(tallies)
         self.observed.add_live(kept)
-        super().rate(kept)
+        super().rate(kept, voice)
 
     def look(self, now: float) -> Step:
         """Note what is there, and return what is new."""

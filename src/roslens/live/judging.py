@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from roslens.live.connection import Connection
 from roslens.live.measured import Group, Judged
 from roslens.live.sampled import Sampled
 from roslens.live.sentence import Sentence
-from roslens.live.topic import Topic
+from roslens.live.topic import ENDS, Topic
 from roslens.live.traffic import longest_gap
+from roslens.live.unheard import blame
 from roslens.live.verdict_state import NEVER
+from roslens.live.voice import Voice
 from roslens.live.window import Window
 from roslens.model.verdict import State
 
@@ -24,9 +28,10 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     due = connection.next_due(now)
     changed: list[Judged] = []
     calm = True
+    unheard = connection.unheard
     alone = connection.alone
     for group in connection.groups:
-        if alone is not None and group.calm and group.measure is not None and not group.percentile:
+        if alone is not None and group.calm and unheard is None and group.measure is not None and not group.percentile:
             window = alone[group.at]
             value = window.cache[group.key] = group.measure(window)
             if value is not None and group.low <= value <= group.high:
@@ -34,6 +39,10 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
                 if group.key == "largest_gap":
                     due = min(due, _gap_due(group, window, now))
                 continue
+        if unheard is not None:
+            calm = group.calm = False
+            changed += [one for one in group.judged if _judge_unheard(one, now, unheard)]
+            continue
         value, seen = connection.value(group.key, group.at, group.percentile)
         if seen is not None and connection.left:
             value, seen = None, None
@@ -46,8 +55,11 @@ def judge_connection(connection: Connection, now: float) -> list[Judged]:
     return changed
 
 
-def judge_topic(topic: Topic, now: float, *, graph_known: bool) -> list[Judged]:
-    """Judge a topic by its connections; return what changed."""
+def judge_topic(topic: Topic, now: float, *, graph_known: bool, silent: Sequence[Voice] = ()) -> list[Judged]:
+    """Judge a topic by its connections; return what changed.
+
+    ``graph_known`` is whether anybody tells who is there, ``silent`` are the observers of which nothing is heard.
+    """
     due = NEVER
     for connections in topic.connections.values():
         for connection in connections:
@@ -59,6 +71,11 @@ def judge_topic(topic: Topic, now: float, *, graph_known: bool) -> list[Judged]:
     calm = True
     for group in topic.groups:
         value, window = topic.value(group.key, group.at, group.percentile, views[group.at])
+        unheard = _unheard(topic, group.key, silent, nothing=value is None and window is None) if silent else None
+        if unheard is not None:
+            calm = group.calm = False
+            changed += [one for one in group.judged if _judge_unheard(one, now, unheard)]
+            continue
         if value is None and window is None:
             calm = group.calm = False
             changed += [one for one in group.judged if _judge_unseen(topic, one, now, graph_known=graph_known)]
@@ -74,6 +91,20 @@ def judge_topic(topic: Topic, now: float, *, graph_known: bool) -> list[Judged]:
     return changed
 
 
+def _unheard(topic: Topic, key: str, silent: Sequence[Voice], *, nothing: bool) -> Voice | None:
+    """Return the silent observer without which a signal is not known; who is there is what observers of graphs tell."""
+    lost = topic.unheard(key) if key not in ENDS else None
+    if lost is None and (nothing or key in ENDS):
+        return next((voice for voice in silent if voice.of_graph), None)
+    return lost
+
+
+def _judge_unheard(judged: Judged, now: float, voice: Voice) -> bool:
+    """Judge a sentence of whose value nothing is known, because its observer is silent."""
+    blame(judged, voice)
+    return judged.state.step(now, State.UNKNOWN, None)
+
+
 def judge_sampled(sampled: Sampled, now: float) -> list[Judged]:
     """Judge a host, node or process; return what changed."""
     sampled.settle(now)
@@ -81,6 +112,11 @@ def judge_sampled(sampled: Sampled, now: float) -> list[Judged]:
     changed: list[Judged] = []
     for judged in sampled.judged:
         sentence = judged.sentence
+        if sampled.unheard is not None:
+            if _judge_unheard(judged, now, sampled.unheard):
+                changed.append(judged)
+            continue
+        judged.unheard = ""
         value = sampled.value(sentence.key, sentence.timing.window, sentence.percentile, now)
         grace = sampled.appeared + sentence.timing.grace
         raw = sentence.bounds.state(value)
@@ -116,7 +152,7 @@ def _judge_group(
 
 def _step(judged: Judged, now: float, value: float | None, window: Window | None, appeared: float) -> bool:
     sentence = judged.sentence
-    judged.window = window
+    judged.window, judged.unheard = window, ""
     if value is not None and value - value != 0:
         value = None
     raw = sentence.bounds.state(value)
@@ -136,7 +172,7 @@ def _step(judged: Judged, now: float, value: float | None, window: Window | None
     if raw is State.HIGH and judged.quantity == "largest_gap" and window is not None:
         began = longest_gap(window, now)[1]
     elif window is not None and window.silent and raw is not State.UNKNOWN:
-        began = now - window.quiet
+        began = now - window.quiet - (window.late(now) if window.horizon > window.until else 0.0)
     if raw is State.LOW and value == 0.0 and sentence.silence:
         raw = State.ABSENT
     return state.step(now, raw, value, began=began, grace=grace)
@@ -155,6 +191,7 @@ def _judge_unseen(topic: Topic, judged: Judged, now: float, *, graph_known: bool
     """Judge a sentence about a topic of which nobody tells anything."""
     sentence = judged.sentence
     judged.window = None
+    judged.unheard = ""
     grace = topic.appeared + max(sentence.timing.grace, _UNSEEN_PERIODS * sentence.period)
     there = topic.known and graph_known
     if there and topic.publishers:

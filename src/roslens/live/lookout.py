@@ -15,6 +15,7 @@ from roslens.live.round import Round
 from roslens.live.sampled import Sampled
 from roslens.live.topic import Topic
 from roslens.live.verdict_state import NEVER
+from roslens.live.voice import Voice
 from roslens.live.world import World
 
 RETRY_S = 1.0
@@ -29,6 +30,7 @@ class Lookout:
         waiting: entities with news that has to be looked at.
         heard: whether tallies came in the round that cannot have changed a verdict.
         suspended: whether nothing is judged of traffic.
+        silent: observers of which nothing is heard.
     """
 
     def __init__(self, world: World, existence: Existence, plan: Callable[[Iterable[Measured], float], None]) -> None:
@@ -41,6 +43,7 @@ class Lookout:
         self._plan = plan
         self._queue = DueQueue()
         self.heard = False
+        self.silent: list[Voice] = []
 
     @property
     def due(self) -> float:
@@ -110,14 +113,14 @@ class Lookout:
                     changed += judge_connection(one, now)
                     self._queue.put(one)
             if topic.looked < now and topic.judged and not topic.planless:
-                changed += judge_topic(topic, now, graph_known=self._world.graph is not None)
+                changed += judge_topic(topic, now, graph_known=self._world.graph is not None, silent=self.silent)
                 self._queue.put(topic)
         return changed
 
     def _judge_one(self, one: Measured, now: float) -> Iterable[Judged]:
         if isinstance(one, Sampled):
             judged = judge_sampled(one, now)
-            if one.seen and not one.fresh(now):
+            if one.seen and one.missed(now):
                 self._existence.take_silence(one, now)
             return judged
         if self.suspended:
@@ -125,7 +128,7 @@ class Lookout:
         if isinstance(one, Connection):
             return judge_connection(one, now)
         if isinstance(one, Topic) and one.judged:
-            return judge_topic(one, now, graph_known=self._world.graph is not None)
+            return judge_topic(one, now, graph_known=self._world.graph is not None, silent=self.silent)
         return ()
 
 

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 
-from roslens.judge.expectation import Reference
+from roslens.judge.expectation import Presence, Reference
 from roslens.live.age_chain import AgeChains
 from roslens.live.clock_watch import ClockWatch, Course
 from roslens.live.connection import Connection
@@ -23,6 +23,8 @@ from roslens.live.rulebook import NOTHING_KNOWN, Rulebook
 from roslens.live.sampled import Sampled, finite
 from roslens.live.standing import Standing
 from roslens.live.tree import SystemView, view_of
+from roslens.live.unheard import Silence, waits_for
+from roslens.live.voice import Voice, Voices
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -61,6 +63,8 @@ class Monitor:
         self._rules = Rulebook(reference)
         self._presences = Presences(self._rules, start)
         self._existence = Existence(self._world, self._presences)
+        self._voices = Voices(start)
+        self._silences: dict[str, Silence] = {}
         self._fields = FieldChecks(reference.field_checks, start)
         self._chains = AgeChains(reference.chains, start)
         self._explained = Explained(self._world)
@@ -84,21 +88,37 @@ class Monitor:
         """Records that could not be true, in whole or in part, and those for which there was no room."""
         return self._implausible + self._world.refused
 
-    def add_tally(self, tally: Tally) -> None:
-        """Take the traffic of a connection; what cannot be true of it is unknown."""
+    def hear(self, sender: str, looked: float = 0.0, *, of_graph: bool = False) -> Voice:
+        """Note that an observer spoke; return by what it is known as the observer of what it tells.
+
+        Args:
+            sender: how it calls itself, ``<host>/<what it observes>``.
+            looked: up to when it has looked, on its own clock; 0 where it does not say.
+            of_graph: whether it tells who is there.
+        """
+        voice = self._voices.of(sender, self._clock.now)
+        voice.hear(looked)
+        voice.of_graph = voice.of_graph or of_graph
+        return voice
+
+    def add_tally(self, tally: Tally, voice: Voice | None = None) -> None:
+        """Take the traffic of a connection; what cannot be true of it is unknown.
+
+        What no ``voice`` tells is observed as long as the monitor looks.
+        """
         connection = self._world.connections.get((tally.topic, tally.publisher, tally.subscriber))
         if connection is not None:
             envelope, lookout = connection.envelope, self._lookout
             if envelope is not None and envelope.takes(row_of(tally), lookout.round):
                 lookout.heard = True
                 return
-        self._add(tally, connection)
+        self._add(tally, connection, voice)
 
-    def add_tallies(self, tallies: Iterable[Tally]) -> None:
+    def add_tallies(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
         """Take the traffic of many connections; what comes by columns is not made into records without need."""
         if not isinstance(tallies, TallyColumns):
             for tally in tallies:
-                self.add_tally(tally)
+                self.add_tally(tally, voice)
             return
         lookout, heard, known = self._lookout, False, self._known
         now = lookout.round
@@ -109,12 +129,12 @@ class Monitor:
                 continue
             tally = tally_of(names, row)
             key = (tally.topic, tally.publisher, tally.subscriber)
-            self._add(tally, connection or self._world.connections.get(key))
+            self._add(tally, connection or self._world.connections.get(key), voice)
             if connection is None and key in self._world.connections:
                 known[names] = self._world.connections[key]
         lookout.heard |= heard
 
-    def _add(self, tally: Tally, connection: Connection | None) -> None:
+    def _add(self, tally: Tally, connection: Connection | None, voice: Voice | None) -> None:
         # What has no name cannot be told apart, nor shown.
         kept = plausible_tally(tally) if tally.topic else None
         if kept is not tally:
@@ -126,12 +146,12 @@ class Monitor:
             connection = self._meet(kept, now)
             if connection is None:
                 return
-        if connection.add(kept, now):
+        if connection.add(kept, now, voice):
             if self._held and kept.count:
                 self.clock_runs(now)
             self._lookout.wait(connection)
 
-    def add_sample(self, sample: Sample) -> None:
+    def add_sample(self, sample: Sample, voice: Voice | None = None) -> None:
         """Take what was read of a host, process, node or service; values that are not finite are unknown."""
         if sample.time - sample.time != 0 or sample.entity.kind not in _SAMPLED or not sample.entity.name:
             self._implausible += 1
@@ -144,6 +164,7 @@ class Monitor:
         if not sampled.seen:
             sampled.appeared = max(sampled.appeared, self._clock.now)
             sampled.planless = True
+        sampled.voice = voice
         if sampled.add(sample, values):
             self._existence.take_sample(sampled, sample.time)
             self._lookout.wait(sampled)
@@ -184,9 +205,10 @@ class Monitor:
 
     def add_frame(self, frame: Frame) -> None:
         """Take everything that an observer tells at once."""
-        self.add_tallies(frame.tallies)
+        voice = self.hear(frame.sender, frame.vouched, of_graph=frame.graph is not None)
+        self.add_tallies(frame.tallies, voice)
         for sample in frame.samples:
-            self.add_sample(sample)
+            self.add_sample(sample, voice)
         for event in frame.events:
             self.add_event(event)
         if frame.graph is not None:
@@ -245,6 +267,7 @@ class Monitor:
         self._follow_clock(now)
         now = self._clock.now
         moved, self._moved = self._moved, []
+        moved += self._listen(now)
         moved += self._judge(now)
         changed = {one: None for one in moved if one.state.state is not one.reported}
         for one in changed:
@@ -290,6 +313,7 @@ class Monitor:
             self._presences.standing,
             self._fields.standing,
             self._chains.standing,
+            (one for one in self._silences.values() if one.voice.silent),
             chain.from_iterable(one.judged for one in self._entities()),
         )
 
@@ -361,6 +385,7 @@ class Monitor:
         self._held = False
         self._suspend(time)
         self._began = time
+        self._voices.shift(time)
         self._presences.look_again()
         self._lookout.forget_due()
         self._chains_due = self._sweep_due = time
@@ -377,11 +402,36 @@ class Monitor:
             if self._chains.standing and now >= self._chains_due:
                 changed += self._chains.judge(now, self._look, self._silence, self._began)
                 self._chains_due = now + _CHAINS_S
-        changed += self._presences.judge(now, self._began, self._existence.vanished)
+        changed += self._presences.judge(now, self._began, self._existence.vanished, self._waits_for)
         if now >= self._sweep_due:
             self._sweep_due = now + _SWEEP_S
             self._sweep(now)
         return changed
+
+    def _listen(self, now: float) -> list[Standing]:
+        """Find out which observers are silent, and look again at what they observe where that changed."""
+        turned = self._voices.settle(now)
+        if not turned:
+            return []
+        self._lookout.silent = self._voices.silent()
+        self._presences.look_again()
+        told: list[Standing] = []
+        for voice in turned:
+            silence = self._silences.get(voice.name) or self._silences.setdefault(voice.name, Silence(voice, now))
+            silence.follow(now)
+            told.append(silence)
+            for one in self._entities():
+                if isinstance(one, Connection) and one.told_by(voice):
+                    one.wake()
+                elif not (isinstance(one, Sampled) and one.voice is voice):
+                    continue
+                self._lookout.wait(one)
+            for topic in self._world.topics.values() if voice.of_graph else ():
+                self._lookout.wait(topic)
+        return told
+
+    def _waits_for(self, presence: Presence) -> Voice | None:
+        return waits_for(presence, self._lookout.silent) if self._lookout.silent else None
 
     def _plan(self, entities: Iterable[Measured], now: float) -> None:
         for one in entities:

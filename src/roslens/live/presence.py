@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from roslens.judge.expectation import CONDITIONAL, Presence, PresenceMode, Selector, essence
 from roslens.judge.pattern import Pattern
 from roslens.live.rulebook import Facts, Rulebook, find_all
 from roslens.live.standing import Standing
+from roslens.live.unheard import blame
 from roslens.live.verdict_state import NEVER
+from roslens.live.voice import Voice
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import State
 
@@ -109,13 +113,17 @@ class Presences:
             (watched.enabling if condition else watched.matching).discard(key[1])
             self._waiting.add(watched)
 
-    def judge(self, now: float, appeared: float, vanished: dict[Key, float]) -> list[Standing]:
+    def judge(
+        self, now: float, appeared: float, vanished: dict[Key, float],
+        unheard: Callable[[Presence], Voice | None] = lambda _: None,
+    ) -> list[Standing]:  # fmt: skip
         """Judge what has news or is due; return what changed.
 
         Args:
             now: seconds on the monitor's clock.
             appeared: from when grace counts.
             vanished: when entities that are gone went.
+            unheard: the observer of which nothing is heard, and without which nobody knows whether something is there.
         """
         if not self._waiting and now < self.due:
             return []
@@ -123,7 +131,13 @@ class Presences:
         self._waiting = set()
         changed: list[Standing] = []
         for one in waiting:
-            one.evidence = one.explain()
+            silent = unheard(one.presence)
+            if silent is not None:
+                blame(one, silent)
+                if one.state.step(now, State.UNKNOWN, None):
+                    changed.append(one)
+                continue
+            one.evidence, one.unheard = one.explain(), ""
             began = vanished.get((one.entity.kind, one.entity.name), now)
             grace = appeared + one.told.timing.grace
             if one.state.step(now, one.raw(), float(len(one.matching)), began=began, grace=grace):

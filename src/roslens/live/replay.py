@@ -94,7 +94,7 @@ def replay(
         while waiting is not None and waiting[0] <= end:
             session.monitor.add_field(waiting[1], waiting[0], waiting[2])
             waiting = next(fields, None)
-        session.take([Frame(VERSION, "recording", 0, end, tallies)])
+        session.take([Frame(VERSION, "recording", 0, end, tallies, looked=end)])
         told(session.look(end))
     session.take(recording.failures)
     return session

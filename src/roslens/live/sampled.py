@@ -8,6 +8,7 @@ from collections import deque
 from roslens.live.measured import Measured
 from roslens.live.traffic import percentile as percentile_of
 from roslens.live.verdict_state import NEVER
+from roslens.live.voice import Voice
 from roslens.model.entity import EntityId
 from roslens.model.sample import Sample
 from roslens.model.tally import Observer
@@ -25,9 +26,10 @@ class Sampled(Measured):
         observer: who sampled it last.
         noticed: when the monitor noticed the newest sample.
         known: whether the graph has it.
+        voice: of the observer that samples it; None where nobody can tell whether that is there.
     """
 
-    __slots__ = ("_newest", "_news", "_spacing", "_values", "_window", "host", "known", "noticed", "observer")
+    __slots__ = ("_newest", "_news", "_spacing", "_values", "_window", "host", "known", "noticed", "observer", "voice")
 
     def __init__(self, entity: EntityId, now: float) -> None:
         super().__init__(entity, now)
@@ -35,6 +37,7 @@ class Sampled(Measured):
         self.observer: Observer | None = None
         self.noticed = -NEVER
         self.known = False
+        self.voice: Voice | None = None
         self._newest = -NEVER
         self._spacing = 0.0
         self._news = False
@@ -81,6 +84,17 @@ class Sampled(Measured):
         """Whether a sample came lately."""
         return now - self.noticed <= self.patience
 
+    @property
+    def unheard(self) -> Voice | None:
+        """The observer of it, where nothing is heard of that."""
+        return self.voice if self.voice is not None and self.voice.silent else None
+
+    def missed(self, now: float) -> bool:
+        """Whether no sample came for long, although its observer spoke all the time."""
+        if self.fresh(now):
+            return False
+        return self.voice is None or (not self.voice.silent and now - self.voice.since > self.patience)
+
     def value(self, key: str, window: float, percentile: float, now: float) -> float | None:
         """Return the newest value, or the mean or a percentile of those in a window; None where nothing fresh is."""
         kept = self._values.get(key)
@@ -100,6 +114,8 @@ class Sampled(Measured):
     def next_due(self, now: float) -> float:
         """Return when nothing will be known any more if nothing comes."""
         stale = self.noticed + self.patience
+        if now > stale and self.voice is not None and not self.voice.silent and not self.missed(now):
+            stale = self.voice.since + self.patience
         return stale + 1e-9 if now <= stale else NEVER
 
     def _trim(self, kept: deque[tuple[float, float]]) -> None:

@@ -20,6 +20,7 @@ from roslens.live.one_stretch import OneStretch
 from roslens.live.seen import Seen
 from roslens.live.service_calls import ServiceCalls
 from roslens.live.tree import SystemView
+from roslens.live.voice import Voice
 from roslens.live.waiting import Waiting
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -109,6 +110,7 @@ class Session:
         self._stretches = OneStretch()
         self._counted = CountedOnce()
         self._services = ServiceCalls()
+        self._readers: dict[str, Voice] = {}
         self._now = self._start = start
         self._hosts: dict[str, str] = {}
         self._events: list[Event] = []
@@ -173,9 +175,9 @@ class Session:
         self._failures.clear()
         return step
 
-    def rate(self, tallies: Iterable[Tally]) -> None:
-        """Take traffic that is named, counted once and by one clock."""
-        self.monitor.add_tallies(tallies)
+    def rate(self, tallies: Iterable[Tally], voice: Voice | None = None) -> None:
+        """Take traffic that is named, counted once and by one clock, and was told by ``voice``."""
+        self.monitor.add_tallies(tallies, voice)
 
     def readings(self, now: float) -> list[tuple[EntityId, dict[str, float]]]:
         """Return the latest values of every entity that has any, each entity once."""
@@ -218,12 +220,13 @@ class Session:
     def _frame(self, frame: Frame) -> None:
         self.records += len(frame.tallies) + len(frame.samples)
         mine = self._counted.accepts(frame.counted_at, frame.sender, self._now)
+        voice = self.monitor.hear(frame.sender, frame.vouched, of_graph=_of_graph(frame))
         if frame.counted_at:
-            self._take_counted(frame.tallies if mine else ())
+            self._take_counted(frame.tallies if mine else (), voice)
         elif self._clocks.several:
-            self.rate(map(self._by_one_clock, frame.tallies))
+            self.rate(map(self._by_one_clock, frame.tallies), voice)
         else:
-            self.rate(frame.tallies)
+            self.rate(frame.tallies, voice)
         if frame.graph is not None:
             self._graphs.put(frame.sender, frame.graph)
             self._graph_changed = True
@@ -234,9 +237,9 @@ class Session:
                     self._services.put(frame.sender, sample, self._now)
                 continue
             self._clocks.take(sample)
-            self.monitor.add_sample(sample)
+            self.monitor.add_sample(sample, voice)
             for of_node in self._processes.of(sample):
-                self.monitor.add_sample(of_node)
+                self.monitor.add_sample(of_node, voice)
         for event in frame.events:
             self.monitor.add_event(event)
         self._events += frame.events
@@ -244,14 +247,18 @@ class Session:
             self._fail(failure)
         self.monitor.shed += max(frame.shed, 0)
 
-    def _take_counted(self, tallies: Iterable[Tally]) -> None:
+    def _take_counted(self, tallies: Iterable[Tally], voice: Voice) -> None:
         """Take what was read from counters without ROS: publishers may have no name, hosts other clocks."""
-        named = [self._names.named(tally, self._now) for tally in tallies]
+        named = []
+        for tally in tallies:
+            self._readers[tally.host] = voice
+            named.append(self._names.named(tally, self._now))
         self._add_counted(tally for tally in named if tally is not None)
 
     def _add_counted(self, tallies: Iterable[Tally]) -> None:
         # Whose memory a count lies in is where it was received, whatever else bears the name.
-        self.rate(self._by_one_clock(tally, tally.host) for tally in self._stretches.of(tallies))
+        for tally in self._stretches.of(tallies):
+            self.rate([self._by_one_clock(tally, tally.host)], self._readers.get(tally.host))
 
     def _by_one_clock(self, tally: Tally, receiver: str = "") -> Tally:
         sender = self._hosts.get(tally.publisher, "")
@@ -265,6 +272,11 @@ class Session:
             self._told.add(key)
             self._failures.append(failure)
             self.monitor.failures.append(failure)
+
+
+def _of_graph(frame: Frame) -> bool:
+    """Whether a frame tells who is there: agents tell of a host and its processes alone."""
+    return frame.graph is not None and bool(frame.graph.nodes or frame.graph.endpoints)
 
 
 def run(

@@ -23,9 +23,12 @@ class Standing:
         evidence: in words, where no window shows it.
         reported: the state that was told last.
         cause: text form of the id of the entity whose fault explains this one.
+        unheard: text form of the id of the observer that it waits for, because nothing is heard of it.
     """
 
-    __slots__ = ("cause", "entity", "evidence", "quantity", "reported", "state", "told", "window", "written")
+    __slots__ = (
+        "cause", "entity", "evidence", "quantity", "reported", "state", "told", "unheard", "window", "written",
+    )  # fmt: skip
 
     def __init__(self, entity: EntityId, told: Told, quantity: str, written: str, now: float) -> None:
         self.entity = entity
@@ -35,7 +38,7 @@ class Standing:
         self.state = VerdictState(told.timing, now)
         self.window: Window | None = None
         self.evidence = ""
-        self.cause = ""
+        self.cause = self.unheard = ""
         self.reported = State.UNKNOWN
 
     @property
@@ -64,5 +67,5 @@ class Standing:
             text=told.text,
             group=told.group,
             where=told.where,
-            cause=self.cause if state.state.bad else "",
+            cause=self.cause if state.state.bad else self.unheard if state.state is State.UNKNOWN else "",
         )

@@ -6,6 +6,7 @@ from bisect import insort
 
 from roslens.live.connection import Connection
 from roslens.live.measured import Measured
+from roslens.live.voice import Voice
 from roslens.live.window import MAX_BUCKETS, RANK, Window
 from roslens.model.entity import EntityId, EntityKind
 
@@ -13,6 +14,8 @@ SUMMED = frozenset({"rate", "bandwidth"})
 _WIDEST = frozenset({"jitter", "largest_gap"})
 _OF_PUBLISHERS = SUMMED | _WIDEST | {"period", "message_size"}
 _MEANS = frozenset({"latency", "age"})
+ENDS = frozenset({"publishers", "subscribers"})
+"""Signals that the graph tells."""
 
 
 class Topic(Measured):
@@ -115,6 +118,16 @@ class Topic(Measured):
         if len(told) == 1:
             return told[0]
         return _folded(key, told)
+
+    def unheard(self, key: str) -> Voice | None:
+        """Return an observer of which nothing is heard, and without which a signal of the topic is not known."""
+        for publisher in sorted(self.connections):
+            group = [one for one in self.connections[publisher] if not one.left]
+            silent = [voice for one in group if (voice := one.unheard) is not None]
+            # What is published is known where one end of it is observed, how it arrives where all are.
+            if silent and (key not in _OF_PUBLISHERS or len(silent) == len(group)):
+                return silent[0]
+        return None
 
     def _count(self, known: frozenset[str], field: str) -> tuple[float | None, Window | None]:
         if self.known:

@@ -74,8 +74,7 @@ def longest_gap(window: Window, now: float) -> tuple[float, float]:
     if window.quiet > gap:
         gap, began = window.quiet, window.horizon - window.quiet
     # Up to its horizon a window was observed; it is looked at a moment later.
-    ahead = now - window.noticed if window.horizon == window.until else 0.0
-    return gap, now - ahead - max(window.horizon - began, 0.0)
+    return gap, now - window.late(now) - max(window.horizon - began, 0.0)
 
 
 def largest_gap(window: Window) -> float | None:

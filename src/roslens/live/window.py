@@ -10,6 +10,7 @@ from collections import deque
 from collections.abc import Iterable
 
 from roslens.live.bucket import Bucket
+from roslens.live.voice import Voice
 from roslens.model.tally import Observer, Tally
 from roslens.model.tally_columns import Row
 
@@ -47,10 +48,12 @@ class Window:
         begun: start of the oldest tally since the observer appeared or its clock stepped.
         noticed: when the monitor noticed the newest tally, on its own clock.
         spacing: seconds from one tally to the next.
+        lag: by how many seconds the newest tally came late, because it waited for a line.
         horizon: up to when the window reaches, on the observer's clock.
         quiet: seconds up to the horizon since the last message, or since the beginning where there was none.
         cache: signals by key, since the window was last brought to an instant.
         stepped: whether the observer's clock did, since somebody last asked.
+        voice: of the observer, which says up to when it has looked; None where it looks as long as the monitor does.
     """
 
     __slots__ = (
@@ -67,6 +70,7 @@ class Window:
         "horizon",
         "host",
         "intervals",
+        "lag",
         "last",
         "length",
         "most",
@@ -79,6 +83,7 @@ class Window:
         "span",
         "stepped",
         "until",
+        "voice",
     )
 
     def __init__(self, observer: Observer, host: str, length: float = 0.0, most: int = MAX_BUCKETS) -> None:
@@ -95,6 +100,8 @@ class Window:
         self.until = self.last = self.begun = self.noticed = self.horizon = self.spacing = self.span = self.quiet = 0.0
         self.count = self.intervals = self.bytes = self.sized = 0
         self.news = self.stepped = False
+        self.voice: Voice | None = None
+        self.lag = 0.0
         self.cache: dict[str, float | None] = {}
         self._strange: list[Tally] = []
 
@@ -179,6 +186,7 @@ class Window:
         if self.news:
             self.news = False
             self.noticed = now
+            self.lag = self.voice.lag if self.voice is not None else 0.0
             self.horizon = self.until
             if self._automatic:
                 if not self._summed:
@@ -193,6 +201,8 @@ class Window:
             self.notice(now)
         else:
             waited = now - self.noticed
+            if self.voice is not None:
+                waited -= self.voice.behind(now) - self.lag
             self.horizon = self.until + (waited if waited > self.patience else 0.0)
         if self.cache:
             self.cache = {}
@@ -207,6 +217,17 @@ class Window:
     def patience(self) -> float:
         """Seconds without news after which an observer is taken to have seen nothing."""
         return 1.5 * self.spacing + 0.05
+
+    @property
+    def unheard(self) -> bool:
+        """Whether nothing is heard of its observer, so that nothing is known of what it sees."""
+        return self.voice is not None and self.voice.silent
+
+    def late(self, now: float) -> float:
+        """Return the seconds from its horizon to ``now`` on the monitor's clock."""
+        if self.horizon == self.until:
+            return now - self.noticed
+        return self.voice.behind(now) if self.voice is not None else 0.0
 
     @property
     def silent(self) -> bool:
@@ -225,6 +246,7 @@ class Window:
 
     def take_over(self, source: Window, buckets: Iterable[Bucket]) -> None:
         """Know what another window of the same observer knows; ``buckets`` are its own."""
+        self.voice, self.lag = source.voice, source.lag
         self.until, self.last, self.begun = source.until, source.last, source.begun
         self.noticed, self.spacing = source.noticed, source.spacing
         self.news, self.horizon = source.news, source.horizon

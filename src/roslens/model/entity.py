@@ -26,6 +26,7 @@ class EntityKind(str, Enum):
     ACTION = "action"
     PARAMETER = "parameter"
     CONNECTION = "connection"
+    OBSERVER = "observer"
 
 
 class EntityId(msgspec.Struct, frozen=True, order=True):
@@ -36,6 +37,7 @@ class EntityId(msgspec.Struct, frozen=True, order=True):
     - package: its name, or ``name@path`` where a workspace holds the name twice
     - file: its path below the workspace root, with ``/``
     - class: ``path#qualified::name``
+    - observer: ``<host>/<what it observes>``, as it calls itself in its frames
     - function: ``path#qualified::name(parameter types)``, with ``~2``, ``~3``… appended for the
       second, third… of the same text in one file
     """

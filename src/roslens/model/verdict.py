@@ -6,7 +6,7 @@ from enum import Enum
 
 import msgspec
 
-from roslens.model.entity import EntityId
+from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 
 
@@ -23,6 +23,11 @@ class State(str, Enum):
     LOW = "low"
     HIGH = "high"
     ABSENT = "absent"
+
+    @property
+    def judged(self) -> bool:
+        """Whether there was a value, or none where one should be."""
+        return self not in (State.UNKNOWN, State.SUSPENDED)
 
     @property
     def bad(self) -> bool:
@@ -48,7 +53,8 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
         text: what the reference tells the operator.
         group: under which operators see it.
         where: ``file:line`` of the sentence.
-        cause: text form of the id of the entity whose fault explains this one; empty for a first cause.
+        cause: text form of the id of the entity whose fault explains this one; empty for a first cause. Of what is
+            unknown it is the observer of which nothing is heard.
     """
 
     entity: EntityId
@@ -65,3 +71,13 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
     group: str = ""
     where: str = ""
     cause: str = ""
+
+    @property
+    def of_observer(self) -> bool:
+        """Whether it is about who observes: unknown while nothing is heard of it."""
+        return self.entity.kind is EntityKind.OBSERVER
+
+    @property
+    def wrong(self) -> bool:
+        """Whether somebody has to look: an alarm, or an observer of which nothing is heard."""
+        return self.state.bad or (self.of_observer and self.state is State.UNKNOWN)

@@ -39,6 +39,9 @@ class Frame(msgspec.Struct, frozen=True, array_like=True):
         shed: records that were dropped since the last frame because the line was down or the budget spent.
         counted_at: where the counters lie that the tallies were read from, the same for everybody who reads them, so
             that nothing is counted twice; empty where there are none.
+        looked: up to when the sender has looked at all traffic that it observes, in seconds on its own clock, and told
+            what it saw with this frame or before; 0 where the frame says nothing of that. What no tally tells by then
+            was silent; after it, nothing is known.
     """
 
     version: int
@@ -52,6 +55,12 @@ class Frame(msgspec.Struct, frozen=True, array_like=True):
     failures: list[Failure] = []
     shed: int = 0
     counted_at: str = ""
+    looked: float = 0.0
+
+    @property
+    def vouched(self) -> float:
+        """Up to when the sender has looked; a sender that does not say has looked when it told traffic."""
+        return self.looked or (self.time if self.tallies else 0.0)
 
 
 class _Packed(msgspec.Struct, frozen=True, array_like=True):
@@ -69,6 +78,7 @@ class _Packed(msgspec.Struct, frozen=True, array_like=True):
     shed: int
     counted_at: str
     columns: Columns | None = None
+    looked: float = 0.0
 
     @classmethod
     def of(cls, frame: Frame) -> _Packed:
@@ -77,7 +87,7 @@ class _Packed(msgspec.Struct, frozen=True, array_like=True):
         others = [one for one in frame.tallies if not fits(one)] if len(told) < len(frame.tallies) else []
         return cls(
             frame.version, frame.sender, frame.sequence, frame.time, others, frame.samples, frame.events, frame.graph,
-            frame.failures, frame.shed, frame.counted_at, columns_of(told) if told else None,
+            frame.failures, frame.shed, frame.counted_at, columns_of(told) if told else None, frame.looked,
         )  # fmt: skip
 
     def frame(self) -> Frame:
@@ -92,7 +102,7 @@ class _Packed(msgspec.Struct, frozen=True, array_like=True):
             tallies = [*told, *tallies] if tallies else told
         return Frame(
             self.version, self.sender, self.sequence, self.time, tallies, self.samples, self.events, self.graph,
-            self.failures, self.shed, self.counted_at,
+            self.failures, self.shed, self.counted_at, self.looked,
         )  # fmt: skip
 
 
@@ -125,8 +135,9 @@ def decode_frame(body: bytes) -> Frame:
     except (ValueError, RecursionError) as error:
         _refuse_version(_version_of(body))
         raise WireError(f"{len(body)} bytes that are no frame: {error}") from None
-    if not math.isfinite(frame.time):
-        raise WireError(f"a frame of the time {frame.time}, expected seconds since the epoch")
+    for name, value in (("time", frame.time), ("looked", frame.looked)):
+        if not math.isfinite(value):
+            raise WireError(f"a frame whose {name} is {value}, expected seconds since the epoch")
     return frame
 
 

@@ -149,6 +149,8 @@ class Agent:
         for place, tallies in counters.read(wall):
             if tallies:
                 self._tell(tallies=tallies, counted_at=place)
+        # With this all of it is told: what is in none of these frames was silent until now.
+        self._tell(looked=wall)
         took = self._spent() - begun
         self._count_every_s = min(max(COUNT_EVERY_S, took / COUNT_SHARE), COUNT_AT_LEAST_EVERY_S)
 
@@ -171,9 +173,10 @@ class Agent:
         tallies: Iterable[Tally] = (),
         graph: Graph | None = None,
         counted_at: str = "",
+        looked: float = 0.0,
     ) -> None:
         samples, events, tallies = list(samples), list(events), list(tallies)
-        if not samples and not events and not tallies:
+        if not samples and not events and not tallies and not looked:
             return
         if graph is None and (events or self._graph_told is None):
             graph = self._graph()
@@ -183,7 +186,7 @@ class Agent:
         failures: list[Failure] = self._counters.failures() if self._counters is not None else []
         frame = Frame(
             VERSION, f"{self._name}/agent", self._sequence, self._wall(), tallies, samples, events, graph, failures,
-            counted_at=counted_at,
+            counted_at=counted_at, looked=looked,
         )  # fmt: skip
         self._outbox.put(frame)
         self._sequence += 1

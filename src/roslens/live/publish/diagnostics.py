@@ -58,6 +58,8 @@ def _status(entity: EntityId, verdicts: Sequence[Verdict], host: str) -> Status:
 
 def sentence(verdict: Verdict) -> str:
     """Return what is wrong in one line: ``rate is low: 12.5 Hz, expected 25..35 Hz; check the cable``."""
+    if verdict.entity.kind is EntityKind.OBSERVER:
+        return f"{verdict.evidence}; {verdict.text}" if verdict.evidence else "is heard of again"
     signal = BY_KEY.get(verdict.quantity)
     subject = signal.title.lower() if signal else verdict.quantity
     if verdict.state is State.ABSENT:

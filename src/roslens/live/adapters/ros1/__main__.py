@@ -178,8 +178,7 @@ def _turn(period: float, observation: Observation, ear: Ear, speaker: Speaker, w
             hear = time.monotonic() + HEARD_S
         elif now >= hear:
             hear = now + HEARD_S
-            if said := ear.heard():
-                speaker.say(said)
+            speaker.say(ear.heard())
         with suppress(queue.Empty):
             what, name, uris = wakes.get(timeout=max(min(due, hear) - time.monotonic(), 0.0))
             if what == "ended":

@@ -57,7 +57,7 @@ class Ear:
         """Return the frame of a round with what was heard until then."""
         frame = self._observation.round(moved)
         if not self._taps and not self._statistics and not self._reports:
-            return frame
+            return msgspec.structs.replace(frame, looked=frame.time)
         self._rounds += 1
         sources = list(self._sources())
         self._listening.want(sources)
@@ -68,20 +68,22 @@ class Ear:
             events.append(Event(frame.time, Change.CHANGED, f"host:{frame.sender.partition('/')[0]}", _UNTOLD))
         return self._with_heard(msgspec.structs.replace(frame, events=events))
 
-    def heard(self) -> Frame | None:
-        """Return the frame of what was heard since; None where nothing was."""
-        frame = self._with_heard(self._observation.between())
-        return frame if frame.tallies or frame.events or frame.failures or frame.shed else None
+    def heard(self) -> Frame:
+        """Return the frame of what was heard since; one of nothing says that there was silence."""
+        return self._with_heard(self._observation.between())
 
     def _with_heard(self, frame: Frame) -> Frame:
         taken = self._listening.take()
         events = [event for report in taken.reports for event in self._reported(*report, taken.failures)]
+        # Of what waited while we were stopped nobody knows when it came, nor what is missing.
+        tallies = taken.tallies if taken.attentive else []
         return msgspec.structs.replace(
             frame,
             events=[*frame.events, *events],
-            tallies=[*frame.tallies, *(self._without_framing(tally) for tally in taken.tallies if self._known(tally))],
+            tallies=[*frame.tallies, *(self._without_framing(tally) for tally in tallies if self._known(tally))],
             failures=[*frame.failures, *taken.failures],
             shed=frame.shed + taken.shed,
+            looked=frame.time if taken.attentive else 0.0,
         )
 
     def _known(self, tally: Tally) -> bool:

@@ -19,6 +19,7 @@ from roslens.live.adapters.ros1.slave import Slave
 from roslens.live.adapters.ros1.stream import Source, Stream, Use
 from roslens.live.adapters.ros1.tcpros import Handshake, TcprosError, connect
 from roslens.live.adapters.ros1.xml_rpc import CallError
+from roslens.live.attention import Attention
 from roslens.model.failure import Failure
 from roslens.model.tally import Tally
 
@@ -39,12 +40,13 @@ EXPECTED = {
 
 
 class Taken(msgspec.Struct):
-    """What came since the last time."""
+    """What came since the last time; ``attentive`` is whether it was read when it came."""
 
     tallies: list[Tally] = []
     failures: list[Failure] = []
     shed: int = 0
     reports: list[tuple[str, float, bytes]] = []
+    attentive: bool = True
 
 
 class _Attempt(msgspec.Struct):
@@ -89,6 +91,7 @@ class Listening:
         self._tell = told
         self._untaken = False
         self._lock = threading.Lock()
+        self._attention = Attention(time.monotonic())
         self._budget = Budget(limits or Limits(), time.monotonic())
         self._streams: dict[Source, Stream] = {}
         self._attempts: dict[Source, _Attempt] = {}
@@ -138,6 +141,7 @@ class Listening:
                     stream.problem = ""
             taken.failures += self._done.failures
             self._done = Taken()
+            taken.attentive = self._attention.there(time.monotonic())
             if self._budget.paused:
                 taken.shed += sum(1 for source in self._wanted if source.use is Use.TAP)
             return taken
@@ -206,6 +210,7 @@ class Listening:
         while self._open:
             ready = self._selector.select(_IDLE_S)
             with self._lock:
+                self._attention.turn(time.monotonic())
                 for key, _ in ready:
                     if key.data is None:
                         os.eventfd_read(self._wake)

@@ -25,6 +25,7 @@ from roslens.live.adapters.ros2.parameters import NodeQuestions, Parameters
 from roslens.live.adapters.ros2.process_ends import ProcessEnds
 from roslens.live.adapters.ros2.saying import Saying
 from roslens.live.adapters.ros2.tap import DRAIN_S, Tap
+from roslens.live.attention import PAUSE_S, Attention
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.slots import folder_of
 from roslens.live.publish.asked import when_asked
@@ -183,6 +184,7 @@ class _Turns:
         self._settled: float | None = time.monotonic() + MEET_S
         self._asking = False
         self._look_due = 0.0
+        self._attention = Attention(time.monotonic(), max(PAUSE_S, 2 * period))
 
     def run(self) -> None:
         """Go on until the process is stopped."""
@@ -201,7 +203,8 @@ class _Turns:
 
     def _tell(self) -> None:
         self._due = max(self._due + self._period, time.monotonic() + self._period / 10)
-        frame, stale = self._observation.period(time.time(), self._period)
+        attentive = self._attention.turn(time.monotonic())
+        frame, stale = self._observation.period(time.time(), self._period, attentive=attentive)
         self._speaker.say(frame)
         looks = self._polled and time.monotonic() >= self._look_due
         if looks:

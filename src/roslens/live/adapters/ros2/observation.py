@@ -129,22 +129,26 @@ class Observation:
         """Return what the end of a process changes."""
         return self.changed(now) if self._graphs.ended(pid) else None
 
-    def period(self, now: float, seconds: float) -> tuple[Frame, bool]:
-        """Return what was counted since the last period, and whether the graph had changed unnoticed."""
+    def period(self, now: float, seconds: float, *, attentive: bool = True) -> tuple[Frame, bool]:
+        """Return what was counted since the last period, and whether the graph had changed unnoticed.
+
+        Of who was not ``attentive`` all the time, taps lost messages that nobody else lost.
+        """
         heard = [one for one in self._counters.read(now) if not self._graphs.own(one.gid) and self._here(one)]
         counted = joined(heard, self._name_of, self._host)
         tallies = [tally for tally in counted if tally.count or self._stands(tally)]
         failures = self._counters.failures()
         shed = 0
         if self._taps is not None:
-            tallies += self._taps.tallies(now, self._name_of)
+            tapped = self._taps.tallies(now, self._name_of)
+            tallies += tapped if attentive else []
             failures += self._taps.failures()
             shed = self._taps.shed()
         told = self._listened(now)
         stale = self._graphs.sweep(max(1, round(SWEEP_PER_S * seconds)))
         frame = self._frame(
             now, tallies=tallies + told.tallies, failures=failures + told.failures, shed=shed, events=told.events,
-            graph=self._with_parameters(now),
+            graph=self._with_parameters(now), looked=now if attentive else 0.0,
         )  # fmt: skip
         return frame, stale
 

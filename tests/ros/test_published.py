@@ -96,6 +96,7 @@ class Program:
         self.process = subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True)
         self.found = []
         self.fresh = threading.Condition()
+        self.ended = False
         self.reading = threading.Thread(target=self._read)
         self.reading.start()
 
@@ -105,14 +106,19 @@ class Program:
                 with self.fresh, suppress(json.JSONDecodeError):  # rospy logs there too
                     self.found.append(json.loads(line))
                     self.fresh.notify_all()
+        with self.fresh:
+            self.ended = True
+            self.fresh.notify_all()
 
     def first(self, fits, seconds=40):
         def there():
             return next((one for one in self.found if fits(one)), None)
 
         with self.fresh:
-            assert self.fresh.wait_for(there, seconds), self.found[-5:]
-            return there()
+            assert self.fresh.wait_for(lambda: there() or self.ended, seconds), self.found[-5:]
+            found = there()
+            assert found, f"it ended before that: {self.found[-5:]}"
+            return found
 
     def end(self):
         self.process.terminate()

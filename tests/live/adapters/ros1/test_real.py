@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
+from ended_early import ended_early
 from pace import slowness
 
 from roslens.live import inside
@@ -39,6 +40,8 @@ while not rospy.is_shutdown():
     rate.sleep()
 """
 SIZE = 4 + 8 + 4 + 10
+LOOK_S = 0.2
+"""How often nodes are looked at whether they still run."""
 LISTENER = """
 import sys, rospy
 from std_msgs.msg import Header
@@ -89,6 +92,7 @@ class Ros:
         }
         self.environment.pop("PYTHONPATH", None)
         self.started = []
+        self.nodes = []
         self.core = self.start_core()
 
     def start_core(self):
@@ -109,15 +113,18 @@ class Ros:
         return self.core
 
     def start(self, *command, **environment):
-        process = subprocess.Popen(
-            command,
-            env={**self.environment, **environment},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        )
+        errors = self.folder / f"errors_{len(self.started)}.txt"
+        with errors.open("wb") as written:
+            process = subprocess.Popen(
+                command,
+                env={**self.environment, **environment},
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=written,
+                start_new_session=True,
+            )
         self.started.append(process)
+        self.nodes.append((process, errors))
         return process
 
     def python(self, text, *arguments, **environment):
@@ -126,6 +133,7 @@ class Ros:
         return self.start(PYTHON, str(script), *arguments, **environment)
 
     def end(self, process, number=signal.SIGINT):
+        self.nodes = [one for one in self.nodes if one[0] is not process]
         process.send_signal(number)
         try:
             process.wait(10)
@@ -149,8 +157,10 @@ def ros(tmp_path):
 class Observer1:
     """The observer's process and the frames it speaks."""
 
-    def __init__(self, master, *options):
-        command = [sys.executable, "-m", "roslens.live.adapters.ros1", "--master", master, "--period", "0.5", *options]
+    def __init__(self, ros, *options):
+        words = ["--master", ros.master, "--period", "0.5", *options]
+        command = [sys.executable, "-m", "roslens.live.adapters.ros1", *words]
+        self._ros = ros
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE)
         self._reader = FrameReader()
         self.frames = []
@@ -162,8 +172,10 @@ class Observer1:
         with selectors.DefaultSelector() as ready:
             ready.register(self.process.stdout, selectors.EVENT_READ)
             while time.monotonic() < end:
-                if not ready.select(end - time.monotonic()):
-                    break
+                if why := ended_early(self._ros.nodes):
+                    pytest.fail(why)
+                if not ready.select(LOOK_S):
+                    continue
                 piece = os.read(self.process.stdout.fileno(), 65536)
                 assert piece, "the observer ended"
                 for frame in self._reader.feed(piece):
@@ -189,7 +201,7 @@ def observe(ros):
     made = []
 
     def make(*options):
-        made.append(Observer1(ros.master, *options))
+        made.append(Observer1(ros, *options))
         return made[-1]
 
     yield make
@@ -244,6 +256,14 @@ def test_rospy_and_roscpp_nodes_are_seen_as_they_are(ros, observe):
     for frame in observer.frames:
         keys = [(t.topic, t.publisher, t.subscriber) for t in frame.tallies]
         assert len(keys) == len(set(keys)), "no connection is counted twice"
+
+
+def test_a_node_that_lacks_something_is_told_at_once(ros, observe):
+    ros.python("import rospy, not_installed.msg")
+    begun = time.monotonic()
+    with pytest.raises(pytest.fail.Exception, match="No module named 'not_installed'"):
+        observe().until_graph("/nobody")
+    assert time.monotonic() - begun < 20 * slowness()
 
 
 def test_a_killed_node_is_noticed_at_once_and_a_new_one_of_its_name_found(ros, observe):

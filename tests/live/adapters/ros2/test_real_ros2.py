@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from statistics import median
 
 import pytest
+from ended_early import ended_early
 from pace import slowness
 from ros2_domain import own_domain
 
@@ -85,8 +86,9 @@ time.sleep(1000)
 class Seen:
     """What the observer has told so far."""
 
-    def __init__(self, child):
+    def __init__(self, child, nodes):
         self.child = child
+        self.nodes_started = nodes
         self.frames = []
         self.failures = []
         self.times = []
@@ -104,6 +106,7 @@ class Seen:
         end = time.monotonic() + seconds
         while not holds():
             assert time.monotonic() < end, (self.failures, self.frames[-3:])
+            assert not (why := ended_early(self.nodes_started)), why
             self.poll()
             time.sleep(0.002)
 
@@ -137,18 +140,19 @@ def robot(python, tmp_path, *words, codes=(TALKER, LISTENER), names=("/demo/talk
     }
     hooked = base | environment(base)
     child = Child("ros2", ros2_command(python, ["--period", "0.5", *words]), base)
-    seen = Seen(child)
     nodes = []
+    seen = Seen(child, nodes)
     try:
         seen.poll()
-        for code in codes:
-            nodes.append(
-                subprocess.Popen([python, "-c", code], env=hooked, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            )
+        for number, code in enumerate(codes):
+            errors = tmp_path / f"errors_{number}.txt"
+            with errors.open("wb") as written:
+                started = subprocess.Popen([python, "-c", code], env=hooked, stdout=subprocess.DEVNULL, stderr=written)
+            nodes.append((started, errors))
         seen.until(lambda: set(names) <= {n for n, node in seen.nodes().items() if node.pid})
-        yield seen, nodes
+        yield seen, [process for process, _ in nodes]
     finally:
-        for process in nodes:
+        for process, _ in nodes:
             process.kill()
             process.wait()
         child.close()

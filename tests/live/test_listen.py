@@ -144,6 +144,19 @@ def test_garbage_does_not_disturb_the_others(listener, agent_of):
     assert listener.agents() == ("base/agent",)
 
 
+def test_a_thousand_connections_of_garbage_are_one_row(listener, agent_of):
+    agent, came = agent_of(listener.port), []
+    for number in range(1_000):
+        with socket.create_connection(("127.0.0.1", listener.port)) as stranger:
+            stranger.sendall(b"%05d garbage, and never the same twice, longer than a greeting may be" % number * 2)
+            came += listener.poll(0.0) + listener.poll(0.0)
+    came += until(listener, [agent], lambda records: samples(records))
+    assert [one for one in failures(came) if "127.0.0.1" in one] == failures(came)
+    assert len(failures(came)) == 1
+    other = agent_of(listener.port, key=b"another key of sixteen bytes")
+    assert "the same --key-file" in failures(until(listener, [other], failures))[0]
+
+
 def test_frames_wait_while_the_monitor_is_away(clock, agent_of):
     first = Listener(("127.0.0.1", 0), KEY, wall=clock, steady=clock)
     port = first.port

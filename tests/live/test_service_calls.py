@@ -37,3 +37,10 @@ def test_a_host_that_fell_silent_counts_no_more():
     calls.put("a", sample(calls=1.0), 0.0)
     calls.put("b", sample(calls=2.0), STALE_S + 1)
     assert [one.values for one in calls.samples(STALE_S + 1)] == [{"calls": 2.0}]
+
+
+def test_a_time_without_a_longest_is_taken_as_it_is():
+    calls = ServiceCalls()
+    calls.put("a", sample(response_time=0.1), 0.0)
+    calls.put("b", sample(client_response_time_max=0.2), 0.0)
+    assert [one.values for one in calls.samples(0.0)] == [{"response_time": 0.1, "client_response_time_max": 0.2}]

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from roslens.live.agent.link import Channel, LinkError, named_pids, read_frame, told_time
+from roslens.live.agent.link import Channel, LinkError, StrangerError, named_pids, read_frame, told_time
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
 
@@ -16,6 +16,7 @@ MOST_LINES = 256
 SILENT_S = 10.0
 """Who has not proven that it knows the key, or sends nothing, for so long is hung up on."""
 
+_MOST_STRANGERS = 1024
 _PIECE = 65_536
 _MOST_UNSENT = 100_000
 
@@ -50,6 +51,7 @@ class Listener:
         self._steady = steady
         self._lines: dict[socket.socket, _Line] = {}
         self._named: dict[str, frozenset[int]] = {}
+        self._strangers: set[str] = set()
         self._selector = selectors.DefaultSelector()
         self._socket = socket.create_server(address)
         self._socket.setblocking(False)
@@ -126,7 +128,7 @@ class Listener:
         except BlockingIOError:
             return []
         except OSError as error:
-            return [self._hang_up(line, f"the line broke: {error.strerror or error}")]
+            return [*self._hang_up(line, f"the line broke: {error.strerror or error}")]
         if not piece:
             return self._left(line)
         line.heard = self._steady()
@@ -141,9 +143,10 @@ class Listener:
                     frame = read_frame(body)
                     line.sender = frame.sender
                     found.append(frame)
+        except StrangerError as error:
+            return [*found, *self._refuse(line, str(error))]
         except LinkError as error:
-            found.append(self._hang_up(line, str(error)))
-            return found
+            return [*found, *self._hang_up(line, str(error))]
         self._send(line)
         if line.socket in self._lines:
             self._tell_pids(line)
@@ -175,24 +178,37 @@ class Listener:
     def _too_silent(self) -> list[Failure]:
         now = self._steady()
         late = [line for line in self._lines.values() if now - line.heard > SILENT_S]
-        return [self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s") for line in late]
+        return [one for line in late for one in self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s")]
 
     def _left(self, line: _Line) -> list[Frame | Failure]:
         if line.sender:
-            return [self._hang_up(line, "it hung up")]
+            return [*self._hang_up(line, "it hung up")]
         if line.channel.greeted and not line.channel.ready:
-            return [self._hang_up(line, "it hung up before it had proven the key: give both the same --key-file")]
+            return [*self._hang_up(line, "it hung up before it had proven the key: give both the same --key-file")]
         self._hang_up(line)
         return []
 
-    def _hang_up(self, line: _Line, reason: str = "") -> Failure:
+    def _hang_up(self, line: _Line, reason: str = "") -> list[Failure]:
+        """End a line; return what is to be told of it, in words that are the same each time that it happens."""
         self._selector.unregister(line.socket)
         line.socket.close()
         del self._lines[line.socket]
         # Without the port, which is another one each time that it tries again.
         host = line.peer.rpartition(":")[0]
+        if not reason:
+            return []
         if line.sender:
             what, expected = f"agent {line.sender!r} at {host}: {reason}", "an agent that goes on"
         else:
             what, expected = f"the connection from {host}: {reason}", "a roslens agent with the same key"
-        return Failure("link", what, expected=expected, advice="Look at its output")
+        return [Failure("link", what, expected=expected, advice="Look at its output")]
+
+    def _refuse(self, line: _Line, found: str) -> list[Failure]:
+        """End the line of somebody who is no agent; what a host says instead is told once, and of so many hosts."""
+        self._hang_up(line)
+        host = line.peer.rpartition(":")[0]
+        if host in self._strangers or len(self._strangers) >= _MOST_STRANGERS:
+            return []
+        self._strangers.add(host)
+        advice = "Look what connects from there; more of its connections are refused without a word"
+        return [Failure("link", f"the connection from {host}: {found}", "a roslens agent with the same key", advice)]

@@ -22,7 +22,6 @@ from typing import NamedTuple
 import msgspec
 
 from roslens.live.gid_places import GidPlaces
-from roslens.model.entity import EntityId
 from roslens.model.graph import Change, Event, Graph, Node
 
 
@@ -58,7 +57,7 @@ class Places:
         for event in events:
             if not event.entity.startswith("process:"):
                 continue
-            name = EntityId.parse(event.entity).name
+            name = event.entity.partition(":")[2]
             if event.change is Change.VANISHED:
                 self._ended.add(name)
             elif event.change is Change.APPEARED:

@@ -54,5 +54,7 @@ def _joined(parts: list[Mapping[str, float]]) -> dict[str, float]:
         timed = [(part[key], max(part.get(calls, 0.0), 1e-9)) for part in parts if key in part]
         if timed:
             values[key] = sum(time * weight for time, weight in timed) / sum(weight for _, weight in timed)
-            values[f"{key}_max"] = max(part[f"{key}_max"] for part in parts if f"{key}_max" in part)
+        longest = [part[f"{key}_max"] for part in parts if f"{key}_max" in part]
+        if longest:
+            values[f"{key}_max"] = max(longest)
     return values

@@ -12,6 +12,15 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
+from roslens.model.believed import (
+    MOST_CHARACTERS,
+    MOST_COUNT,
+    Refused,
+    believed_events,
+    believed_graph,
+    believed_samples,
+    quoted,
+)
 from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
 from roslens.model.sample import Sample
@@ -121,10 +130,11 @@ def encode_frame(frame: Frame) -> bytes:
 
 
 def decode_frame(body: bytes) -> Frame:
-    """Read a frame without its length.
+    """Read a frame without its length; records that cannot be true are left out, and a failure names them.
 
     Raises:
-        WireError: the bytes are no frame of this version, or its time is not finite.
+        WireError: the bytes are no frame of this version, its time is not finite or its numbers are none, or who sent
+            it has no name.
     """
     try:
         packed = _DECODER.decode(body)
@@ -138,7 +148,25 @@ def decode_frame(body: bytes) -> Frame:
     for name, value in (("time", frame.time), ("looked", frame.looked)):
         if not math.isfinite(value):
             raise WireError(f"a frame whose {name} is {value}, expected seconds since the epoch")
-    return frame
+    if not 0 < len(frame.sender) <= MOST_CHARACTERS or len(frame.counted_at) > MOST_CHARACTERS:
+        raise WireError(f"a frame from {quoted(frame.sender)}, expected a name")
+    for number in (frame.sequence, frame.shed):
+        if not 0 <= number <= MOST_COUNT:
+            raise WireError(f"a frame with the number {number}, expected 0 or more")
+    return _believed(frame)
+
+
+def _believed(frame: Frame) -> Frame:
+    refused = Refused()
+    events = believed_events(frame.events, refused)
+    samples = believed_samples(frame.samples, refused)
+    graph = believed_graph(frame.graph, refused) if frame.graph is not None else None
+    failures = refused.failures(frame.sender)
+    if not failures:
+        return frame
+    return msgspec.structs.replace(
+        frame, events=events, samples=samples, graph=graph, failures=[*frame.failures, *failures]
+    )
 
 
 def _refuse_version(version: int | None) -> None:

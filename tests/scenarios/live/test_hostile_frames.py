@@ -8,6 +8,8 @@ import socket
 import time
 
 import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
 
 from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.agent.link import Channel, LinkError, read_frame
@@ -19,6 +21,7 @@ from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Process, Role
+from roslens.model.qos import Qos
 from roslens.model.sample import Sample
 from roslens.model.tally import Moments, Tally
 from roslens.model.verdict import State
@@ -122,6 +125,100 @@ def test_frames_with_a_few_other_bytes_do_not_stop_a_watch():
         watched.take([frame(second + 1.0, tallies=[tally("/scan", float(second))])])
         watched.look(second + 1.0)
     assert scan(watched) is State.OK
+
+
+_FLOATS = st.one_of(st.floats(-5, 20), st.sampled_from([float("nan"), float("inf"), -1e308, 1e308]))
+_INTS = st.one_of(st.integers(-2, 20), st.sampled_from([-(1 << 63), (1 << 64) - 1]))
+_NAMES = st.one_of(st.sampled_from(["/a", "/scan", "base", "agent"]), st.sampled_from(ODD[:-1]))
+_ENTITIES = st.one_of(
+    st.sampled_from(["process:", "node:", ":", "process:x", "process:base/7", "host:", "connection:/a", "topic:/scan"]),
+    st.builds("{}:{}".format, st.sampled_from([kind.value for kind in EntityKind]), _NAMES),
+)
+_MOMENTS = st.builds(Moments, _INTS, _FLOATS, _FLOATS, _FLOATS, _FLOATS)
+_FRAMES = st.builds(
+    Frame,
+    st.just(VERSION),
+    st.sampled_from(["base/agent", "base", "/", "agent"]),
+    st.integers(0, 9),
+    st.floats(0, 9),
+    st.lists(
+        st.builds(
+            Tally,
+            _NAMES,
+            _NAMES,
+            _NAMES,
+            _FLOATS,
+            _FLOATS,
+            _INTS,
+            _INTS,
+            _FLOATS,
+            _FLOATS,
+            _MOMENTS,
+            _MOMENTS,
+            _MOMENTS,
+            _INTS,
+            host=_NAMES,
+            processing=_MOMENTS,
+            longest_at=_FLOATS,
+        ),
+        max_size=3,
+    ),
+    st.lists(
+        st.builds(
+            Sample,
+            st.builds(EntityId, st.sampled_from(EntityKind), _NAMES),
+            _FLOATS,
+            st.dictionaries(st.sampled_from(["cpu", "calls", "clock_offset", "clock_bound", ""]), _FLOATS),
+        ),
+        max_size=3,
+    ),
+    st.lists(st.builds(Event, _FLOATS, st.sampled_from(Change), _ENTITIES, _NAMES), max_size=3),
+    st.none()
+    | st.builds(
+        Graph,
+        st.sampled_from(["ros1", "ros2", ""]),
+        st.lists(st.builds(Node, _NAMES, _NAMES, _INTS, st.just(("gid",)), _NAMES), max_size=3).map(tuple),
+        st.lists(
+            st.builds(
+                Endpoint,
+                _NAMES,
+                st.sampled_from(Role),
+                _NAMES,
+                _NAMES,
+                qos=st.none() | st.builds(Qos, depth=_INTS),
+                gid=st.sampled_from(["", "zz", "010f" * 8, "010f"]),
+            ),
+            max_size=3,
+        ).map(tuple),
+        st.lists(_NAMES, max_size=2).map(tuple),
+        st.lists(st.builds(Process, _NAMES, _INTS, _NAMES, _FLOATS, inner=_INTS), max_size=3).map(tuple),
+        st.dictionaries(_NAMES, st.dictionaries(_NAMES, _NAMES, max_size=2), max_size=2),
+        st.dictionaries(_NAMES, st.lists(st.sampled_from(["010f", "", "zz"]), max_size=2).map(tuple), max_size=2),
+    ),
+    st.lists(st.builds(Failure, _NAMES, _NAMES), max_size=2),
+    st.integers(-1, 3),
+    st.sampled_from(["", "here", "there"]),
+)
+
+
+@settings(
+    max_examples=150, deadline=None, phases=[Phase.explicit, Phase.reuse, Phase.generate]
+)  # to shrink takes minutes
+@given(st.lists(_FRAMES, min_size=1, max_size=5))
+def test_whatever_knows_the_key_may_say_anything(frames):
+    """Frames of the right shape, whatever stands in them, stop no watch and hide no other entity."""
+    watched = session()
+    for second in range(1, 5):
+        now = float(second)
+        for one in frames:
+            try:
+                watched.take([read_frame(encode_frame(one)[4:])])
+            except LinkError as error:
+                assert "expected" in str(error)  # noqa: PT017 - every message is fine, a crash is not
+        watched.take([frame(now, "b/ros2", tallies=[tally("/mine", now - 1)])])
+        written(watched.look(now), watched, now)
+        watched.tree(now)
+    assert "topic:/mine" in {str(one.entity) for one in watched.monitor.standing()}
 
 
 @pytest.mark.slow

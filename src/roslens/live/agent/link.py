@@ -37,6 +37,10 @@ class LinkError(ValueError):
     """The other side is no roslens, does not know the key, or broke the protocol; the connection has to end."""
 
 
+class StrangerError(LinkError):
+    """The other side speaks something else."""
+
+
 class Channel:
     """One side of a connection, without its socket: bytes in, messages out, and the other way round.
 
@@ -85,7 +89,7 @@ class Channel:
         while len(self._waiting) >= _LENGTH.size:
             (length,) = _LENGTH.unpack_from(self._waiting)
             if length > (MAX_FRAME_BYTES + _OVERHEAD if self._proven else 64):
-                raise LinkError(f"a message of {length:,} bytes, expected a roslens agent or monitor to speak")
+                raise self._stranger(f"a message of {length:,} bytes")
             if len(self._waiting) < _LENGTH.size + length:
                 return
             message = bytes(self._waiting[_LENGTH.size : _LENGTH.size + length])
@@ -121,11 +125,11 @@ class Channel:
             self._proven = True
             yield "ready", b""
         else:
-            raise LinkError(f"{message[:20]!r}, expected a roslens agent or monitor to speak")
+            raise self._stranger(repr(message[:20]))
 
     def _greeted(self, message: bytes) -> bytes:
         if len(message) != 2 + NONCE_BYTES:
-            raise LinkError(f"{message[:20]!r}, expected a roslens agent or monitor to speak")
+            raise self._stranger(repr(message[:20]))
         if message[1] != VERSION:
             raise LinkError(f"the other side speaks version {message[1]}, expected {VERSION}: update the older one")
         theirs = message[2:]
@@ -135,6 +139,10 @@ class Channel:
         self._session = hmac.digest(self._key, b"roslens link" + nonces, "sha256")
         body = b"A" + self._proof(mine=True)
         return _LENGTH.pack(len(body)) + body
+
+    def _stranger(self, what: str) -> LinkError:
+        text = f"{what}, expected a roslens agent or monitor to speak"
+        return LinkError(text) if self._proven else StrangerError(text)
 
     def _side(self, *, mine: bool) -> bytes:
         return b"monitor" if self._accepting == mine else b"agent"

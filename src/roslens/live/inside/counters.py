@@ -92,6 +92,8 @@ class CounterReader:
         """Return what was counted since the last read; ``now`` is seconds since the epoch."""
         fresh = self._open_new()
         found: list[Counted] = []
+        # Only agents ask for calls: what nobody asked for must not pile up.
+        self._called = []
         # Whether a process lives need not be known at once: what it counted is read first.
         thorough = not 0 <= now - self._looked < _LOOK_S
         for name, file in list(self._files.items()):
@@ -113,9 +115,8 @@ class CounterReader:
         return found
 
     def called(self) -> list[Called]:
-        """Return what was counted of services since this was last asked."""
-        called, self._called = self._called, []
-        return called
+        """Return what the last read found counted of services."""
+        return self._called
 
     def nodes(self) -> dict[int, frozenset[str]]:
         """Return who counts in which process, by the id that the process sees itself."""
@@ -140,6 +141,7 @@ class CounterReader:
             names = {entry.name for entry in self._folder.iterdir() if entry.name.endswith(slots.SUFFIX)}
         except OSError:
             return set()
+        self._refused &= names
         fresh = set()
         for name in sorted(names - self._files.keys() - self._refused):
             try:

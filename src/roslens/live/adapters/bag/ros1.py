@@ -84,7 +84,7 @@ def _indexed(source: Source, layout: Ros1Layout, head: dict[str, bytes]) -> list
             f"{len(infos):,} chunks and {len(layout.channels):,} connections, not as many as the header says"
         )
     infos.sort(key=lambda info: info[0])
-    ends = [place for place, _, _ in infos[1:]] + [index_at]
+    ends = [*(place for place, _, _ in infos[1:]), index_at] if infos else []
     return [
         _chunk_at(source, place, end)._replace(
             start=time_of(fields, "start_time"), end=time_of(fields, "end_time"), counts=counts

@@ -9,6 +9,8 @@ from roslens.model.graph import Change, Event, Graph
 
 FLAPS = 3
 FLAP_S = 60.0
+MOST_GONE = 1000
+"""So many nodes that are gone are remembered: tools have another name each time that they run."""
 
 
 class Changes:
@@ -30,8 +32,12 @@ class Changes:
         old = {node.name: node for node in before.nodes}
         new = {node.name: node for node in after.nodes}
         for name in sorted(old.keys() - new.keys()):
+            self._gone.pop(name, None)
             self._gone[name] = time
             yield Event(time, Change.VANISHED, f"node:{name}", _place(old[name].pid, old[name].host))
+        for name in list(self._gone)[: max(len(self._gone) - MOST_GONE, 0)]:
+            del self._gone[name]
+            self._restarts.pop(name, None)
         for name in sorted(new.keys()):
             node = new[name]
             if name not in old:

@@ -92,11 +92,11 @@ def test_per_kloc_and_metric_colour_and_own_code(visit: Visit, facts: Any, steps
     page = visit("/graph")
     found = facts.findings()
     page.locator("#colour").select_option("kloc")
-    expect(page.locator("#legend-title")).to_contain_text("Findings per kLOC")
+    expect(page.locator("#legend-title")).to_contain_text("Findings per 1,000 lines of own code")
     expect(page).to_have_url(re.compile("colour=kloc"))
-    rates = [
-        1000 * count / node["loc"] if node["loc"] else None for count, node in zip(found, facts.nodes, strict=True)
-    ]
+    own = facts.findings(own=True)
+    assert own != found
+    rates = [1000 * count / node["loc"] if node["loc"] else None for count, node in zip(own, facts.nodes, strict=True)]
     known = steps([rate for rate in rates if rate is not None])
     assert fills(page) == ["sn" if rate is None else known.pop(0) for rate in rates]
     expect(page.locator("#legend-steps")).to_contain_text("not measured")
@@ -127,3 +127,31 @@ def test_colours_are_relative_to_the_focus(visit: Visit, facts: Any, steps: Step
     shown = fills(page)
     assert [shown[place] for place in near] == steps([found[place] for place in near])
     assert "s5" in {shown[place] for place in near}
+
+
+def test_a_metric_says_that_tags_do_not_colour_it(visit: Visit) -> None:
+    page = visit("/graph?colour=metric:loc")
+    told = page.locator("#legend-unfiltered")
+    expect(told).to_be_hidden()
+    before = fills(page)
+    page.get_by_label("own code only").check()
+    expect(told).to_contain_text("A metric has no tags")
+    assert fills(page) == before
+    page.get_by_label("own code only").uncheck()
+    expect(told).to_be_hidden()
+    page = visit("/graph?colour=metric:loc&include=calls")
+    expect(page.locator("#legend-unfiltered")).to_be_visible()
+    page.locator("#colour").select_option("findings")
+    expect(page.locator("#legend-unfiltered")).to_be_hidden()
+
+
+def test_the_legend_explains_every_kind_of_line(visit: Visit) -> None:
+    page = visit("/graph")
+    assert page.locator("#scene > .edges.cycles").get_attribute("d")
+    legend = page.locator("#graph-legend .lines li")
+    assert legend.all_inner_texts() == ["what the selected package needs", "what needs it", "dependency cycle"]
+    looks = "found => found.map(one => { const s = getComputedStyle(one); return s.stroke + s.strokeDasharray; })"
+    swatches = legend.locator("path").evaluate_all(looks)
+    assert len(set(swatches)) == 3
+    drawn = page.locator("#scene > .edges.cycles").evaluate_all(looks)
+    assert drawn == swatches[2:]

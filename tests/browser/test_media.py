@@ -68,7 +68,7 @@ def test_pages_are_complete_without_scripts(visit: Visit, fetch: Callable[[str],
     page.locator("#colour").select_option("kloc")
     page.locator("#exclude").fill("calls")
     page.locator("#graph-form").get_by_role("button", name="Apply").click()
-    expect(page.locator("#legend-title")).to_contain_text("Findings per kLOC")
+    expect(page.locator("#legend-title")).to_contain_text("Findings per 1,000 lines")
     page.goto(base + "/findings")
     page.locator("#severity").select_option("error")
     page.get_by_role("button", name="Apply").click()

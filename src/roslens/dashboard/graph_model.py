@@ -176,19 +176,24 @@ def colour_values(site: Site, colouring: Colouring) -> tuple[list[float | None],
         measured = measured_on(site.quantities, EntityKind.PACKAGE).get(key)
         if measured:
             return [_short(package.values.get(key)) for package in site.packages], measured
-    found: list[float | None] = []
-    for package in site.packages:
-        total = sum(
-            count.gated if colouring.gated else count.count
-            for count in package.rules
-            if colouring.tags.matches(count.tags)
-        )
-        if colouring.by == "kloc":
-            loc = package.values.get("loc")
-            found.append(1000 * total / loc if loc else None)
-        else:
-            found.append(float(total))
-    return found, None
+    if colouring.by == "kloc":
+        return [site.findings_per_kloc(package, colouring.tags) for package in site.packages], None
+    return [float(_total(package, colouring)) for package in site.packages], None
+
+
+def _total(package: PackageSummary, colouring: Colouring) -> int:
+    return sum(
+        count.gated if colouring.gated else count.count for count in package.rules if colouring.tags.matches(count.tags)
+    )
+
+
+def colour_title(colouring: Colouring, measured: Measured | None) -> str:
+    """Return what the colours stand for."""
+    if measured:
+        return measured.title
+    if colouring.by == "kloc":
+        return "Findings per 1,000 lines of own code"
+    return "Findings in own code" if colouring.gated else "Findings"
 
 
 def better_of(measured: Measured | None) -> Better:

@@ -241,6 +241,14 @@ class Site:
                 counts[count.severity] += count.count
         return counts
 
+    @staticmethod
+    def findings_per_kloc(package: PackageSummary, tags: TagFilter | None = None) -> float | None:
+        """Return findings per 1,000 lines of code, both of what counts for gates; None for a package without code."""
+        lines = package.values.get("loc")
+        if not lines:
+            return None
+        return 1000 * sum(count.gated for count in package.rules if not tags or tags.matches(count.tags)) / lines
+
     @cached_property
     def kinds_measured(self) -> dict[str, tuple[EntityKind, ...]]:
         """Quantity key to the kinds of entity that may have a value of it: its own, then those it is folded to."""

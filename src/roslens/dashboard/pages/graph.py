@@ -6,7 +6,7 @@ import msgspec
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.figures import number
-from roslens.dashboard.graph_model import Colouring, better_of, colour_values
+from roslens.dashboard.graph_model import Colouring, better_of, colour_title, colour_values
 from roslens.dashboard.ramp import Ramp, ramp_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
@@ -23,7 +23,7 @@ def build(site: Site, request: Request) -> View | None:
     values, measured = colour_values(site, colouring)
     decimals = measured.decimals if measured else 1 if colouring.by == "kloc" else 0
     ramp = ramp_of(values, better_of(measured), decimals)
-    title = measured.title if measured else "Findings per kLOC" if colouring.by == "kloc" else "Findings"
+    title = colour_title(colouring, measured)
     table = sort_rows(
         _table(site, title, values, decimals), query.get("sort"), None if request.complete else request.limits.rows
     )
@@ -45,6 +45,8 @@ def build(site: Site, request: Request) -> View | None:
             "unit": measured.quantity.unit if measured else "",
             "legend": legend(ramp, values),
             "falling": ramp.falling,
+            "unfiltered": measured is not None and bool(include or exclude or colouring.gated),
+            "cycles": any(edge.cycle for edge in layout.edges),
             "tags": site.tag_counts,
             "colour_by": colouring.by,
             "own": colouring.gated,

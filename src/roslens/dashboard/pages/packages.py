@@ -61,7 +61,7 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
         Column("errors", "Errors", "number"),
         Column("warnings", "Warnings", "number"),
         Column("notes", "Notes", "number"),
-        Column("per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines of code", decimals=1),
+        Column("per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines, both of own code", decimals=1),
         Column("loc", "Code lines", "number", bar=True, hint="Lines with code"),
         *(
             Column(
@@ -127,13 +127,12 @@ def _flag(rating: str) -> str:
 def _counts(site: Site, package: PackageSummary, tags: TagFilter) -> tuple[Cell, ...]:
     by_severity = site.severity_counts_of(package, tags)
     total = sum(by_severity.values())
-    loc = package.values.get("loc")
     return (
         Cell(total, ref=PageRef("findings", query=(("package", package.id),)) if total else None),
         Cell(by_severity[Severity.ERROR]),
         Cell(by_severity[Severity.WARNING]),
         Cell(by_severity[Severity.NOTE]),
-        Cell(1000 * total / loc if loc else None),
+        Cell(site.findings_per_kloc(package, tags)),
     )
 
 

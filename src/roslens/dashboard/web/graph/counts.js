@@ -22,12 +22,13 @@ export function colourOf(graph, settings) {
   const metric = settings.colour.startsWith("metric:") && graph.metrics.find((one) => `metric:${one.key}` === settings.colour);
   if (metric) return metric;
   const rules = wantedRules(graph, settings.include, settings.exclude);
-  const totals = graph.nodes.map((node) => findingsOf(node, rules, settings.own));
   if (settings.colour === "kloc") {
-    const values = totals.map((total, place) => (graph.nodes[place].loc ? (1000 * total) / graph.nodes[place].loc : null));
-    return { title: "Findings per kLOC", unit: "", decimals: 1, better: "lower", values };
+    // Lines of code are those of own code, so findings are too.
+    const values = graph.nodes.map((node) => (node.loc ? (1000 * findingsOf(node, rules, true)) / node.loc : null));
+    return { title: "Findings per 1,000 lines of own code", unit: "", decimals: 1, better: "lower", values };
   }
-  return { title: "Findings", unit: "", decimals: 0, better: "lower", values: totals };
+  const values = graph.nodes.map((node) => findingsOf(node, rules, settings.own));
+  return { title: settings.own ? "Findings in own code" : "Findings", unit: "", decimals: 0, better: "lower", values };
 }
 
 /** Tag -> findings that carry it in the visible nodes. */

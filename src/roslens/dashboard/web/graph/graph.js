@@ -81,6 +81,8 @@ class GraphView extends Stage {
     const unit = this.colour.unit ? ` [${this.colour.unit}]` : "";
     const among = `relative to the ${figure(this.visible.size)} package${this.visible.size === 1 ? "" : "s"} shown`;
     this.root.querySelector("#legend-title").textContent = `${this.colour.title}${unit}, ${among}${ramp.falling ? "; darker is lower" : ""}`;
+    const { colour, include, exclude, own } = this.settings;
+    this.root.querySelector("#legend-unfiltered").hidden = !(colour.startsWith("metric:") && (include.length || exclude.length || own));
     const steps = legendOf(ramp);
     if (counts.has("n")) steps.push(["n", "not measured"]);
     this.root.querySelector("#legend-steps").replaceChildren(

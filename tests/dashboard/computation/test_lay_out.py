@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from itertools import combinations
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -71,9 +73,47 @@ def test_a_box_holds_its_namespace_and_nothing_else(made: tuple[list[Item], list
             assert first.y + first.height <= second.y or second.y + second.height <= first.y
 
 
-def test_an_arrow_is_where_things_flow_to() -> None:
-    items = [Item(40, 26, 0, 0), Item(40, 26, 0, 1)]
-    there, back = (lay_out(items, [wire], LANES).paths[0] for wire in ((0, 1), (1, 0)))
-    left, right = lay_out(items, [(0, 1)], LANES).places
-    assert there.endswith(f"L{right[0] - 26:.1f} {right[1] + 3:.1f}")
-    assert back.endswith(f"L{left[0] + 26:.1f} {left[1] + 3:.1f}")
+def drawn(path: str) -> tuple[list[tuple[float, float]], list[tuple[float, float]]]:
+    """Return the points of a wire and of its tip."""
+    line, tip = (
+        [tuple(map(float, pair.split())) for pair in re.findall(r"-?[\d.]+ -?[\d.]+", re.sub(r"H-?[\d.]+", "", part))]
+        for part in re.fullmatch(r"M(.*?)M(.*)", path).groups()  # type: ignore[union-attr]
+    )
+    return line, tip  # type: ignore[return-value]
+
+
+@settings(max_examples=100)
+@given(MADE)
+def test_every_wire_leaves_on_the_right_and_enters_on_the_left(made: tuple[list[Item], list[tuple[int, int]]]) -> None:
+    items, wires = closed_up(made[0]), [wire for wire in made[1] if wire[0] != wire[1]]
+    picture = lay_out(items, wires, LANES)
+    for (source, target), path in zip(wires, picture.paths, strict=True):
+        line, tip = drawn(path)
+        (x, y), (left, height) = picture.places[source], picture.places[target]
+        assert line[0] == pytest.approx((x + items[source].width / 2, y), abs=0.06)
+        end = pytest.approx((left - items[target].width / 2, height), abs=0.06)
+        assert tip[1] == end
+        assert tip[0][0] == tip[2][0] < tip[1][0], "it points to the right, into the element"
+        # Right before the tip it comes from outside of the element.
+        before = line[-2][0] if len(line) > 4 else line[-3][0]
+        assert before <= tip[1][0] + 0.1
+
+
+def test_a_wire_that_runs_back_turns_round_beside_both_ends() -> None:
+    items = [Item(40, 26, 0, 0), Item(60, 26, 0, 1), Item(60, 26, 0, 1), Item(40, 26, 0, 2)]
+    picture = lay_out(items, [(0, 1), (1, 3), (3, 0), (2, 3)], LANES)
+    (first_x, first_y), (last_x, last_y) = picture.places[0], picture.places[3]
+    line, tip = drawn(picture.paths[2])
+    assert line[0] == (last_x + 20, last_y)
+    assert max(x for x, _ in line) > last_x + 20
+    assert min(x for x, _ in line) < first_x - 20
+    assert tip[1] == (first_x - 20, first_y)
+
+
+def test_two_in_one_column_are_joined_from_right_to_left_too() -> None:
+    picture = lay_out([Item(40, 26, 0, 0), Item(80, 26, 0, 0)], [(0, 1)], LANES)
+    (x, y), (to, height) = picture.places
+    line, tip = drawn(picture.paths[0])
+    assert line[0] == (x + 20, y)
+    assert tip[1] == (to - 40, height)
+    assert max(place for place, _ in line) > to + 40

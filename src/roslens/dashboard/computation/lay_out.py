@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Sequence
+from itertools import pairwise
 
 import msgspec
 
@@ -26,6 +27,9 @@ LOOSEST = 22.0
 
 TIP = 6.0
 """Length of the arrow at the end of a wire."""
+
+TURN = 13.0
+"""How far beside an element a wire that runs back turns round."""
 
 
 class Item(msgspec.Struct, frozen=True):
@@ -234,35 +238,84 @@ def _path(
     middles: Sequence[float],
     spans: Sequence[tuple[float, float]],
 ) -> str:
-    """Return a line that runs level through columns and bends between them, with an arrow where things flow to."""
+    """Return a line that runs level through columns and bends between them, with an arrow where things flow to.
+
+    It leaves at the right side of an element and enters at the left side of another; one that runs back to an earlier
+    column turns round beside both of its ends.
+    """
     source, target = wire
+    ends = (_side(items, places, source), _side(items, places, target))
     if items[source].column == items[target].column:
-        return bow(places[source], places[target], items[source].width / 2, items[target].width / 2)
+        return _within(*ends)
     way = ways[_rightward(items, wire)]
-    first, last = way[0], way[-1]
-    x, y = places[first][0] + items[first].width / 2, places[first][1]
-    end = places[last][0] - items[last].width / 2
+    steps = [(spans[items[way[0]].column + step], middles[item]) for step, item in enumerate(way)]
+    if target == way[0]:
+        return _back(*ends, steps[::-1])
+    x, y = places[source][0] + items[source].width / 2, places[source][1]
     parts = [f"M{x:.1f} {y:.1f}"]
-    for step, item in enumerate(way[1:]):
-        start, stop = spans[items[first].column + step][1], spans[items[first].column + step + 1][0]
-        height = places[item][1] if item == last else middles[item]
-        middle = (start + stop) / 2
-        parts.append(f"H{start:.1f}C{middle:.1f} {y:.1f} {middle:.1f} {height:.1f} {stop:.1f} {height:.1f}")
+    for (before, _), (after, height) in pairwise(steps):
+        parts.append(_bend(before[1], y, after[0], height))
         y = height
-    parts.append(f"H{end:.1f}")
-    parts.append(arrow(end, y, 1) if target == last else arrow(x, places[first][1], -1))
-    return "".join(parts)
+    end = places[target][0] - items[target].width / 2
+    return "".join((*parts, f"H{end:.1f}", arrow(end, y)))
 
 
-def arrow(x: float, y: float, direction: int) -> str:
-    """Return the tip of a wire that comes from the left (1) or the right (-1)."""
-    back = x - direction * TIP
+class Side(msgspec.Struct, frozen=True):
+    """An end of a wire: the middle of an element, half of its width and of its height."""
+
+    x: float
+    y: float
+    across: float
+    down: float
+
+
+def _side(items: Sequence[Item], places: Sequence[tuple[float, float]], number: int) -> Side:
+    return Side(*places[number], items[number].width / 2, items[number].height / 2)
+
+
+def _bend(x: float, y: float, to: float, height: float) -> str:
+    middle = (x + to) / 2
+    return f"H{x:.1f}C{middle:.1f} {y:.1f} {middle:.1f} {height:.1f} {to:.1f} {height:.1f}"
+
+
+def _back(source: Side, target: Side, steps: Sequence[tuple[tuple[float, float], float]]) -> str:
+    """Return a line to an earlier column; ``steps`` are span and height at each column, both ends' included."""
+    right = source.x + source.across
+    y, end = _beyond(source, steps[1][1]), _beyond(target, steps[-2][1])
+    parts = [f"M{right:.1f} {source.y:.1f}", _turn(right, source.y, y, 1)]
+    x = steps[0][0][0]
+    for (start, stop), height in steps[1:-1]:
+        parts.append(_bend(x, y, stop, height))
+        x, y = start, height
+    return "".join((*parts, _bend(x, y, steps[-1][0][1], end), _entry(target, end)))
+
+
+def _within(source: Side, target: Side) -> str:
+    """Return a line to another element of the same column: it changes its row beside both, where nothing stands."""
+    right, end = source.x + source.across, _beyond(target, source.y)
+    far = max(right, target.x + target.across)
+    out = far + TURN + min(30.0, abs(source.y - target.y) / 8)
+    line = f"M{right:.1f} {source.y:.1f}H{far:.1f}C{out:.1f} {source.y:.1f} {out:.1f} {end:.1f} {far:.1f} {end:.1f}"
+    return line + _entry(target, end)
+
+
+def _beyond(one: Side, towards: float) -> float:
+    """Return the height between the row of an element and the next one in a direction."""
+    return one.y + math.copysign(one.down + ROOM / 2, towards - one.y)
+
+
+def _turn(x: float, y: float, to: float, direction: int) -> str:
+    out = x + direction * TURN
+    return f"C{out:.1f} {y:.1f} {out:.1f} {to:.1f} {x:.1f} {to:.1f}"
+
+
+def _entry(target: Side, y: float) -> str:
+    """Return the end of a line that comes from the right: past the element, round, and into its left side."""
+    left = target.x - target.across
+    return f"H{left:.1f}{_turn(left, y, target.y, -1)}{arrow(left, target.y)}"
+
+
+def arrow(x: float, y: float) -> str:
+    """Return the tip of a wire that comes from the left."""
+    back = x - TIP
     return f"M{back:.1f} {y - TIP / 2:.1f}L{x:.1f} {y:.1f}L{back:.1f} {y + TIP / 2:.1f}"
-
-
-def bow(start: tuple[float, float], end: tuple[float, float], first: float, second: float) -> str:
-    """Return a line beside the column for two that stand in it."""
-    x1, x2 = start[0] + first, end[0] + second
-    out = max(x1, x2) + 14 + min(30.0, math.dist(start, end) / 8)
-    line = f"M{x1:.1f} {start[1]:.1f}C{out:.1f} {start[1]:.1f} {out:.1f} {end[1]:.1f} {x2:.1f} {end[1]:.1f}"
-    return line + arrow(x2, end[1], -1)

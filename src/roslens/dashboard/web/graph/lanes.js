@@ -7,6 +7,7 @@ const BETWEEN = 16;
 const EDGE = 16;
 const GAP = 90;
 const TIP = 6;
+const TURN = 13;
 const ASPECT = 1.6;
 const LOOSEST = 22;
 
@@ -107,12 +108,29 @@ function boxesOf(reach, spans) {
   });
 }
 
-/** A line between the sides of two elements that face each other, with an arrow at its end. */
+const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+const bend = (x, y, to, height) => `H${x.toFixed(1)}C${point((x + to) / 2, y)} ${point((x + to) / 2, height)} ${point(to, height)}`;
+const tip = (x, y) => `M${point(x - TIP, y - TIP / 2)}L${point(x, y)}L${point(x - TIP, y + TIP / 2)}`;
+
+/** A line from the right side of an element to the left side of another, with an arrow at its end. */
 export function line(a, b, from, to) {
-  const tip = (x, y, way) => `M${(x - way * TIP).toFixed(1)} ${(y - TIP / 2).toFixed(1)}L${x.toFixed(1)} ${y.toFixed(1)}L${(x - way * TIP).toFixed(1)} ${(y + TIP / 2).toFixed(1)}`;
-  const way = Math.abs(a.x - b.x) < 1 ? 0 : a.x < b.x ? 1 : -1;
-  const x1 = a.x + ((way || 1) * from.w) / 2;
-  const x2 = b.x - ((way || -1) * to.w) / 2;
-  const bend = way ? (x1 + x2) / 2 : Math.max(x1, x2) + 14 + Math.min(30, Math.abs(a.y - b.y) / 8);
-  return `M${x1.toFixed(1)} ${a.y.toFixed(1)}C${bend.toFixed(1)} ${a.y.toFixed(1)} ${bend.toFixed(1)} ${b.y.toFixed(1)} ${x2.toFixed(1)} ${b.y.toFixed(1)}${tip(x2, b.y, way || -1)}`;
+  const [right, left] = [a.x + from.w / 2, b.x - to.w / 2];
+  if (right < left) return `M${point(right, a.y)}${bend(right, a.y, left, b.y)}${tip(left, b.y)}`;
+  return around(a, b, from, to, right, left);
+}
+
+/** One that runs back: it turns round beside both of its ends. */
+function around(a, b, from, to, right, left) {
+  const beyond = (one, node, other) => one.y + (other.y < one.y ? -1 : 1) * (node.h / 2 + ROOM / 2);
+  const [y, end] = [beyond(a, from, b), beyond(b, to, a)];
+  const parts = [`M${point(right, a.y)}`];
+  if (Math.abs(a.x - b.x) < (from.w + to.w) / 2) {
+    const far = Math.max(right, b.x + to.w / 2);
+    const out = far + TURN + Math.min(30, Math.abs(a.y - b.y) / 8);
+    parts.push(`H${far.toFixed(1)}C${point(out, a.y)} ${point(out, end)} ${point(far, end)}`);
+  } else {
+    parts.push(`C${point(right + TURN, a.y)} ${point(right + TURN, y)} ${point(right, y)}`, bend(a.x - from.w / 2, y, b.x + to.w / 2, end));
+  }
+  parts.push(`H${left.toFixed(1)}C${point(left - TURN, end)} ${point(left - TURN, b.y)} ${point(left, b.y)}`, tip(left, b.y));
+  return parts.join("");
 }

@@ -323,9 +323,49 @@ def test_two_fingers_zoom_and_move_the_picture(visit: Visit) -> None:
 def test_the_panel_lists_the_nodes(visit: Visit) -> None:
     page = visit("/computation/rover")
     panel = page.locator("#graph-selected")
-    expect(panel).to_contain_text("Other nodes")
+    expect(panel).to_contain_text("Nodes (8)")
     listed = set(panel.locator(".pick").all_text_contents())
     nodes = set(page.locator(".nodes .node.node:not([hidden]) > title").all_text_contents())
     assert {"/odometry", "/lidar"} <= listed & nodes
     panel.get_by_role("button", name="/odometry", exact=True).press("Enter")
     expect(page).to_have_url(re.compile("select=node%2Fodometry"))
+
+
+@pytest.mark.parametrize(
+    "query", ["", "topics=lines", "noise=tf,debug&hide=/scan,/status,/mission", "focus=node/lidar"]
+)
+def test_no_way_to_draw_it_hides_a_finding(visit: Visit, made_up: Any, query: str) -> None:
+    page = visit(f"/computation/rover?{query}")
+    told = page.locator("#graph-selected .told > li")
+    expect(told).to_have_count(len(made_up.robot_findings()))
+    for one in made_up.robot_findings():
+        assert told.filter(has_text=one.message.replace("`", "")).count() == 1
+    expect(page.locator("#findings tbody tr:visible")).to_have_count(len(made_up.robot_findings()))
+
+
+def test_a_finding_leads_to_what_it_is_about(visit: Visit) -> None:
+    page = visit("/computation/rover?topics=lines")
+    panel = page.locator("#graph-selected")
+    panel.locator(".told li").first.get_by_role("button", name="/scan").click()
+    expect(panel.locator("h2")).to_have_text("/scan")
+    expect(panel.locator(".told li")).to_contain_text("nothing arrives")
+    expect(page.locator(".links path")).to_have_count(1)
+    page = visit("/computation/rover?hide=/scan")
+    page.locator("#graph-selected .told li").first.get_by_role("link", name="/scan").click()
+    expect(page).to_have_url(re.compile("/topics/rover/topic/scan"))
+
+
+def test_lines_between_nodes_have_names_and_marks_and_can_be_selected(visit: Visit) -> None:
+    page = visit("/computation/rover?topics=lines&view=1.2,500,300")
+    names = page.locator(".line-names [data-line]")
+    expect(names.filter(has_text="scan")).to_have_count(1)
+    assert names.filter(has_text="scan").locator(".glyph.error").count() == 1
+    assert re.search(r"\d (topics|names)", " ".join(names.all_text_contents()))
+    names.filter(has_text="scan").locator("text").dispatch_event("click")
+    expect(page.locator("#graph-selected h2")).to_have_text("/scan")
+    expect(page).to_have_url(re.compile("select=topic%2Fscan"))
+    page.locator("#graph-selected").get_by_role("button", name="Clear").click()
+    names.filter(has_text=re.compile(r"\d (topics|names)")).first.locator("text").dispatch_event("click")
+    assert page.locator("#graph-selected .pick").count() >= 2
+    page.get_by_label("Topics", exact=True).select_option("marks")
+    expect(names).to_have_count(0)

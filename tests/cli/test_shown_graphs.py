@@ -92,3 +92,32 @@ def test_of_many_that_were_kept_the_largest_are_shown(talking, tmp_path, capsys)
     assert "8 of 10 launch files" in capsys.readouterr().err
     assert not (tmp_path / "out/computation/more0.launch.xml.json").exists()
     assert (tmp_path / "out/computation/more8.launch.xml.json").exists()
+
+
+def total(out):
+    return json.loads((out / "overview.json").read_text())["counts"]["findings"]
+
+
+def test_findings_that_a_run_did_not_look_for_are_told_apart_from_its_totals(talking, tmp_path, capsys):
+    page = pages(talking, tmp_path / "apart", capsys)[0]["fleet.launch.xml.json"]
+    assert (page["counted"], len(page["findings"])) == (False, 1)
+    assert [row["rule"] for row in page["tables"]["findings"]["rows"]] == ["graph.qos"]
+    text = (tmp_path / "apart/computation/fleet.launch.xml.html").read_text()
+    assert "no total of these pages counts them" in text
+    overview = (tmp_path / "apart/index.html").read_text()
+    assert "This run did not check them" in overview
+    assert "1 finding<" not in overview
+    assert total(tmp_path / "apart") == 2
+
+
+def test_those_of_a_run_count_everywhere(talking, tmp_path):
+    assert main(["check", str(talking), "-q", "--jobs", "1", "--graph", "--fail-on", "never"]) == 0
+    assert main(["report", str(talking), "-o", str(tmp_path / "out"), "-q"]) == 0
+    page = json.loads((tmp_path / "out/computation/fleet.launch.xml.json").read_text())
+    assert (page["counted"], len(page["findings"])) == (True, 1)
+    overview = (tmp_path / "out/index.html").read_text()
+    assert "This run did not check them" not in overview
+    assert "1 finding<" in overview
+    assert total(tmp_path / "out") == 3
+    rules = json.loads((tmp_path / "out/rules.json").read_text())["tables"]["rules"]["rows"]
+    assert [row["findings"] for row in rules if row["rule"] == "graph.qos"] == [1]

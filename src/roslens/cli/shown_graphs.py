@@ -37,7 +37,7 @@ def site_with_graphs(view: RunView, options: argparse.Namespace, progress: Finis
         shown, note = shown_graphs(view, _cache(view, options), progress, quiet=options.quiet)
     finally:
         progress.finish()
-    return site_of(view, shown, note)
+    return site_of(view, shown, note, counted=False)
 
 
 def _cache(view: RunView, options: argparse.Namespace) -> Path | None:

@@ -12,13 +12,14 @@ if TYPE_CHECKING:
     from roslens.store.read import RunView
 
 
-def site_of(view: RunView, shown: Assembled | None = None, note: str = "") -> Site:
+def site_of(view: RunView, shown: Assembled | None = None, note: str = "", *, counted: bool = True) -> Site:
     """Return the site that shows ``view``: its quantities, the thresholds of every model, its sources.
 
     Args:
         view: the run.
         shown: configurations whose computation graphs are shown.
         note: what readers of them have to know.
+        counted: whether their findings are among those of the run.
     """
     from roslens.dashboard.site import Site
     from roslens.judge.quality_model import builtin_models, load_model
@@ -40,6 +41,7 @@ def site_of(view: RunView, shown: Assembled | None = None, note: str = "") -> Si
         configurations=shown.configurations if shown else None,
         about=shown.findings if shown else None,
         graph_note=note,
+        graphs_counted=counted,
     )
 
 

@@ -67,6 +67,7 @@ class Site:
         configurations: Mapping[str, Configuration] | None = None,
         about: Mapping[str, Sequence[Finding]] | None = None,
         graph_note: str = "",
+        graphs_counted: bool = True,
     ) -> None:
         """Bring a run and its explanations together.
 
@@ -78,6 +79,7 @@ class Site:
             configurations: whose computation graphs are shown, by name.
             about: findings about each of them, by the same names.
             graph_note: what readers of these graphs have to know, as that they are not those of the run.
+            graphs_counted: whether the findings about them are among those of the run.
         """
         self.view = view
         self.quantities = dict(quantities)
@@ -86,6 +88,7 @@ class Site:
         self._configurations = dict(configurations or {})
         self._about = dict(about or {})
         self._graph_note = graph_note
+        self._graphs_counted = graphs_counted
 
     def _file_of(self, path: str) -> SourceFile | None:
         place = self.places.get(path)
@@ -269,7 +272,8 @@ class Site:
         from roslens.dashboard.computation.book import Book
         from roslens.dashboard.computation.system import systems_of
 
-        return Book(systems_of(self._configurations, self._about), lambda path: path in self.places, self._graph_note)
+        systems = systems_of(self._configurations, self._about)
+        return Book(systems, lambda path: path in self.places, self._graph_note, counted=self._graphs_counted)
 
     @cached_property
     def graph(self) -> tuple[PackageGraph, Layout]:

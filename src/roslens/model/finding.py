@@ -42,7 +42,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     Lines and columns are 1-based, 0 means unknown; ``entity`` is the text form of the id of the
     innermost entity known. A finding that a quality model makes carries the ``value``, the
     ``quantity``, the broken ``bound`` and the ``model``. One that stands for several of one cause
-    names the ``others``, each with its place.
+    names the ``others``, each with its place; one that holds for several entities alike has the rest in ``also``.
     """
 
     rule: str
@@ -63,6 +63,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     model: str = ""
     gated: bool = True
     others: tuple[str, ...] = ()
+    also: tuple[str, ...] = ()
 
 
 def fingerprint(rule: str, place: str, context: str = "", ordinal: int = 0) -> str:

@@ -52,9 +52,8 @@ def test_topics_can_be_lines(client: Any) -> None:
 
 def test_the_tables_are_in_the_page(client: Any, made_up: ModuleType) -> None:
     text = client.get("/computation/rover").text
-    assert text.count("<tr data-id=") == len(made_up.robot().nodes) + sum(
-        len(node.endpoints) for node in made_up.robot().nodes
-    )
+    ends = sum(len(node.endpoints) for node in made_up.robot().nodes)
+    assert text.count("<tr data-id=") == len(made_up.robot().nodes) + ends + len(made_up.robot_findings())
 
 
 def test_an_unknown_configuration_is_not_there(client: Any) -> None:

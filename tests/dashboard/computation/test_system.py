@@ -99,3 +99,14 @@ def test_what_is_wrong_with_a_parameter_stands_on_its_node() -> None:
     system = System("s", Configuration("t", "ros2", (ConfiguredNode("/a/b", Proof()),)), (finding,))
     assert system.findings_on(system.elements[0]) == (finding,)
     assert system.elements[0].severity == "error"
+
+
+def test_what_holds_for_several_is_shown_on_each(made_up: ModuleType) -> None:
+    both = Finding("graph.remap", Severity.WARNING, "m", entity="node:/left/camera", also=("node:/right/camera",))
+    one = System("rover", made_up.robot(), (both,))
+    for name in ("/left/camera", "/right/camera"):
+        element = one.elements[named(one, name)]
+        assert element.severity == "warning"
+        assert one.findings_on(element) == (both,)
+    assert one.elements_of(both) == (named(one, "/left/camera"), named(one, "/right/camera"))
+    assert one.elements[named(one, "/lidar")].severity == ""

@@ -20,7 +20,12 @@ class Book:
     """Systems by slug, in the order in which they are shown."""
 
     def __init__(
-        self, systems: Mapping[str, System], has_page: Callable[[str], bool] = _no_page, note: str = ""
+        self,
+        systems: Mapping[str, System],
+        has_page: Callable[[str], bool] = _no_page,
+        note: str = "",
+        *,
+        counted: bool = True,
     ) -> None:
         """Take the systems.
 
@@ -28,8 +33,10 @@ class Book:
             systems: by slug.
             has_page: whether the report has a page for a file, by its path below the workspace root.
             note: what readers of every page have to know.
+            counted: whether the findings about them are those of the run that the report is about.
         """
         self.note = note
+        self.counted = counted
         self.systems = dict(systems)
         self.has_page = has_page
         self._graphs: dict[tuple[str, Left], ComputationGraph] = {}

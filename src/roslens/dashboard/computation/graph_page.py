@@ -7,6 +7,7 @@ import msgspec
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import Book, ref_of
 from roslens.dashboard.computation.endpoint_rows import conditions_cell, endpoint_table
+from roslens.dashboard.computation.finding_rows import finding_tables
 from roslens.dashboard.computation.noise import DEFAULT, NONE, PRESETS, presets_of
 from roslens.dashboard.computation.picture import Left, style_of
 from roslens.dashboard.computation.system import KIND_OF_ROLE, Kind, System
@@ -28,6 +29,7 @@ def build(book: Book, request: Request) -> View | None:
     as_lines = graph.many if wanted not in {"lines", "marks"} else wanted == "lines"
     nodes = sort_rows(_nodes(book, system), query.get("sort_nodes"))
     endpoints = _endpoints(book, system, request)
+    sure, doubted = (sort_rows(table, query.get(f"sort_{table.name}")) for table in finding_tables(book, system))
     return View(
         ref=PageRef("computation", system.slug, query=query.pairs),
         title=f"Computation graph: {system.configuration.title}",
@@ -43,12 +45,14 @@ def build(book: Book, request: Request) -> View | None:
             "elements": [_element(book, system, number) for number in range(len(system.elements))],
             "wires": msgspec.to_builtins(system.wires),
             "findings": msgspec.to_builtins(system.findings),
+            "counted": book.counted,
             "unresolved": msgspec.to_builtins(system.configuration.unresolved),
             "note": book.note,
         },
-        tables=(nodes, endpoints),
+        tables=(nodes, endpoints, sure, doubted),
         shown={
             "note": book.note,
+            "counted": book.counted,
             "system": system,
             "systems": tuple(book.systems.values()),
             "graph": graph,
@@ -92,6 +96,7 @@ def _picture(system: System, graph: object, left: Left, *, as_lines: bool) -> di
     found["ends"] = [wire.endpoints for wire in system.wires]
     found["presets"] = [preset.key for preset in PRESETS]
     found["default"] = sorted(DEFAULT)
+    found["about"] = [system.elements_of(finding) for finding in system.findings]
     found["drawn"] = {"noise": sorted(left.presets), "hide": list(left.patterns), "lines": as_lines}
     return found
 

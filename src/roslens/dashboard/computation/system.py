@@ -107,7 +107,8 @@ class System:
         self.findings = tuple(findings)
         self._about: dict[str, list[Finding]] = {}
         for finding in findings:
-            self._about.setdefault(_owner(finding.entity), []).append(finding)
+            for owner in _owners(finding):
+                self._about.setdefault(owner, []).append(finding)
         self.nodes = configuration.nodes
         self._lanes = {namespace_of(node.name) for node in self.nodes}
         self.elements: list[Element] = []
@@ -115,11 +116,18 @@ class System:
         self._add_nodes()
         self._add_channels()
         self.by_key = {element.key: number for number, element in enumerate(self.elements)}
+        self._numbers: dict[str, list[int]] = {}
+        for number, element in enumerate(self.elements):
+            self._numbers.setdefault(f"{element.kind.value}:{element.name}", []).append(number)
         self.wires = self._wires()
 
     def findings_on(self, element: Element) -> tuple[Finding, ...]:
         """Return what is wrong with an element."""
         return tuple(self._about.get(f"{element.kind.value}:{element.name}", ()))
+
+    def elements_of(self, finding: Finding) -> tuple[int, ...]:
+        """Return the numbers of the elements that a finding is about."""
+        return tuple(number for owner in _owners(finding) for number in self._numbers.get(owner, ()))
 
     def ends_of(self, number: int) -> list[End]:
         """Return the endpoints of a node or at a topic, service or action."""
@@ -201,6 +209,10 @@ class System:
             )
             for (source, target), ends in sorted(found.items())
         )
+
+
+def _owners(finding: Finding) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(map(_owner, (finding.entity, *finding.also))))
 
 
 def _owner(entity: str) -> str:

@@ -64,3 +64,12 @@ def test_a_file_of_a_container_may_be_for_a_node_in_it():
     assert not loaded("/robot/amcl")
     assert not loaded("/slam", resolved=False)
     assert [one.node for one in loaded("/slam")] == ["/container"]
+
+
+def test_every_node_that_is_started_there_is_named():
+    setting = Setting(Text.of("rate"), Text.of("1"), Evidence("slam.yaml", 3), node="/slam")
+    start = Launched(Text.of("slam"), Text.of("slam"), PLACE, settings=(setting,))
+    system = configuration(node("/one/slam", line=4), node("/two/slam", line=4))
+    assert set(ignored_files(system, Launch("ros2", (start, start)))) == {
+        Ignored("/one/slam", launched(3, "slam.yaml"), ("/slam",), launched(4), ("/two/slam",))
+    }

@@ -38,3 +38,13 @@ def test_a_name_that_is_nearly_it_is_a_mistake_whoever_else_runs():
 
 def test_none_is_none():
     assert not list(found(configuration(node("/robot/slam")), Surroundings()))
+
+
+def test_a_file_that_several_nodes_ignore_alike_is_one_finding_about_all_of_them():
+    given = Ignored("/one/slam", launched(2, "config/slam.yaml"), ("/slam",), launched(9), also=("/two/slam",))
+    (one,) = found(configuration(node("/one/slam"), node("/two/slam")), Surroundings(ignored=(given,)))
+    assert one.message == (
+        "launch/robot.launch.xml:9 gives config/slam.yaml to /one/slam, /two/slam, but it is keyed to `/slam`: all of "
+        "it is ignored. `/slam` is nearly it. Key it to `/**`."
+    )
+    assert (one.entity, one.also) == ("node:/one/slam", ("node:/two/slam",))

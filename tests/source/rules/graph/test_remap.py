@@ -28,6 +28,7 @@ def test_a_remapping_of_a_group_needs_one_node_that_it_is_for():
     assert not findings(node("/a", remaps=(remap("x", "y", used=True),)), node("/b", X, remaps=(GROUP,)))
     (one,) = findings(node("/a", X, remaps=(GROUP,)), node("/b", X, remaps=(GROUP,)))
     assert "/a, /b use no such name" in one.message
+    assert (one.entity, one.also) == ("node:/a", ("node:/b",))
 
 
 def test_a_name_mapped_to_itself_and_code_that_says_nothing_are_none():

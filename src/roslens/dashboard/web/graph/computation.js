@@ -1,21 +1,17 @@
 // The computation graph: nodes, and topics as marks of their own or as lines between nodes.
 
 import { setParameters } from "../address.js";
-import { draw, figure, make, settled } from "../dom.js";
+import { draw, figure, settled } from "../dom.js";
 import { onKey } from "../keys.js";
 import { dependentsOf, around } from "./focus.js";
 import { closeUp, line, stepsFrom } from "./lanes.js";
 import { showNames } from "./names.js";
 import { visibleOf } from "./noise.js";
-import { Stage } from "./stage.js";
+import { LineNames } from "./line_names.js";
+import { TellingStage } from "./computation_panel.js";
 
 const split = (text) => (text || "").split(",").map((part) => part.trim()).filter(Boolean);
 const same = (a, b) => a.length === b.length && a.every((one, place) => one === b[place]);
-const counted = (count, what) => `${figure(count)} ${what}${count === 1 ? "" : "s"}`;
-const MOST = 40;
-const cellOf = (row, key) => row.cells[[...row.closest("table").tHead.rows[0].cells].findIndex((head) => head.dataset.key === key)];
-const textOf = (row, key) => cellOf(row, key)?.textContent.trim() || "";
-const SEVERITIES = ["error", "warning", "note"];
 
 // Of a topic, service or action the mark stands at the left end of its room; far away only the mark is drawn.
 const MARK = 20;
@@ -40,11 +36,12 @@ const SHAPE = {
   },
 };
 
-class ComputationView extends Stage {
+class ComputationView extends TellingStage {
   constructor(root, data) {
     super(root, data, "elements");
     data.wires.forEach((wire, place) => (wire.ends = data.ends[place]));
     this.scene = Object.fromEntries(["boxes", "wires", "titles"].map((name) => [name, this.svg.querySelector(`.${name}`)]));
+    this.lineNames = new LineNames(this);
     this.shown = [];
     this.drawnAs = null;
     this.start();
@@ -54,13 +51,6 @@ class ComputationView extends Stage {
     find.addEventListener("keydown", (event) => event.key === "Enter" && this.nextFound());
     onKey("l", () => (this.root.checkVisibility() ? this.openLine() : false));
     if (find.value) this.find(find.value, false);
-  }
-
-  /** Rows of a table by the number of their node or endpoint, read when they are first asked for. */
-  get rows() {
-    const of = (name) => new Map([...this.root.querySelectorAll(`.table[id$="${name}"] tbody tr[data-id]`)].map((row) => [Number(row.dataset.id), row]));
-    this.read ||= { nodes: of("nodes"), endpoints: of("endpoints") };
-    return this.read;
   }
 
   showStart() {
@@ -133,6 +123,7 @@ class ComputationView extends Stage {
     this.visible = this.focus < 0 ? ends : around(nodes, this.dependents, this.focus, this.hops);
     this.lines = all.filter((one) => this.visible.has(one.source) && this.visible.has(one.target));
     this.draw();
+    this.lineNames.show();
     this.fillTables();
     this.showCrumbs();
   }
@@ -227,12 +218,39 @@ class ComputationView extends Stage {
     return this.extent;
   }
 
+  /** Between nodes, topics are lines: what is drawn of one is its lines. */
+  selectable(number) {
+    return super.selectable(number) || this.linesBy(number).length > 0;
+  }
+
+  linesBy(number) {
+    return this.settings.lines ? this.shown.filter((one) => one.by?.includes(number)) : [];
+  }
+
+  neighbours(number) {
+    if (this.visible.has(number)) return super.neighbours(number);
+    return this.linesBy(number).flatMap((one) => [one.source, one.target]);
+  }
+
   linksOf(number) {
+    if (!this.visible.has(number)) return this.linesBy(number).map((one) => this.path(one, "gives"));
     return this.shown.filter((one) => one.source === number || one.target === number).map((one) => this.path(one, one.source === number ? "gives" : "takes"));
+  }
+
+  /** A line between nodes is selected as what it stands for. */
+  clicked(event) {
+    const one = this.lineNames.lineOf(event.target);
+    if (!one) super.clicked(event);
+    else if (one.by.length === 1) this.select(one.by[0]);
+    else {
+      this.select(-1);
+      this.part("selected").replaceChildren(...this.describeLine(one));
+    }
   }
 
   nameNodes() {
     if (!this.placed) return;
+    this.lineNames.show();
     const near = this.selected < 0 ? [] : [this.selected, ...this.neighbours(this.selected)];
     const weight = (number) => (this.graph.nodes[number].kind === "node" ? 1000 : 0) + this.graph.nodes[number].needs.length + this.dependents[number].length;
     const rest = this.selected < 0 ? [...this.visible].sort((a, b) => weight(b) - weight(a)) : [];
@@ -254,107 +272,6 @@ class ComputationView extends Stage {
   nextFound() {
     if (!this.found.length) return;
     this.select(this.found[(this.found.indexOf(this.selected) + 1) % this.found.length]);
-  }
-
-  openLine() {
-    const link = this.part("selected").querySelector("a.place");
-    if (link) link.click();
-    return Boolean(link);
-  }
-
-  describe(number) {
-    return number < 0 ? this.describeAll() : this.describeOne(number);
-  }
-
-  pick(number, more = "") {
-    return make("li", {}, make("button", { type: "button", class: "pick", text: this.graph.nodes[number].name, onclick: () => this.select(number) }), more ? make("span", { class: "quiet", text: more }) : null);
-  }
-
-  describeAll() {
-    const among = this.found?.length ? this.found : [...this.visible].filter((number) => this.graph.nodes[number].severity).sort((a, b) => SEVERITIES.indexOf(this.graph.nodes[a].severity) - SEVERITIES.indexOf(this.graph.nodes[b].severity));
-    const nodes = [...this.visible].filter((number) => this.graph.nodes[number].kind === "node").length;
-    const heading = this.canvas.classList.contains("graph-find") ? `Found (${figure(this.found.length)})` : "With findings";
-    return [
-      make("h2", { text: `${counted(nodes, "node")}${this.settings.lines ? "" : ` and ${figure(this.visible.size - nodes)} topics, services and actions`}` }),
-      make("p", { class: "quiet", text: "Select an element to see its ends, how sure they are and the lines that make them." }),
-      make("h3", { text: heading }),
-      among.length ? make("ul", {}, ...among.slice(0, MOST).map((one) => this.pick(one, this.graph.nodes[one].severity || this.graph.nodes[one].kind))) : make("p", { class: "quiet", text: "None among those shown." }),
-      ...this.listNodes(among),
-    ];
-  }
-
-  /** All nodes that are shown, those first that most is joined to; who looks for others finds them by name. */
-  listNodes(told) {
-    const joined = (number) => this.graph.nodes[number].needs.length + this.dependents[number].length;
-    const left = [...this.visible].filter((number) => this.graph.nodes[number].kind === "node" && !told.includes(number)).sort((a, b) => joined(b) - joined(a));
-    if (!left.length) return [];
-    return [
-      make("h3", { text: told.length ? `Other nodes (${figure(left.length)})` : `Nodes (${figure(left.length)})` }),
-      make("ul", {}, ...left.slice(0, MOST).map((one) => this.pick(one))),
-      left.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${figure(left.length)} shown, those that most is joined to; find others by name.` }) : null,
-    ];
-  }
-
-  describeOne(number) {
-    const node = this.graph.nodes[number];
-    const isNode = node.kind === "node";
-    const href = this.elements[number].getAttribute("href");
-    const row = this.rows.nodes.get(number);
-    return [
-      make("h2", { text: node.name }),
-      make("p", { class: "quiet", text: [isNode && row ? textOf(row, "kind") : node.kind, node.sure === "certain" ? "" : node.sure, node.severity].filter(Boolean).join(", ") }),
-      ...(isNode && row ? [this.placeOf("Started at ", cellOf(row, "started")), this.placeOf("Defined at ", cellOf(row, "defined")), this.placeOf("Only if ", cellOf(row, "conditions"))] : []),
-      make(
-        "div",
-        { class: "actions" },
-        href ? make("a", { href, text: "Open its page" }) : null,
-        make("button", { type: "button", class: "pick", text: "Focus on it", onclick: () => this.focusOn(number) }),
-        make("button", { type: "button", class: "pick", text: "Clear", onclick: () => this.select(-1) }),
-      ),
-      ...this.endsOf(number, isNode),
-    ];
-  }
-
-  placeOf(title, cell) {
-    return cell?.textContent.trim() ? make("p", { class: "where" }, title, ...this.copied(cell)) : null;
-  }
-
-  copied(cell) {
-    return [...cell.cloneNode(true).childNodes].map((part) => {
-      if (part.tagName === "A") part.classList.add("place");
-      return part;
-    });
-  }
-
-  /** The endpoints of a node or at a topic, by what they do, from the rows of the table. */
-  endsOf(number, isNode) {
-    const groups = new Map();
-    this.graph.wires.forEach((wire) => {
-      if (wire.source !== number && wire.target !== number) return;
-      if (wire.implicit && this.settings.noise.includes("implicit")) return;
-      const other = wire.source === number ? wire.target : wire.source;
-      for (const end of wire.ends) {
-        const row = this.rows.endpoints.get(end);
-        const does = row ? textOf(row, "does") : "";
-        groups.set(does, [...(groups.get(does) || []), this.endItem(other, row)]);
-      }
-    });
-    const found = [...groups].sort(([a], [b]) => (a < b ? -1 : 1));
-    if (!found.length) return [make("p", { class: "quiet", text: "Nothing is joined to it." })];
-    return found.flatMap(([does, items]) => [
-      make("h3", { text: `${isNode ? does.charAt(0).toLocaleUpperCase() + does.slice(1) : `Who ${does}`} (${items.length})` }),
-      make("ul", { class: "ends" }, ...items.slice(0, MOST)),
-      items.length > MOST ? make("p", { class: "quiet", text: `${MOST} of ${items.length} shown; its page has all` }) : null,
-    ]);
-  }
-
-  endItem(other, row) {
-    const item = this.pick(other);
-    if (!row) return item;
-    const [type, qos, conditions, sure] = ["type", "qos", "conditions", "sure"].map((key) => textOf(row, key));
-    const lines = [[type, qos].filter(Boolean).join(" · "), conditions && `only if ${conditions}`, sure !== "certain" && sure].filter(Boolean);
-    item.append(make("div", { class: "quiet" }, ...lines.map((one) => make("div", { text: one })), make("div", { class: "where" }, ...this.copied(cellOf(row, "place")))));
-    return item;
   }
 }
 

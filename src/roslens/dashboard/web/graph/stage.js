@@ -144,8 +144,13 @@ export class Stage {
     return [...this.nodes[number].needs, ...this.dependents[number]];
   }
 
+  /** Whether a node can be selected; a graph may tell of more than it draws. */
+  selectable(number) {
+    return this.visible.has(number);
+  }
+
   select(number, remember = true) {
-    this.selected = number >= 0 && this.visible.has(number) ? number : -1;
+    this.selected = number >= 0 && this.selectable(number) ? number : -1;
     const node = this.nodes[this.selected];
     const near = new Set(node ? this.neighbours(this.selected) : []);
     this.canvas.classList.toggle("graph-dim", Boolean(node));
@@ -161,7 +166,8 @@ export class Stage {
     if (!remember) return;
     this.active = this.selected >= 0 ? this.selected : this.active;
     setParameters({ select: node ? node.id : "" });
-    if (node) this.camera.reveal(this.places.get(this.selected).x, this.places.get(this.selected).y);
+    const place = node && this.places.get(this.selected);
+    if (place) this.camera.reveal(place.x, place.y);
   }
 
   focusOn(number, hops = 1) {

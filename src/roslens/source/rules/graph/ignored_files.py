@@ -40,7 +40,8 @@ def ignored_files(configuration: Configuration, launch: Launch) -> Iterator[Igno
             if any("{" in key or node_pattern_matches(key, node.name) for key in keys for node in nodes):
                 continue
             first = min(settings, key=lambda one: one.evidence)
-            yield Ignored(nodes[0].name, launch_proof(first.evidence), keys, proof)
+            held = list(dict.fromkeys(node.name for node in nodes if node.container not in names))
+            yield Ignored(held[0], launch_proof(first.evidence), keys, proof, tuple(held[1:]))
 
 
 def _keyed(launched: Launched) -> Mapping[str, Sequence[Setting]]:

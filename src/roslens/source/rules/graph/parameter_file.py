@@ -41,9 +41,12 @@ def _told(one: Ignored, conditions: tuple[str, ...], of_others: bool) -> Finding
     severity, doubt = weighed(Severity.NOTE if shared else RULE.severity, (one.proof, one.given), conditions)
     hint = f" `{near}` is nearly it." if near else ""
     keys = listed([f"`{key}`" for key in one.keys])
+    own = "" if one.also else f"`{one.node}` or to "
     whose, perhaps = ("other nodes that run, ", ", if it is meant") if shared else ("", "")
+    who = listed([one.node, *one.also])
     message = (
-        f"{one.given.place} gives {one.proof.path} to {one.node}, but it is keyed to {whose}{keys}: "
-        f"all of it is ignored.{hint} Key it to `{one.node}` or to `/**`{perhaps}.{doubt}"
+        f"{one.given.place} gives {one.proof.path} to {who}, but it is keyed to {whose}{keys}: "
+        f"all of it is ignored.{hint} Key it to {own}`/**`{perhaps}.{doubt}"
     )
-    return told(RULE, message, one.proof, entity=f"node:{one.node}", severity=severity, context=one.proof.path)
+    entity, also = f"node:{one.node}", tuple(f"node:{name}" for name in one.also)
+    return told(RULE, message, one.proof, entity=entity, severity=severity, context=one.proof.path, also=also)

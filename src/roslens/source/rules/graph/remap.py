@@ -10,7 +10,7 @@ from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
+from roslens.source.rules.graph.told import TOOL, ids_of, told
 
 RULE = RuleInfo(
     "graph.remap",
@@ -93,7 +93,8 @@ def _outside(one: ConfiguredRemap, node: ConfiguredNode, count: int, users: list
         f"Move it in front of the node, or into it.{doubt}"
     )
     context = f"{one.source}:={one.target}"
-    return told(RULE, message, one.proof, entity=f"node:{users[0].name}", severity=severity, context=context)
+    first, *also = ids_of(users)
+    return told(RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also))
 
 
 def _key(one: ConfiguredRemap) -> tuple[str, str, str]:
@@ -110,4 +111,5 @@ def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode]) -> Finding:
     verb = "uses" if len(nodes) == 1 else "use"
     message = f"remapping of `{one.source}` to `{one.target}`: {who} {verb} no such name. {advice}{doubt}"
     context = f"{one.source}:={one.target}"
-    return told(RULE, message, one.proof, entity=f"node:{nodes[0].name}", severity=severity, context=context)
+    first, *also = ids_of(nodes)
+    return told(RULE, message, one.proof, entity=first, severity=severity, context=context, also=tuple(also))

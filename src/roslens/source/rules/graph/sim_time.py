@@ -12,7 +12,7 @@ from roslens.source.rules.graph.brief import is_brief
 from roslens.source.rules.graph.doubt import exclude_each_other, weighed
 from roslens.source.rules.graph.ends import listed, missing_parts
 from roslens.source.rules.graph.surroundings import Surroundings
-from roslens.source.rules.graph.told import TOOL, told
+from roslens.source.rules.graph.told import TOOL, ids_of, told
 
 RULE = RuleInfo(
     "graph.sim_time",
@@ -78,4 +78,5 @@ def _told(
         f"use_sim_time is true for {listed([one.name for one, _ in simulated])} ({proof.place}), but not for "
         f"{listed(others)}. Set it for all nodes that run together.{doubt}"
     )
-    return told(RULE, message, without[0].proof, entity=f"node:{without[0].name}", severity=severity)
+    first, *also = ids_of(without)
+    return told(RULE, message, without[0].proof, entity=first, severity=severity, also=tuple(also))

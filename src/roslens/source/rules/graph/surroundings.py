@@ -34,12 +34,14 @@ class Ignored(msgspec.Struct, frozen=True, omit_defaults=True):
         proof: the file, at its first key.
         keys: the names of nodes that the file has parameters for.
         given: where the node gets the file.
+        also: other nodes that get it there and have no parameters in it either.
     """
 
     node: str
     proof: Proof
     keys: tuple[str, ...]
     given: Proof
+    also: tuple[str, ...] = ()
 
 
 class Transform(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-from roslens.model.configuration import Proof
+from collections.abc import Iterable
+
+from roslens.model.configuration import ConfiguredNode, Proof
 from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint
 
 TOOL = "graph"
 
 
 def told(
-    rule: RuleInfo, message: str, proof: Proof, *, entity: str, severity: Severity | None = None, context: str = ""
+    rule: RuleInfo,
+    message: str,
+    proof: Proof,
+    *,
+    entity: str,
+    severity: Severity | None = None,
+    context: str = "",
+    also: tuple[str, ...] = (),
 ) -> Finding:
     """Return an occurrence of a rule at the place that shows it.
 
@@ -20,6 +29,7 @@ def told(
         entity: text form of its id.
         severity: where doubt lowers it.
         context: tells it from other findings of the rule on the same entity in the same file, whatever the line.
+        also: further entities for which it holds alike.
     """
     return Finding(
         rule.id,
@@ -32,4 +42,10 @@ def told(
         tags=rule.tags,
         tool=TOOL,
         fingerprint=fingerprint(rule.id, entity, f"{proof.path} {context}"),
+        also=also,
     )
+
+
+def ids_of(nodes: Iterable[ConfiguredNode]) -> tuple[str, ...]:
+    """Return the entities that nodes are, each once."""
+    return tuple(dict.fromkeys(f"node:{node.name}" for node in nodes))

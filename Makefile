@@ -1,4 +1,4 @@
-# The commands to learn: demo, demo-live, demo-ros2, test, quick, lint, docs, accuracy, lock, bench, testbed.
+# The commands to learn: demo, demo-live, demo-ros2, test, nightly, quick, lint, docs, accuracy, lock, bench, testbed.
 PYTHON ?= python3
 WS ?= examples/workspace
 PORT ?= 8080
@@ -7,7 +7,10 @@ BIN := .venv/bin
 # What a run of tests imports is compiled once and kept: to compile it each time takes longer than most tests.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: demo demo-live demo-ros2 testbed test slow faults quick lint parts docs known-mistakes accuracy lock lock-ros2 bench sites clean
+# What a change is tested with. What reads clones of public code is where $ROSLENS_CORPORA says where they are.
+EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
+
+.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes accuracy lock lock-ros2 bench sites clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -32,13 +35,19 @@ testbed: .venv/stamp
 
 test: export ROSLENS_SAME_EXAMPLES = 1
 test: parts lint
-	$(BIN)/pytest -n auto -m "not slow and not browser"
-	$(BIN)/pytest -n auto -m "browser and not slow" tests/browser
-	$(BIN)/pytest -m "slow and not table"
+	$(BIN)/pytest -n auto --dist worksteal -m "$(EVERYDAY) and not slow"
+	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table"
+
+# What `make test` leaves out: random searches that are wide and new each time, further variants of real robots, every
+# fault of the table, and what reads clones below $ROSLENS_CORPORA. Hours on two processors; whole only as root.
+nightly: parts lint
+	sh .ci/ros-source ros-geometry ros-image-pipeline ros-robot-state-publisher
+	ROSLENS_NIGHTLY=1 $(BIN)/pytest -n auto --dist worksteal -m "not slow"
+	$(BIN)/pytest -m "slow"
 
 # Speed, size and whole robots alone; wants an otherwise idle machine.
 slow: parts lint
-	$(BIN)/pytest -m "slow and not table"
+	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table"
 
 # Every fault of docs/faults.md, injected into real robots on three hosts; wants an otherwise idle machine, and root.
 faults: parts lint
@@ -46,7 +55,7 @@ faults: parts lint
 
 # An answer in two minutes: no real tools, no browser, no pages, no whole runs, no recorded systems, nothing slow, and fewer examples.
 quick: lint
-	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not heavy and not real and not browser" \
+	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not heavy and not real and not browser and not nightly" \
 		--ignore=tests/scenarios --ignore=tests/native --ignore=tests/cli --ignore=tests/dashboard --ignore=tests/plugins/haros --ignore=tests/accuracy
 
 lint: .venv/stamp

@@ -1,7 +1,8 @@
 """How hypothesis works here, and what is done about a machine that gives a test no time.
 
-A busy machine is no fault of an example, and `make quick` takes fewer of them. `make test` takes the same examples each
-time, so that what it says is about the change and not about luck; every other run searches anew.
+A busy machine is no fault of an example, and `make quick` takes fewer of them, `make nightly` ten times as many. `make
+test` takes the same examples each time, so that what it says is about the change and not about luck; every other run
+searches anew.
 
 A test that is about when things happen (`timed`, `real`, `slow` or `browser`) is tried again, see `tried_again.py`.
 """
@@ -13,9 +14,12 @@ from tried_again import TriedAgain
 
 settings.register_profile("roslens", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("quick", settings.get_profile("roslens"), max_examples=25)
+settings.register_profile("nightly", settings.get_profile("roslens"), max_examples=1000)
 settings.register_profile("same", settings.get_profile("roslens"), derandomize=True, database=None)
 if os.environ.get("ROSLENS_QUICK"):
     settings.load_profile("quick")
+elif os.environ.get("ROSLENS_NIGHTLY"):
+    settings.load_profile("nightly")
 else:
     settings.load_profile("same" if os.environ.get("ROSLENS_SAME_EXAMPLES") else "roslens")
 

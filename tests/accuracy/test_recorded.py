@@ -33,6 +33,11 @@ def there(system):
         pytest.skip(f"{reason}: `make accuracy` says where from")
 
 
+def marks(system):
+    fetched = any(part.startswith(("corpora:", "source:")) for part in system.parts)
+    return () if system.quick else (pytest.mark.heavy, pytest.mark.corpora) if fetched else (pytest.mark.heavy,)
+
+
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_every_difference_has_a_reason_and_none_is_a_wrong_certainty(name):
     system = SYSTEMS[name]
@@ -57,9 +62,7 @@ def test_all_that_was_recorded_is_found():
     assert row.right >= PRECISION * row.said
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(one.name, marks=[] if one.quick else [pytest.mark.heavy]) for one in SYSTEMS.values()]
-)
+@pytest.mark.parametrize("name", [pytest.param(one.name, marks=marks(one)) for one in SYSTEMS.values()])
 def test_source_says_no_less_than_it_did(name, tmp_path):
     system = SYSTEMS[name]
     there(system)

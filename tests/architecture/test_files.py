@@ -31,7 +31,7 @@ def test_no_machine_path_and_no_open_end_is_left():
 
 
 def test_what_drives_a_browser_is_where_it_is_looked_for():
-    # `make test` collects no other folder for these.
+    # Whose conftest marks them all, and says what is missing.
     tests = Path(__file__).parents[1]
     found = [path for path in tests.rglob("*.py") if "mark." + "browser" in path.read_text()]
     assert found == [tests / "browser" / "conftest.py"]

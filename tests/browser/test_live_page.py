@@ -311,7 +311,7 @@ def test_values_far_from_what_is_seen_wait_until_it_is_seen(visitor_of: Callable
         assert not visitor.problems
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 def test_a_thousand_topics_cost_few_milliseconds_of_a_processor(visitor_of: Callable[[str], Any]) -> None:
     robot = large_robot(1000)
     with LivePage(robot.page.newest) as live:

@@ -83,7 +83,8 @@ def test_one_more_node_moves_few_to_another_column() -> None:
     assert moved <= 6
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
+@pytest.mark.timed
 def test_a_thousand_packages_are_placed_in_half_a_second() -> None:
     nodes, edges = made_up(1000)
     begun = time.process_time()

@@ -171,7 +171,8 @@ def test_a_line_that_is_not_shown_leads_to_its_file() -> None:
     assert '<a href="#files/a%20b">' in with_live_links(sections)
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
+@pytest.mark.timed
 def test_a_large_workspace_stays_below_five_megabytes(large_site: Site) -> None:
     begun = time.process_time()
     text = single_page(large_site)

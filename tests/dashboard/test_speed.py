@@ -16,7 +16,8 @@ from roslens.dashboard.site import Site
 LONGEST = 1.0
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
+@pytest.mark.timed
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_of_a_large_workspace_answers_within_a_second(large_site: Site, large_client: Any, page: str) -> None:
     ref = next(ref for ref in pages_of(large_site) if ref.page == page)

@@ -14,7 +14,7 @@ from roslens.store.runs import Store
 CALM_S = 0.080
 """CPU seconds of the reference work in ``slowness`` on a calm 2.5 GHz core."""
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.heavy, pytest.mark.timed]
 
 
 def cpu_s(act, times=3):

@@ -221,7 +221,7 @@ def test_whatever_knows_the_key_may_say_anything(frames):
     assert "topic:/mine" in {str(one.entity) for one in watched.monitor.standing()}
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
 def test_a_hundred_thousand_pieces_of_garbage_are_refused_in_words():
     rng = random.Random(7)
     for number in range(100_000):

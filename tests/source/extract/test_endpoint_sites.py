@@ -42,6 +42,7 @@ def test_tables_are_whole(repository):
         assert ("*" in row["name"]) <= bool(row["decides"])
 
 
+@pytest.mark.corpora
 @pytest.mark.heavy
 @pytest.mark.parametrize("repository", REPOSITORIES)
 def test_call_sites_of(repository):

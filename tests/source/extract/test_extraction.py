@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import random
 import signal
 import subprocess
@@ -11,6 +10,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
+from as_anybody import as_anybody
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -265,11 +265,11 @@ def test_a_fault_of_lowering_costs_one_file_and_is_told(robot: Path, tmp_path: P
     assert extracted(robot, tmp_path / "cache.sqlite") == found
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root reads everything")
 def test_a_file_that_cannot_be_read_is_read_the_next_time(robot: Path, tmp_path: Path):
     cache = tmp_path / "cache.sqlite"
     (robot / "arm/src/arm.cpp").chmod(0)
-    assert any(one.tool == "read" for one in extracted(robot, cache).failures)
+    with as_anybody():
+        assert any(one.tool == "read" for one in extracted(robot, cache).failures)
     (robot / "arm/src/arm.cpp").chmod(0o644)
     assert extracted(robot, cache) == extracted(robot)
 

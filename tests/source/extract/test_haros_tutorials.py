@@ -31,6 +31,7 @@ def tutorials(tmp_path_factory):
     return folder
 
 
+@pytest.mark.corpora
 @pytest.mark.heavy
 @pytest.mark.parametrize("launch", sorted({row["launch"] for row in rows()}))
 def test_every_node_topic_and_type(tutorials, launch):

@@ -54,6 +54,7 @@ def test_what_a_control_panel_gives_is_read_from_its_file(tmp_path):
     assert panel_value(PAIRS[0], tmp_path) == ""
 
 
+@pytest.mark.corpora
 @pytest.mark.heavy
 @pytest.mark.parametrize("pair", [one for one in PAIRS if one.launch], ids=lambda one: one.id)
 def test_a_mistake_is_told_and_its_correction_is_not(pair, tmp_path):
@@ -71,6 +72,7 @@ def test_a_mistake_is_told_and_its_correction_is_not(pair, tmp_path):
         assert set(buggy.findings) == set(fixed.findings), "it is found now: the table can say so"
 
 
+@pytest.mark.corpora
 @pytest.mark.heavy
 @pytest.mark.parametrize("system", systems(), ids=lambda one: one.id)
 def test_of_a_running_robot_source_says_what_the_table_has(system, tmp_path):

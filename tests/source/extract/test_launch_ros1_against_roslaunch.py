@@ -37,6 +37,7 @@ for line in sys.stdin:
         answer = [[], {}, str(error) or repr(error)]
     print(json.dumps(answer, default=str), flush=True)
 """
+FEW, MANY = 25, 300
 NAMES = st.sampled_from(["a", "b", "c/d", "$(arg x)", "$(arg who)_end"])
 NAMESPACES = st.sampled_from(["n", "/m", "n/o", "n/", "$(arg x)", "/$(arg who)", "$(eval arg('x') + '_e')"])
 TRUTHS = st.sampled_from(
@@ -245,9 +246,17 @@ def flat(prefix, values):
             yield f"{prefix}{name}", value
 
 
-@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
-@given(st.lists(ELEMENTS, min_size=1, max_size=6).map("".join), INNER_HEAD, INNER, GIVEN)
-def test_roslaunch_says_the_same_of_any_file(robot, written, inner_head, inner, arguments):
+@pytest.mark.parametrize("files", [FEW, pytest.param(MANY, marks=pytest.mark.nightly)])
+def test_roslaunch_says_the_same_of_any_file(robot, files):
+    @settings(max_examples=files, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+    @given(st.lists(ELEMENTS, min_size=1, max_size=6).map("".join), INNER_HEAD, INNER, GIVEN)
+    def any_file(written, inner_head, inner, arguments):
+        said_the_same(robot, written, inner_head, inner, arguments)
+
+    any_file()
+
+
+def said_the_same(robot, written, inner_head, inner, arguments):
     root, server = robot
     main = numbered(f"<launch>{HEAD}{written}</launch>")
     (root / "robot/launch/main.launch").write_text(main)

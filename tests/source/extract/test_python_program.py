@@ -208,6 +208,7 @@ def test_mutated_fixtures():
         check(mutated(chance))
 
 
+@pytest.mark.nightly
 @pytest.mark.heavy
 @pytest.mark.timeout(3600)
 def test_many_mutated_fixtures():

@@ -66,7 +66,8 @@ def test_a_file_and_its_copy_are_duplicates_throughout(hashes):
     assert of_files([hashes, hashes], len(hashes)) == [len(hashes)] * 2
 
 
-@pytest.mark.slow
+@pytest.mark.heavy
+@pytest.mark.timed
 def test_the_cost_is_linear():
     def cost(number: int) -> float:
         files = [tuple(range(number)), tuple(range(number)), (7,) * number]

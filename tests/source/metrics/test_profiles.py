@@ -247,6 +247,7 @@ def test_the_table_is_what_the_tools_say(file):
         assert {tool: found.get(key) for tool, found in tools.items()} == {tool: row[tool] for tool in tools}, one.name
 
 
+@pytest.mark.corpora
 @pytest.mark.real
 @pytest.mark.timeout(900)
 def test_python_of_whole_repositories():
@@ -265,6 +266,7 @@ def test_python_of_whole_repositories():
     assert share["lizard"] >= 0.999
 
 
+@pytest.mark.corpora
 @pytest.mark.real
 @pytest.mark.timeout(900)
 def test_cpp_of_whole_repositories():

@@ -264,7 +264,9 @@ LONG_LINES = {
 
 
 @pytest.mark.heavy
-@pytest.mark.parametrize("name", LONG_LINES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(one, marks=[pytest.mark.nightly] if one == "statements" else []) for one in LONG_LINES]
+)
 def test_ten_megabytes_on_one_line(name):
     with soon(120):
         facts = facts_of(LONG_LINES[name])

@@ -84,6 +84,7 @@ def test_mutated_sources():
         check(mutated(random_))
 
 
+@pytest.mark.nightly
 @pytest.mark.heavy
 @pytest.mark.timeout(7200)
 def test_many_mutated_sources():

@@ -104,6 +104,7 @@ def test_mutated_fixtures():
         check(mutated(chance, SEEDS))
 
 
+@pytest.mark.nightly
 @pytest.mark.heavy
 @pytest.mark.timeout(7200)
 def test_many_mutated_fixtures():

@@ -159,6 +159,7 @@ def _checkout(clone: Path, commits: str, folder: Path) -> Path:
     raise AssertionError(f"{clone} has no commit number {commits} on {branch}")
 
 
+@pytest.mark.corpora
 @pytest.mark.real
 @INSTALLED
 @pytest.mark.parametrize(("repository", "packages"), [("kobuki", 7), ("turtlebot_apps", 6)])

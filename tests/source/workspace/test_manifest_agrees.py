@@ -232,6 +232,7 @@ def test_the_shipped_examples_say_what_catkin_pkg_says() -> None:
         assert_same(path.read_bytes(), path.relative_to(EXAMPLES).as_posix())
 
 
+@pytest.mark.corpora
 @pytest.mark.heavy
 @pytest.mark.skipif(not os.environ.get("ROSLENS_CORPORA"), reason="ROSLENS_CORPORA names no folder of real packages")
 def test_real_manifests_say_what_catkin_pkg_says() -> None:

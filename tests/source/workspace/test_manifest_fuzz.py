@@ -77,6 +77,7 @@ def test_any_name_comes_back(name: str) -> None:
     assert "]]>" in name or package.name == (name.strip(" \t\r\n") or "arm")
 
 
+@pytest.mark.nightly
 @pytest.mark.heavy
 @pytest.mark.timeout(3600)
 def test_many_mutated_manifests_are_answered(

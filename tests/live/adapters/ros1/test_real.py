@@ -259,10 +259,12 @@ def test_rospy_and_roscpp_nodes_are_seen_as_they_are(ros, observe):
 
 
 def test_a_node_that_lacks_something_is_told_at_once(ros, observe):
+    observer = observe()
+    observer.until_graph("/rosout")
     ros.python("import rospy, not_installed.msg")
     begun = time.monotonic()
     with pytest.raises(pytest.fail.Exception, match="No module named 'not_installed'"):
-        observe().until_graph("/nobody")
+        observer.until_graph("/nobody")
     assert time.monotonic() - begun < 20 * slowness()
 
 

@@ -8,6 +8,7 @@ A test that is about when things happen (`timed`, `real`, `slow` or `browser`) i
 """
 
 import os
+import tempfile
 
 from hypothesis import HealthCheck, settings
 from tried_again import TriedAgain
@@ -25,4 +26,8 @@ else:
 
 
 def pytest_configure(config):
+    # What roslens keeps for a user is not that of the user who runs the tests.
+    own = tempfile.TemporaryDirectory(prefix="roslens-user-")
+    config.add_cleanup(own.cleanup)
+    os.environ["XDG_CONFIG_HOME"] = own.name
     config.pluginmanager.register(TriedAgain())

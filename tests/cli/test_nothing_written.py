@@ -53,6 +53,7 @@ def workspace(talking, tmp_path, monkeypatch):
     for path in talking.rglob("*"):
         if path.is_file() and ".git" not in path.parts:
             os.utime(path, (1_700_000_000, 1_700_000_000))
+    main(["trust", str(talking)])
     monkeypatch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
     monkeypatch.delenv("PYTHONPYCACHEPREFIX", raising=False)
     return talking

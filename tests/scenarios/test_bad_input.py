@@ -145,6 +145,7 @@ def test_a_bad_plugin_is_a_failure_and_the_rest_stands(roslens, robot, name: str
     (robot.root / "bad.py").write_text(PLUGIN.format(name=name, body=body))
     (robot.root / "fine.py").write_text(PLUGIN.format(name="fine", body="pass"))
     (robot.root / "roslens.toml").write_text('plugins = ["bad.py", "fine.py"]\ntime_limit_s = 2\n')
+    roslens("trust", robot.root)
     done, report = checked(roslens, robot)
     assert done.code == NOT_ANALYSED
     failures = [failure for failure in report["failures"] if failure["tool"] == name]
@@ -157,6 +158,7 @@ def test_a_bad_plugin_is_a_failure_and_the_rest_stands(roslens, robot, name: str
 def test_a_plugin_that_is_not_there(roslens, robot):
     robot.package("good")
     (robot.root / "roslens.toml").write_text('plugins = ["nowhere.py"]\n')
+    roslens("trust", robot.root)
     done, report = checked(roslens, robot)
     assert done.code == NOT_ANALYSED
     assert "nowhere.py" in str(report["failures"])

@@ -181,7 +181,7 @@ def test_completion_knows_the_verbs(roslens, shell: str):
 
 def test_help_has_examples_everywhere(roslens):
     assert "exit codes" in roslens("--help").out
-    for verb in ("check", "report", "serve", "explain", "plugins", "init", "doctor", "completion", "clean"):
+    for verb in ("check", "report", "serve", "explain", "plugins", "trust", "init", "doctor", "completion", "clean"):
         assert "examples:" in roslens(verb, "--help").out
 
 
@@ -198,5 +198,5 @@ def test_what_a_haros_plugin_exports_is_kept(roslens, robot):
     robot.package("pack", a__py="x = 1\n")
     plugin = Path(__file__).parents[1] / "fixtures" / "plugins" / "haros_plugin_hooks"
     (robot.root / "roslens.toml").write_text(f"plugins = [{str(plugin)!r}]\n")
-    roslens("check", robot.root, "--fail-on", "never")
+    roslens("check", robot.root, "--fail-on", "never", "--trust")
     assert (robot.root / ".roslens" / "artifacts" / "haros_plugin_hooks" / "made.txt").is_file()

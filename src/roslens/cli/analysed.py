@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.check_graph import graph_look
-from roslens.cli.workplace import CACHE, FOLDER
+from roslens.cli.workplace import CACHE, FOLDER, own_folder
 
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
@@ -60,10 +60,9 @@ def analysed(
     from roslens.store.cache import Cache
 
     settings = _settings(options, configuration, environment)
-    folder = root / FOLDER
     now = time.time()
     utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
-    kept = None if options.no_cache else folder / CACHE
+    kept = None if options.no_cache else own_folder(root) / CACHE
     beyond = graph_look(options, configuration, settings, root, kept, progress)
     with Cache.open(kept) as cache:
         try:
@@ -76,7 +75,7 @@ def analysed(
                 base=Path(configuration.base or "."),
                 jobs=configuration.jobs if options.jobs is None else options.jobs,
                 progress=progress,
-                log=None if options.no_store else folder / "log",
+                log=None if options.no_store else root / FOLDER / "log",
                 programs=beyond is not None and kept is not None,
                 beyond=beyond,
             )

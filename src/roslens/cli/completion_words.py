@@ -88,10 +88,15 @@ def launches(path: str) -> Iterator[str]:
 
 
 def ids(path: str) -> Iterator[str]:
-    """Yield what can be explained: names of models, keys of quantities, ids of rules."""
-    from roslens.cli.commands.explain import known
+    """Yield what can be explained: names of models, keys of quantities, ids of rules.
 
-    for kind in known(path, None):
+    Those of plug-ins that the workspace names are left out, trusted or not: nobody who presses TAB wants them to run.
+    """
+    from roslens.cli.commands.explain import known
+    from roslens.cli.configuration import find_configuration
+    from roslens.cli.trust import withheld
+
+    for kind in known(withheld(find_configuration(Path(path).resolve(), None))):
         yield from sorted(kind)
 
 

@@ -29,7 +29,7 @@ def open_source(options: argparse.Namespace, folder: str | None = None) -> Graph
 
     from roslens.cli.configuration import find_configuration
     from roslens.cli.graph_source import GraphSource
-    from roslens.cli.workplace import CACHE, FOLDER
+    from roslens.cli.workplace import CACHE, own_folder
     from roslens.source.workspace.conditions import environment_of
     from roslens.source.workspace.find import root_of
 
@@ -46,7 +46,7 @@ def open_source(options: argparse.Namespace, folder: str | None = None) -> Graph
         settings,
         Path(configuration.path).name,
         dict(os.environ),
-        cache=None if options.no_cache else root / FOLDER / CACHE,
+        cache=None if options.no_cache else own_folder(root) / CACHE,
         jobs=configuration.jobs if options.jobs is None else options.jobs,
         elsewhere=folder is not None,
     )

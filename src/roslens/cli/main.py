@@ -24,6 +24,7 @@ from roslens.cli.commands import (
     report,
     run,
     serve,
+    trust,
     watch,
 )
 
@@ -34,6 +35,7 @@ COMMANDS = {
     "graph": graph,
     "explain": explain,
     "plugins": plugins,
+    "trust": trust,
     "init": init,
     "reference": reference,
     "watch": watch,

@@ -41,11 +41,11 @@ def site_with_graphs(view: RunView, options: argparse.Namespace, progress: Finis
 
 
 def _cache(view: RunView, options: argparse.Namespace) -> Path | None:
-    from roslens.cli.workplace import CACHE, FOLDER, find_folder
+    from roslens.cli.workplace import CACHE, find_folder, own_folder
 
     if options.no_cache:
         return None
-    return (Path(view.header.root) / FOLDER if options.no_store else find_folder(options.path)) / CACHE
+    return (own_folder(Path(view.header.root)) if options.no_store else find_folder(options.path)) / CACHE
 
 
 def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:

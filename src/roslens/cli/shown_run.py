@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.analysed import analysed
+from roslens.cli.trust_option import admitted_by
 from roslens.cli.workplace import STORE, open_store
 from roslens.model.errors import UsageError
 
@@ -56,7 +57,7 @@ def shown_run(options: argparse.Namespace, progress: FinishedProgress) -> Iterat
         outcome = analysed(
             asked,
             root,
-            find_configuration(root, None),
+            admitted_by(options, find_configuration(root, None)),
             environment=dict(os.environ),
             store=store,
             progress=progress,

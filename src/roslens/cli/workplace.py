@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli.own_results import mark_own, refuse_foreign
 from roslens.model.errors import UsageError
+from roslens.store.folder import prepare_folder
 
 if TYPE_CHECKING:
     from roslens.store.runs import Store
@@ -27,17 +31,37 @@ def find_folder(start: str) -> Path:
     """Return the ``.roslens`` folder of the workspace that ``start`` is in.
 
     Raises:
-        UsageError: nothing was checked there yet.
+        UsageError: nothing was checked there yet, or somebody else may have made it.
     """
+    if (folder := some_folder(start)) is not None:
+        refuse_foreign(folder, os.environ)
+        return folder
     path = Path(start).resolve()
-    for folder in (path, *path.parents):
-        if (folder / FOLDER / STORE).is_file():
-            return folder / FOLDER
     raise UsageError(
         f"no finished run in {str(path)!r} or a folder above it",
         expected=f"a folder {FOLDER} that `roslens check` makes",
         advice=f"Run `roslens check {start}` first",
     )
+
+
+def some_folder(start: str) -> Path | None:
+    """Return the ``.roslens`` folder with a store that ``start`` is in, whoever made it; None where there is none."""
+    path = Path(start).resolve()
+    return next((above / FOLDER for above in (path, *path.parents) if (above / FOLDER / STORE).is_file()), None)
+
+
+def own_folder(root: Path) -> Path:
+    """Return the ``.roslens`` folder of a workspace, made and marked as this user's where there is none.
+
+    Raises:
+        UsageError: one is there that somebody else may have made.
+    """
+    folder = root / FOLDER
+    refuse_foreign(folder, os.environ)
+    with contextlib.suppress(OSError):  # a folder that cannot be written is told of when something is to be written
+        prepare_folder(folder)
+        mark_own(folder, os.environ)
+    return folder
 
 
 def open_store(start: str) -> Store:

@@ -30,6 +30,16 @@ def would_not_load(plugin: str, what: str, *, expected: str = "", advice: str = 
     )
 
 
+def not_trusted(plugin: str) -> Failure:
+    """Return the failure of a plug-in that a configuration names and that the user has not said may run."""
+    return Failure(
+        tool=TOOL,
+        what=f"plug-in {plugin!r} was not run: it is not trusted",
+        expected="a plug-in that is installed, or whose folder and content you trust",
+        advice="Read it, then run `roslens trust`; --trust does for one run, in CI say",
+    )
+
+
 def breaks_contract(
     plugin: str,
     breach: Breach,

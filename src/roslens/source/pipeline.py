@@ -175,7 +175,7 @@ def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
         (member.name, member.manifest.version, member.fingerprint, _programs(member)) for member in plugins.members
     ]
     # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
-    return key_of(analyser_version(), msgspec.structs.replace(settings, plugins=()), models, members)
+    return key_of(analyser_version(), msgspec.structs.replace(settings, plugins=(), untrusted=()), models, members)
 
 
 def _programs(member: Member) -> list[tuple[str, int, int]]:

@@ -9,10 +9,13 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo
 from roslens.model.quantity import Measurement, Quantity
 from roslens.model.source import SourceFile
+from roslens.plugins.breach import not_trusted
 from roslens.plugins.discovery import Discovered, discover
 from roslens.plugins.member import Member
 from roslens.plugins.outcome import Outcome
@@ -43,6 +46,9 @@ def discover_plugins(
     named = configurations or "graph" in {*settings.options, *settings.disable}
     builtin = BUILTIN if named else tuple(one for one in BUILTIN if one != GRAPH)
     found = discover(settings.plugins, disable=settings.disable, base=base, builtin=builtin, log=log)
+    if settings.untrusted:
+        withheld = tuple(not_trusted(name) for name in settings.untrusted)
+        found = msgspec.structs.replace(found, failures=(*withheld, *found.failures))
     if all(member.builtin for member in found.members):
         return found
     # What roslens measures itself is only worth importing where a plug-in of somebody else may need it.

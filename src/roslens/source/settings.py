@@ -86,7 +86,11 @@ class GraphSettings(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Everything that shapes the result of the source half."""
+    """Everything that shapes the result of the source half.
+
+    ``untrusted`` are plug-ins that a configuration names and that do not run, because the user did not say that they
+    may.
+    """
 
     workspace: WorkspaceSettings = WorkspaceSettings()
     counting: CountingSettings = CountingSettings()
@@ -98,3 +102,4 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     disable: tuple[str, ...] = ()
     options: dict[str, dict[str, object]] = {}
     time_limit_s: float = 60.0
+    untrusted: tuple[str, ...] = ()

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, TextIO
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.streams import add_stream_arguments, progress_for, wants_color, width_of
-from roslens.cli.workplace import FOLDER, STORE
+from roslens.cli.trust_option import add_trust_argument, admitted_by
+from roslens.cli.workplace import STORE, own_folder
 
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
@@ -57,6 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     parser.add_argument("--no-cache", action="store_true", help="read every file again")
     parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")
+    add_trust_argument(parser)
     add_graph_argument(parser)
     add_stream_arguments(parser)
 
@@ -82,8 +84,8 @@ def run(options: argparse.Namespace) -> int:
     if options.jobs is not None and options.jobs < 0:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
     root = root_of(options.paths)
-    configuration = find_configuration(root, options.config)
-    with Store.open(None if options.no_store else root / FOLDER / STORE) as store:
+    configuration = admitted_by(options, find_configuration(root, options.config))
+    with Store.open(None if options.no_store else own_folder(root) / STORE) as store:
         outcome = analysed(
             options,
             root,

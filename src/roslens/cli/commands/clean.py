@@ -28,16 +28,24 @@ def run(options: argparse.Namespace) -> int:
         UsageError: nothing is kept there, or N is less than one.
     """
     import shutil
+    from pathlib import Path
 
-    from roslens.cli.workplace import CACHE, STORE, find_folder
+    from roslens.cli.workplace import CACHE, FOLDER, STORE, find_folder, some_folder
     from roslens.model.errors import UsageError
     from roslens.store.runs import Store
 
-    folder = find_folder(options.path)
     if options.all:
-        shutil.rmtree(folder)
+        # Also what somebody else made, which no other command touches; of a link only the link.
+        folder = some_folder(options.path) or Path(options.path).resolve() / FOLDER
+        if folder.is_symlink() or folder.is_file():
+            folder.unlink()
+        elif folder.is_dir():
+            shutil.rmtree(folder)
+        else:
+            find_folder(options.path)
         print(f"removed {folder}")
         return 0
+    folder = find_folder(options.path)
     if options.keep is not None:
         if options.keep < 1:
             raise UsageError(f"--keep {options.keep}", expected="at least 1", advice="Use --all to remove everything")

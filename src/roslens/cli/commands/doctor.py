@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from roslens.cli.boundary import CLEAN, NOT_ANALYSED
+from roslens.cli.trust_option import add_trust_argument, admitted_by
 
 TEXT = "Check the installation, the configuration and the store of a workspace."
 EXAMPLES = """\
@@ -29,6 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the workspace."""
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="workspace to look at (default: .)")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    add_trust_argument(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -88,7 +90,7 @@ def _configuration(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
 
-    configuration = find_configuration(Path(options.path).resolve(), options.config)
+    configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))
     yield "ok", f"configuration: {configuration.path or 'defaults (no roslens.toml)'}"
     base = Path(configuration.base or ".")
     found = discover_plugins(configuration.source, base)

@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.completion_words import IDS
+from roslens.cli.trust_option import add_trust_argument, admitted_by
 
 if TYPE_CHECKING:
+    from roslens.cli.configuration import Configuration
     from roslens.judge.quality_model import QualityModel
     from roslens.model.finding import RuleInfo
     from roslens.model.quantity import Quantity
@@ -28,20 +30,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     what.complete = IDS  # type: ignore[attr-defined]
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="whose roslens.toml counts (default: .)")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    add_trust_argument(parser)
 
 
 Known = tuple["dict[str, QualityModel]", "dict[str, Quantity]", "dict[str, RuleInfo]"]
 """Models by name, quantities by key and rules by id."""
 
 
-def known(path: str, config: str | None) -> Known:
+def known(configuration: Configuration) -> Known:
     """Return what can be explained: of roslens, and of what the configuration of a workspace adds."""
-    from roslens.cli.configuration import find_configuration
     from roslens.judge.quality_model import builtin_models, load_model, rules_of
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
 
-    configuration = find_configuration(Path(path).resolve(), config)
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     quantities = dict(QUANTITIES)
     rules: dict[str, RuleInfo] = {}
@@ -62,9 +63,11 @@ def run(options: argparse.Namespace) -> int:
     Raises:
         UsageError: nothing has that id.
     """
+    from roslens.cli.configuration import find_configuration
     from roslens.model.errors import UsageError
 
-    models, quantities, rules = known(options.path, options.config)
+    configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))
+    models, quantities, rules = known(configuration)
     wanted = options.id
     if wanted in models:
         print(_of_model(models[wanted]))

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from roslens.cli.boundary import CLEAN, NOT_ANALYSED
+from roslens.cli.trust_option import add_trust_argument, admitted_by
 
 TEXT = "List plug-ins with the quantities and rules that each gives."
 EXAMPLES = """\
@@ -18,6 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add where the configuration is and the format."""
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="whose roslens.toml counts (default: .)")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    add_trust_argument(parser)
     parser.add_argument("--format", choices=("text", "json"), default="text")
 
 
@@ -28,7 +30,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.configuration import find_configuration
     from roslens.source.plugin_stage import discover_plugins
 
-    configuration = find_configuration(Path(options.path).resolve(), options.config)
+    configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     if options.format == "json":
         document = {

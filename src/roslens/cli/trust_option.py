@@ -1,0 +1,35 @@
+"""``--trust``: run the plug-ins that the configuration names by path, this once."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from roslens.cli.configuration import Configuration
+
+
+def add_trust_argument(parser: argparse.ArgumentParser) -> None:
+    """Add ``--trust``."""
+    parser.add_argument(
+        "--trust",
+        action="store_true",
+        help="run plug-ins that the configuration names by path, without asking (see `roslens trust`)",
+    )
+
+
+def admitted_by(options: argparse.Namespace, configuration: Configuration) -> Configuration:
+    """Return the configuration with the plug-ins that the user lets run, asked on the terminal if need be.
+
+    Raises:
+        UsageError: what the user trusts cannot be read.
+    """
+    import os
+
+    if not configuration.source.plugins:
+        return configuration
+    from roslens.cli.trust import admitted, asked_on_terminal
+
+    quiet = bool(getattr(options, "quiet", False))
+    given = bool(getattr(options, "trust", False))
+    return admitted(configuration, given=given, environment=os.environ, ask=asked_on_terminal(quiet=quiet))

@@ -1,0 +1,138 @@
+"""Plug-ins that a workspace names run once the user trusts them, never on completion, and again only as they were."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from roslens.cli import trust as module
+from roslens.cli.boundary import NOT_ANALYSED
+from roslens.cli.configuration import find_configuration
+from roslens.cli.main import main
+from roslens.cli.trust import admitted, is_trusted, trust
+from roslens.model.errors import UsageError
+
+MANIFEST = '<package format="3"><name>a</name><version>1.0.0</version><description>d</description>\
+<maintainer email="a@example.org">a</maintainer><license>MIT</license></package>'
+
+PLUGINS = ["evil.py", "evil_folder", "haros_plugin_evil"]
+
+
+@pytest.fixture
+def workspace(tmp_path, monkeypatch):
+    """A clone whose configuration names three plug-ins, each of which says that it ran."""
+    root = tmp_path / "clone"
+    (root / "a").mkdir(parents=True)
+    (root / "a" / "package.xml").write_text(MANIFEST)
+    (root / "a" / "a.py").write_text("x = 1\n")
+    trap = f"open({str(tmp_path / 'ran')!r}, 'a').write(__file__)\n"
+    (root / "evil.py").write_text(trap)
+    for name in PLUGINS[1:]:
+        (root / name).mkdir()
+        (root / name / "__init__.py").write_text(trap)
+    (root / "haros_plugin_evil" / "plugin.yaml").write_text("name: haros_plugin_evil\nversion: '1'\n")
+    (root / "haros_plugin_evil" / "plugin.py").write_text(trap)
+    (root / "roslens.toml").write_text(f"plugins = {json.dumps(['./' + name for name in PLUGINS])}\n")
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "user"))
+    return root
+
+
+def ran(root):
+    return (root.parent / "ran").exists()
+
+
+@pytest.mark.parametrize(
+    "words", [["check", "--jobs", "1", "-q"], ["plugins"], ["doctor"], ["report", "--no-store", "-q", "--no-graph"]]
+)
+def test_nothing_of_a_strangers_workspace_runs(workspace, words, capsys, monkeypatch):
+    monkeypatch.chdir(workspace.parent)
+    code = main([*words, str(workspace)])
+    assert not ran(workspace)
+    assert code == NOT_ANALYSED or words[0] == "report"
+    if words[0] in ("plugins", "doctor"):
+        said = capsys.readouterr()
+        for name in PLUGINS:
+            assert f"plug-in './{name}' was not run: it is not trusted" in said.out + said.err
+        assert "roslens trust" in said.out + said.err
+
+
+def test_the_rest_of_a_check_goes_on_and_the_report_names_what_did_not_run(workspace, tmp_path):
+    out = tmp_path / "report.json"
+    assert main(["check", str(workspace), "-q", "--jobs", "1", "--format", "json", "-o", str(out)]) == NOT_ANALYSED
+    document = json.loads(out.read_text())
+    assert "a" in [package["name"] for package in document["packages"]]
+    assert sum("not trusted" in failure["what"] for failure in document["failures"]) == len(PLUGINS)
+
+
+def test_explaining_a_metric_and_completing_run_nothing(workspace, monkeypatch, capsys):
+    monkeypatch.chdir(workspace)
+    assert main(["explain", "loc"]) == 0
+    assert main(["completion", "ids"]) == 0
+    assert not ran(workspace)
+    main(["trust"])
+    assert main(["completion", "ids", "--path", str(workspace)]) == 0
+    assert not ran(workspace), "on TAB nothing runs, trusted or not"
+
+
+def test_configuration_of_a_parent_folder_is_a_strangers_too(workspace):
+    main(["check", str(workspace / "a"), "-q", "--jobs", "1"])
+    assert not ran(workspace)
+
+
+def test_one_run_with_trust(workspace):
+    main(["check", str(workspace), "-q", "--jobs", "1", "--trust"])
+    assert ran(workspace)
+    assert not is_trusted(find_configuration(workspace, None), os.environ)
+
+
+def test_trust_lasts_until_something_changes(workspace, capsys):
+    assert main(["trust", str(workspace)]) == 0
+    main(["plugins", str(workspace)])
+    assert ran(workspace)
+    (workspace.parent / "ran").unlink()
+    with (workspace / "evil_folder" / "__init__.py").open("a") as stream:
+        stream.write("# more\n")
+    main(["plugins", str(workspace)])
+    assert not ran(workspace)
+
+
+def test_trust_is_of_one_folder(workspace, tmp_path):
+    main(["trust", str(workspace)])
+    workspace.rename(tmp_path / "elsewhere")
+    assert not is_trusted(find_configuration(tmp_path / "elsewhere", None), os.environ)
+
+
+def test_listing_and_revoking(workspace, capsys):
+    main(["trust", "--list", str(workspace)])
+    assert ": not trusted\n" in capsys.readouterr().out
+    main(["trust", str(workspace)])
+    main(["trust", "--list", str(workspace)])
+    assert ": trusted\n" in capsys.readouterr().out
+    main(["trust", "--revoke", str(workspace)])
+    main(["trust", "--revoke", str(workspace)])
+    assert capsys.readouterr().out.splitlines()[-1].endswith("was not trusted")
+    assert not is_trusted(find_configuration(workspace, None), os.environ)
+
+
+@pytest.mark.parametrize("answer", [True, False])
+def test_a_terminal_is_asked(workspace, answer):
+    configuration = find_configuration(workspace, None)
+    questions = []
+    found = admitted(
+        configuration, given=False, environment=os.environ, ask=lambda text: questions.append(text) or answer
+    )
+    assert (found == configuration) is answer
+    assert len(questions) == 1
+    assert "./evil.py" in questions[0]
+    assert is_trusted(configuration, os.environ) is answer
+
+
+def test_what_the_user_trusts_is_private_and_damage_is_told(workspace):
+    configuration = find_configuration(workspace, None)
+    trust(configuration, os.environ)
+    path = Path(os.environ["XDG_CONFIG_HOME"], "roslens", module._FILE)
+    assert path.stat().st_mode & 0o777 == 0o600
+    path.write_text("{")
+    with pytest.raises(UsageError, match="Remove it, then trust again"):
+        is_trusted(configuration, os.environ)

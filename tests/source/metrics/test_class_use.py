@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from roslens.source.metrics.class_names import ClassNames
-from roslens.source.metrics.class_use import used_classes
+from roslens.source.metrics.class_use import called_classes, used_classes
 
 CPP = ClassNames(["nav::Grid", "nav::Planner", "nav::Planner::Node"], "::")
 
@@ -49,3 +49,18 @@ def test_names_of_cpp_mean_classes(written, classes):
 def test_names_of_python_mean_classes(written, classes):
     known = ClassNames(["nav.grid.Grid", "nav.planner.Planner"], ".")
     assert used_classes(written.split(), "nav.planner.Planner", known, "python") == classes
+
+
+@pytest.mark.parametrize(
+    ("syntax", "calls", "found"),
+    [
+        ("cpp", ["Clock::now", "free", "util::helper"], {"Clock"}),
+        ("cpp", ["n::Clock::now", "ros::Time::now", "Eigen::umeyama", "std::chrono::steady_clock::now"],
+         {"n::Clock", "ros::Time"}),
+        ("python", ["Clock.now", "rospy.Time.now", "rospy.spin", "free"], {"Clock", "rospy.Time"}),
+    ],
+)  # fmt: skip
+def test_classes_whose_static_functions_are_called(syntax, calls, found):
+    separator = "::" if syntax == "cpp" else "."
+    known = ClassNames([f"n{separator}Clock"], separator)
+    assert called_classes(calls, f"n{separator}User", known, syntax) == found

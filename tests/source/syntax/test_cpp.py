@@ -272,3 +272,36 @@ def test_ten_megabytes_on_one_line(name):
         facts = facts_of(LONG_LINES[name])
     assert (facts.lines.physical, facts.lines.code) == (1, 1)
     assert all(function.end_line == 1 for function in facts.functions)
+
+
+def test_a_constructor_in_capitals_keeps_its_parameters():
+    facts = facts_of(b"class PID { PID(double p, double i) : p_(p) { go(); } explicit PID(int a); double p_; };")
+    (function,) = facts.functions
+    assert (function.name, function.signature, function.parameters) == ("PID", "double, double", 2)
+    assert [(one.name, one.signature) for one in facts.classes[0].methods] == [
+        ("PID", "double, double"),
+        ("PID", "int"),
+    ]
+
+
+def test_a_test_in_a_class_is_a_test():
+    (function,) = facts_of(b"class A { TEST_F(Suite, Name) { go(); } };").functions
+    assert function.name == "TEST_F(Suite,Name)"
+
+
+@pytest.mark.parametrize(
+    ("member", "virtual"),
+    [
+        ("virtual void run(){};", True),
+        ("void run() const noexcept { /* nothing */ };", False),
+        ("int * run() override {};", True),
+        ("auto run() -> int {};", False),
+    ],
+)
+def test_an_empty_body_with_a_semicolon_behind_it(member, virtual):
+    facts = facts_of(f"class A {{ {member} int value_{{}}; int (*call_)(int){{}}; }};".encode())
+    (function,) = facts.functions
+    assert (function.name, function.class_name, function.virtual, function.counts) == ("run", "A", virtual, {})
+    (method,) = facts.classes[0].methods
+    assert method.defined_here
+    assert [one.name for one in facts.classes[0].fields] == ["value_", "call_"]

@@ -15,7 +15,8 @@ QUANTITY = Quantity(
     text="How many other classes a class uses or is used by.",
     folds=(Fold.MEAN, Fold.MAX),
     formula="number of distinct other classes that are named in the class or in its member functions (bases, fields, "
-    "signatures, bodies), or that name it, across the whole package; bases count",
+    "signatures, bodies) or whose static functions are called there, or that do so with it, across the whole package; "
+    "bases count",
     source="Chidamber and Kemerer, A Metrics Suite for Object Oriented Design, IEEE TSE 20(6), 1994: two classes are "
     "coupled when one acts on the other, in either direction",
     limits="By name, without types: the class behind `auto`, a typedef or a member of a member is not seen. Classes "

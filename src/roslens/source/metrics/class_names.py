@@ -33,6 +33,10 @@ class ClassNames:
             self._answers[key] = self._find(name, scope)
         return self._answers[key]
 
+    def candidates(self, name: str) -> tuple[str, ...]:
+        """Return the full names of the classes that have the last part of ``name``, sorted."""
+        return tuple(self._by_last_part.get(name.rpartition(self._separator)[2], ()))
+
     def _find(self, name: str, scope: str) -> str | None:
         last_part = name.rpartition(self._separator)[2]
         candidates = self._by_last_part.get(last_part)

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from roslens.source.metrics.class_names import ClassNames
 from roslens.source.metrics.language_library import in_cpp_library, in_python_library
+from roslens.source.syntax.python_names import is_class_like
 
 _PARTS_OF_INTERFACES = frozenset({"Request", "Response", "Goal", "Result", "Feedback"})
 """Names inside a service or action of ROS."""
@@ -39,6 +40,28 @@ def used_classes(names: Iterable[str], scope: str, known: ClassNames, syntax: st
     found = {one for name in names if (one := meaning(name, scope, known))}
     scoped = {name.rpartition(separator)[2] for name in found if separator in name}
     return {name for name in found if separator in name or name not in scoped}
+
+
+def called_classes(calls: Iterable[str], scope: str, known: ClassNames, syntax: str) -> set[str]:
+    """Return the classes, as written, on which ``calls`` call static functions: ``Clock`` of ``Clock::now``.
+
+    What stands before a call may be a namespace or module: of what the package does not have, only names that look
+    like classes are taken, in C++ those with a scope before them (``ros::Time``, but not ``Eigen``).
+    """
+    separator = "::" if syntax == "cpp" else "."
+    found = set()
+    for call in calls:
+        holder = call.rpartition(separator)[0]
+        if holder and (known.find(holder, scope) or _looks_like_class(holder, syntax)):
+            found.add(holder)
+    return found
+
+
+def _looks_like_class(holder: str, syntax: str) -> bool:
+    if syntax == "python":
+        return is_class_like(holder)
+    first, _, last = holder.rpartition("::")
+    return bool(first) and _CLASS_OUTSIDE.fullmatch(last) is not None
 
 
 def _cpp_class(written: str, scope: str, known: ClassNames) -> str | None:

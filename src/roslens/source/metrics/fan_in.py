@@ -16,7 +16,7 @@ QUANTITY = Quantity(
     folds=(Fold.MEAN, Fold.MAX),
     better=Better.NEITHER,
     formula="number of distinct other classes of the package that name the class in their bases, fields, signatures "
-    "or member functions",
+    "or member functions, or call a static function of it there; of Python also by what a package imports and hands on",
     source="after Henry and Kafura, Software Structure Metrics Based on Information Flow, IEEE TSE 7(5), 1981, with "
     "classes in place of procedures",
     limits="As cbo, of which this is one direction. Functions outside classes and other packages that use the class "

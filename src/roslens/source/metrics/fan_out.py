@@ -15,7 +15,7 @@ QUANTITY = Quantity(
     text="How many other classes a class uses.",
     folds=(Fold.MEAN, Fold.MAX),
     formula="number of distinct other classes, of the package or not, that the class names in its bases, fields, "
-    "signatures or member functions",
+    "signatures or member functions, or of which it calls a static function there",
     source="after Henry and Kafura, Software Structure Metrics Based on Information Flow, IEEE TSE 7(5), 1981, with "
     "classes in place of procedures",
     limits="As cbo, of which this is one direction.",

@@ -10,8 +10,9 @@ import msgspec
 from roslens.model.source import Role, SourceFile
 from roslens.source.metrics.class_in_package import ClassInPackage
 from roslens.source.metrics.class_names import ClassNames
-from roslens.source.metrics.class_use import used_classes
+from roslens.source.metrics.class_use import called_classes, used_classes
 from roslens.source.metrics.inheritance import depths
+from roslens.source.metrics.reexports import Reexports
 from roslens.source.syntax.facts import ClassFacts, FileFacts, FunctionFacts
 
 Place = tuple[int, int]
@@ -63,6 +64,15 @@ class _Joining:
                 self._full_names[place] = name
                 self._by_name[name].append(place)
         self._names = ClassNames(self._by_name, self._separator)
+        modules = [
+            (_module(file.path), file.path, [name for name, _ in facts.includes])
+            for file, facts in files
+            if facts.syntax == syntax == "python"
+        ]
+        self._reexports = Reexports(
+            {name: includes for name, _, includes in modules},
+            (name for name, path, _ in modules if path.endswith("__init__.py")),
+        )
         self._bodies: defaultdict[Place, list[FunctionFacts]] = defaultdict(list)
         self.owners: dict[Place, Place] = {}
         self._join_members()
@@ -122,9 +132,20 @@ class _Joining:
             names.update(field.types)
         for method in facts.methods:
             names.update(method.types)
+        full_name = self._full_names[place]
         for body in self._bodies.get(place, ()):
             names.update(body.types, body.parameter_types)
-        return used_classes(names, self._full_names[place], self._names, self._syntax) - {self._full_names[place]}
+            names |= called_classes(body.calls, full_name, self._names, self._syntax)
+        if self._syntax == "python":
+            names = {self._imported(name, place) for name in names}
+        return used_classes(names, full_name, self._names, self._syntax) - {full_name}
+
+    def _imported(self, name: str, place: Place) -> str:
+        """Return a name, or the full name of the class that it means by what its file imports."""
+        if self._names.find(name, self._full_names[place]) is not None:
+            return name
+        module = _module(self._files[place[0]][0].path)
+        return self._reexports.find(name, module, self._names.candidates(name)) or name
 
     def _parents(self, place: Place) -> set[str]:
         bases = set(self._facts[place].bases)
@@ -134,6 +155,7 @@ class _Joining:
         found: set[str] = set()
         for base in bases:
             name = base.removeprefix("::")
+            name = self._imported(name, place) if self._syntax == "python" else name
             found.add(self._names.find(name, scope if name == base else "") or name)
         return found - {self._full_names[place]}
 

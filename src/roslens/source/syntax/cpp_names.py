@@ -101,8 +101,14 @@ _PLAIN_NAMES = frozenset({"identifier", "field_identifier", "destructor_name", "
 _WRAPPERS = ("reference_declarator", "parenthesized_declarator", "pointer_declarator", "attributed_declarator")
 
 
-def read_declarator(definition: Node, source: bytes) -> Declarator:
-    """Read the declarator of a function definition or declaration."""
+def read_declarator(definition: Node, source: bytes, class_name: str = "") -> Declarator:
+    """Read the declarator of a function definition or declaration.
+
+    Args:
+        definition: its node.
+        source: the bytes that were parsed.
+        class_name: of the class that it stands in, which its constructors have too.
+    """
     outer = definition.child_by_field_name("declarator")
     declarator = function_declarator(outer) if outer is not None else None
     parameters = declarator.child_by_field_name("parameters") if declarator is not None else None
@@ -124,7 +130,8 @@ def read_declarator(definition: Node, source: bytes) -> Declarator:
         types.append("...")
     if types == ["void"]:
         types = []
-    if types and not scope and _MACRO.fullmatch(name) and definition.child_by_field_name("type") is None:
+    untyped = definition.child_by_field_name("type") is None
+    if types and not scope and name != class_name and _MACRO.fullmatch(name) and untyped:
         return Declarator(f"{name}({','.join(types)})", "", 0, "", start, end, macro=True)
     pointer = "*" in name and not name.startswith("operator")
     return Declarator(name, scope, len(types), ", ".join(types), start, end, pointer=pointer)

@@ -33,6 +33,7 @@ _QUERY = """
 (field_declaration_list [(field_declaration) (declaration)] @field)
 (field_declaration_list (template_declaration (declaration) @field))
 (field_declaration_list (_ [(field_declaration) (declaration)] @field))
+(field_declaration default_value: (initializer_list)) @perhaps_function
 (friend_declaration) @friend
 (access_specifier) @access
 (if_statement consequence: (_) @part_body) @if
@@ -202,7 +203,9 @@ _DEFINITIONS = frozenset({"function", "class", "namespace", "field", "friend"})
 
 def _tell_functions(captured: dict[str, list[Node]]) -> None:
     """Leave those with a body among the functions; those that are defaulted, deleted or pure are fields."""
-    functions, bodies = [], []
+    functions: list[Node] = []
+    bodies: list[Node] = []
+    _take_bodies_for_values(captured, functions, bodies)
     for node in captured.get("function", ()):
         body = node.child_by_field_name("body")
         if body is None:
@@ -216,6 +219,24 @@ def _tell_functions(captured: dict[str, list[Node]]) -> None:
         functions.append(node)
         bodies.append(body)
     captured["function"], captured["function_body"] = functions, bodies
+
+
+def _take_bodies_for_values(captured: dict[str, list[Node]], functions: list[Node], bodies: list[Node]) -> None:
+    """Move members to the functions whose empty body parses as a value, as a semicolon is behind: ``void f() {};``."""
+    for node in captured.pop("perhaps_function", ()):
+        declarator, body = node.child_by_field_name("declarator"), node.child_by_field_name("default_value")
+        while declarator is not None and declarator.type in ("pointer_declarator", "reference_declarator"):
+            declarator = declarator.named_children[-1] if declarator.named_children else None
+        if declarator is None or body is None or declarator.type != "function_declarator":
+            continue
+        name = declarator.child_by_field_name("declarator")
+        empty = all(child.type == "comment" for child in body.named_children)
+        if name is not None and name.type != "parenthesized_declarator" and empty:
+            functions.append(node)
+            bodies.append(body)
+    extents = set(map(_EXTENT, functions))
+    if extents:
+        captured["field"] = [node for node in captured.get("field", ()) if node.byte_range not in extents]
 
 
 _NO_BODIES = frozenset({"default_method_clause", "delete_method_clause", "pure_virtual_clause"})

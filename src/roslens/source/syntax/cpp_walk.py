@@ -311,7 +311,7 @@ class Walk:
     def _on_function(self, role: str, start: int, end: int) -> Frame:
         top = self._top
         node = self._captures.definitions["function"][start, end]
-        declarator = read_declarator(node, self._source)
+        declarator = read_declarator(node, self._source, top.owner.name if top.owner is not None else "")
         if declarator.macro:
             self.macro_headers.append((declarator.start, declarator.end))
             if top.scope is not None:
@@ -376,16 +376,17 @@ class Walk:
         head = self._source[start : min(first, start + _LONGEST_NAME)].split()
         member.static = b"static" in head
         for declarator in declarators:
-            self._declare(member, node, declarator.start_byte, declarator.end_byte, declarator.type)
+            self._declare(owner, member, node, declarator)
         if member.declarator is not None:
             member.virtual = b"virtual" in head or self._overrides(member.declarator, end)
         if member.declarator is not None or member.names:
             owner.members.append(member)
 
-    def _declare(self, member: Member, node: Node, start: int, end: int, type_: str) -> None:
+    def _declare(self, owner: ClassScope, member: Member, node: Node, declared: Node) -> None:
+        start, end = declared.byte_range
         written = self._source[start : min(end, start + _LONGEST_NAME)]
-        if b"(" in written and type_ != "field_identifier":
-            declarator = read_declarator(node, self._source)
+        if b"(" in written and declared.type != "field_identifier":
+            declarator = read_declarator(node, self._source, owner.name)
             if declarator.name and not declarator.pointer:
                 member.declarator = declarator
                 return

@@ -119,6 +119,26 @@ def by_severity(findings: list[dict[str, Any]]) -> dict[str, int]:
     return {severity: sum(one["severity"] == severity for one in findings) for severity in ("error", "warning", "note")}
 
 
+def packages_of(run: Run) -> int:
+    return len([one for one in run.report["packages"] if one["id"] != "(outside packages)"])
+
+
+def test_files_outside_packages_are_no_package_in_any_count(run: Run, site: Site, name: str) -> None:
+    packages = packages_of(run)
+    assert (len(run.report["packages"]) > packages) is (name == "of_two_packages")
+    assert f" {packages} package{'s' * (packages != 1)}, " in run.text.splitlines()[0]
+    facts = page(site, "overview").facts
+    assert facts["counts"]["packages"] == packages
+    assert facts["headline"].endswith(f" of {packages} package{'s' * (packages != 1)}.")
+    assert page(site, "packages").shown["of_all"] == packages
+    owners = {(one["rule"], one["package"]) for one in run.report["findings"]} - {
+        (rule, "(outside packages)") for rule in site.rules
+    }
+    of_rule = Counter(rule for rule, _ in owners)
+    assert all(total.packages == of_rule[total.rule] for total in site.rule_totals())
+    assert page(site, "metric", "loc", kind="package").shown["figures"].n == packages
+
+
 def test_the_workspaces_hold_what_makes_sums_differ(run: Run, name: str) -> None:
     findings = run.report["findings"]
     graph = [one for one in findings if one["rule"].startswith("graph.")]
@@ -224,4 +244,4 @@ def test_the_graph_and_the_store_count_them_too(run: Run, site: Site) -> None:
     assert gated == sum(one["gated"] for one in run.report["findings"])
     with open_store(str(run._root)) as store:
         assert store.runs()[0].findings == len(run.report["findings"])
-        assert store.runs()[0].packages == len(run.report["packages"])
+        assert store.runs()[0].packages == packages_of(run)

@@ -20,7 +20,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageSummary, RuleCount
-from roslens.model.source import SourceFile
+from roslens.model.source import SourceFile, number_of_packages
 from roslens.model.tags import TagFilter
 
 if TYPE_CHECKING:
@@ -214,7 +214,9 @@ class Site:
             packages[key].add(owner)
             held[key].update(dict.fromkeys(count.tags))
         totals = [
-            RuleTotal(key[0], key[1], tuple(held[key]), count=count, gated=gated, packages=len(packages[key]))
+            RuleTotal(
+                key[0], key[1], tuple(held[key]), count=count, gated=gated, packages=number_of_packages(packages[key])
+            )
             for key, (count, gated) in sums.items()
         ]
         totals.sort(key=lambda total: (-total.severity.rank, -total.count, total.rule))

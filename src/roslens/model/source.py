@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import Enum
 
 import msgspec
@@ -157,3 +158,9 @@ class Package(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 OUTSIDE_PACKAGES = "(outside packages)"
+"""Id of what holds the files that are in no package: shown among packages, but no package in any count."""
+
+
+def number_of_packages(ids: Iterable[str]) -> int:
+    """Return how many packages there are among ids of packages: neither what is outside of them, nor all together."""
+    return sum(one not in ("", OUTSIDE_PACKAGES) for one in ids)

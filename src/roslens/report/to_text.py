@@ -14,6 +14,7 @@ import msgspec
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RunHeader
+from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.model.tags import TagFilter
 from roslens.report.package_table import PackageCounts, count_packages, package_table
 from roslens.report.terminal import Terminal, columns, left, right
@@ -80,7 +81,10 @@ def to_text(
 
 
 def _head(terminal: Terminal, header: RunHeader, packages: Sequence[PackageSummary]) -> Iterator[str]:
-    facts = [_plural(len(packages), "package"), _plural(sum(package.files for package in packages), "file")]
+    facts = [
+        _plural(number_of_packages(package.id for package in packages), "package"),
+        _plural(sum(package.files for package in packages), "file"),
+    ]
     if lines := sum(package.values.get("loc", 0) for package in packages):
         facts.append(f"{lines:,.0f} lines of code")
     parts = [", ".join(facts)]
@@ -244,7 +248,7 @@ def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tag
             key = (rule.rule, rule.severity)
             group = groups.setdefault(key, _Group(*key))
             group.count += rule.gated
-            group.packages += key not in seen
+            group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
             group.example = group.example or rule.example
             seen.add(key)
     for finding in findings:

@@ -15,6 +15,7 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
+from roslens.model.source import number_of_packages
 from roslens.plugins.options import check_options
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
@@ -144,7 +145,7 @@ def analyse(
     if gone := known.keys() - {file.path for found in workspace.packages for file in found.files}:
         cache.forget(gone)
     if (before := store.run_with(key)) is not None:
-        return Answer(before, fresh=False, measured=0, packages=len(units))
+        return Answer(before, fresh=False, measured=0, packages=number_of_packages(units))
     return _run(
         _Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log, programs, beyond),
         store,
@@ -231,7 +232,12 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
     store.prune(KEPT_RUNS)
-    return Answer(number, fresh=True, measured=len(changed), packages=len(run.units))
+    return Answer(
+        number,
+        fresh=True,
+        measured=number_of_packages(found.package.id for found in changed),
+        packages=number_of_packages(run.units),
+    )
 
 
 def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress) -> Iterator[MeasuredPackage]:

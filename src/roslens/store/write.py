@@ -14,7 +14,7 @@ from roslens.model.errors import StoreError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.result import PackageResult, PackageSummary, RunHeader, WorkspaceResult
-from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.store import rows
 from roslens.store.columns import by_kind, measured_rows
 from roslens.store.encodable import encodable, storable_values
@@ -166,7 +166,13 @@ class RunWriter:
             connection.execute(
                 f"INSERT INTO run ({rows.RUN}, vocabulary, workspace, packages, files, entities, findings, failures) "  # noqa: S608 - column names of this module
                 f"VALUES ({', '.join('?' * 16)})",
-                (*rows.run_row(header), self._vocabulary(workspace), own, len(units), *counts),
+                (
+                    *rows.run_row(header),
+                    self._vocabulary(workspace),
+                    own,
+                    number_of_packages(self._units.values()),
+                    *counts,
+                ),
             )
         )
         connection.executemany(

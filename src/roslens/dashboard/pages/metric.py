@@ -16,6 +16,7 @@ from roslens.dashboard.view import Request, View
 from roslens.judge.rate import Rating, rate
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Quantity
+from roslens.model.source import OUTSIDE_PACKAGES
 
 WORST = 20
 Values = Sequence[tuple[str, str, float]]
@@ -30,6 +31,8 @@ def build(site: Site, request: Request) -> View | None:
     kinds = site.kinds_measured[key]
     kind = next((kind for kind in kinds if kind.value == request.query.get("kind")), kinds[0] if kinds else None)
     found: Values = site.view.values_of(request.key, kind) if kind else []
+    if kind is EntityKind.PACKAGE:
+        found = [one for one in found if one[1] != OUTSIDE_PACKAGES]
     values = [value for _, _, value in found]
     folded = kind is not None and kind not in quantity.kinds
     digits = max(1, quantity.decimals) if folded and fold in {"", "mean"} else quantity.decimals

@@ -9,15 +9,17 @@ from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind
+from roslens.model.source import OUTSIDE_PACKAGES
 
 
 def build(site: Site, request: Request) -> View | None:
     """Return the page."""
     on_packages = measured_on(site.quantities, EntityKind.PACKAGE)
+    packages = [package for package in site.packages if package.id != OUTSIDE_PACKAGES]
     rows = []
     for key, quantity in site.quantities.items():
         measured = on_packages.get(key, Measured(key, quantity))
-        values = [package.values[key] for package in site.packages if key in package.values]
+        values = [package.values[key] for package in packages if key in package.values]
         figures = figures_of(values)
         distribution = histogram_of(values, measured.decimals)
         spark = tuple(bar.count for bar in distribution.bars) if distribution else ()

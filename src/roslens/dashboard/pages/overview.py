@@ -12,6 +12,7 @@ from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.judge.quality_model import rule_id
 from roslens.model.finding import Severity
+from roslens.model.source import number_of_packages
 
 FIRST = 8
 
@@ -20,9 +21,10 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
     """Return the page."""
     severities = site.severity_counts()
     total = sum(severities.values())
-    affected = sum(1 for package in site.packages if package.rules)
+    affected = number_of_packages(package.id for package in site.packages if package.rules)
+    packages = number_of_packages(site.by_id)
     counts = {
-        "packages": len(site.packages),
+        "packages": packages,
         "files": sum(package.files for package in site.packages),
         "classes": sum(package.classes for package in site.packages),
         "functions": sum(package.functions for package in site.packages),
@@ -36,7 +38,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         ref=PageRef("overview"),
         title="Overview",
         facts={
-            "headline": headline(total, affected, len(site.packages)),
+            "headline": headline(total, affected, packages),
             "counts": counts,
             "severities": {severity.value: count for severity, count in severities.items()},
             "languages": dict(_sum(package.languages for package in site.packages)),
@@ -52,7 +54,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
 
 def headline(findings: int, affected: int, packages: int) -> str:
     """Return the first sentence of the report."""
-    if not packages:
+    if not packages and not findings:
         return "No package was found."
     if not findings:
         return f"No findings in {plural(packages, 'package')}."

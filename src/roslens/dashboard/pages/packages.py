@@ -11,6 +11,7 @@ from roslens.dashboard.view import Request, View
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.result import PackageSummary
+from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter, tag_filter
 
 TELLING = (
@@ -39,7 +40,7 @@ def build(site: Site, request: Request) -> View | None:
         title="Packages",
         facts={"include": list(include), "exclude": list(exclude), "text": query.get("text")},
         tables=(table,),
-        shown={"tags": site.tag_counts, "every_value": _every_value(request), "of_all": len(site.packages)},
+        shown={"tags": site.tag_counts, "every_value": _every_value(request), "of_all": number_of_packages(site.by_id)},
     )
 
 

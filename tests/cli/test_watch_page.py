@@ -18,8 +18,11 @@ from roslens.cli.watch_page import PageSource
 from roslens.cli.watch_screen import value_text
 from roslens.cli.watch_serve import address_of
 from roslens.dashboard.live.snapshot import Row
+from roslens.live.session import Step
+from roslens.model.entity import EntityId, EntityKind
 from roslens.model.errors import UsageError
-from roslens.model.graph import Graph
+from roslens.model.graph import Change, Event, Graph
+from roslens.model.verdict import State, Verdict
 
 pytestmark = pytest.mark.timed
 
@@ -84,9 +87,46 @@ def test_the_picture_has_every_line_with_its_rate_and_state():
     assert lines["node:/lidar", "topic:/scan"]["rate"] == "4 Hz"
     assert lines["node:/lidar", "topic:/scan"]["state"] == "low"
     assert lines["topic:/odom", "node:/slam"]["latency"] == "2.1 ms"
-    states = {one["entity"]: one.get("state", "ok") for one in picture["items"]}
+    states = {one["entity"]: one.get("state", "unjudged") for one in picture["items"]}
     assert states["topic:/scan"] == "low"
     assert states["node:/lidar"] == "ok", "a node is not what its topics are"
+
+
+def test_what_no_constraint_judges_is_not_called_ok():
+    robot = ScriptedRobot()
+    robot.nodes["/recorder"] = "base"
+    robot.wires.append(("/recorder", "/recorder/size", ("/ui",), 1, 8))
+    robot.run(8)
+    found = document(robot)
+    assert row(found, "topic:/recorder/size")["state"] == "unjudged"
+    states = {one["entity"]: one.get("state", "unjudged") for one in found["picture"]["items"]}
+    assert states["topic:/recorder/size"] == "unjudged"
+    lines = {(one["start"], one["end"]): one.get("state", "unjudged") for one in found["picture"]["links"]}
+    place = [one["entity"] for one in found["picture"]["items"]].index("topic:/recorder/size")
+    assert {state for ends, state in lines.items() if place in ends} == {"unjudged"}
+    assert found["unjudged"] == len({one["entity"] for one in found["rows"] if one["state"] == "unjudged"})
+
+
+def test_a_row_has_its_own_state_and_what_is_wrong_below_apart():
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    found = document(robot)
+    host, topic = row(found, "host:rover"), row(found, "topic:/scan")
+    assert (host["state"], host["worst"], host["below"]) == ("ok", "low", "1 low below")
+    assert (topic["state"], topic["worst"], topic.get("below", "")) == ("low", "low", "")
+    assert found["state"] == "low"
+
+
+def test_what_happened_is_sorted_by_time_and_leaves_out_programs():
+    robot = ScriptedRobot()
+    events = [Event(7.0, Change.APPEARED, f"process:base/{pid}", "/bin/sh") for pid in range(60)]
+    events += [Event(5.0, Change.VANISHED, "node:/lidar"), Event(6.5, Change.APPEARED, "node:/lidar")]
+    late = Verdict(EntityId(EntityKind.TOPIC, "/scan"), "r.scan", "rate", State.LOW, since=6.0, time=7.0, value=1.0)
+    page = PageSource("rover", clock=str, live=True, steady=lambda: 0.0)
+    page.take(Step(7.0, changes=(late,), events=tuple(events)))
+    shown = page.snapshot(robot.session, 8.0, "").happened
+    assert [(one.time, one.name) for one in shown] == [(6.5, "/lidar"), (6.0, "/scan"), (5.0, "/lidar")]
 
 
 def test_a_node_that_went_is_still_drawn():

@@ -1,5 +1,6 @@
 """The table on the terminal: what has a row, how it is called, and what its state says."""
 
+import msgspec
 import pytest
 
 from roslens.cli.watch_screen import screen
@@ -10,7 +11,7 @@ from roslens.report.terminal import Terminal
 BAD = {"low": 1}
 
 
-def connection(publisher, subscriber, state=State.OK, **given):
+def connection(publisher, subscriber, state=None, **given):
     name = f"{publisher} > /scan > {subscriber}"
     return SystemView(f"connection:{name}", name, "connection", state, **given)
 
@@ -28,11 +29,15 @@ def rows(view, *, unicode=True, width=100):
     return [line.split() for line in lines[2:]]
 
 
+def names(view):
+    return [" ".join(line).removeprefix("\N{EN DASH} not judged ") for line in rows(view)]
+
+
 def test_a_subscriber_has_a_row_and_what_goes_to_nobody_in_particular_has_none():
     known, nobody = connection("/lidar", "/planner"), connection("/lidar", "?")
     for connections in ((known,), (known, nobody), (nobody, known)):
-        assert rows(robot(*connections)) == [["base"], ["/lidar"], ["/scan"], ["→", "/planner"]]
-    assert rows(robot(nobody)) == [["base"], ["/lidar"], ["/scan"]]
+        assert names(robot(*connections)) == ["base", "/lidar", "/scan", "→ /planner"]
+    assert names(robot(nobody)) == ["base", "/lidar", "/scan"]
 
 
 def test_what_is_judged_has_a_row_whoever_gets_it():
@@ -41,15 +46,33 @@ def test_what_is_judged_has_a_row_whoever_gets_it():
 
 
 def test_a_plain_terminal_has_a_plain_arrow():
-    assert rows(robot(connection("/lidar", "/planner")), unicode=False)[-1] == ["->", "/planner"]
+    assert rows(robot(connection("/lidar", "/planner")), unicode=False)[-1][-2:] == ["->", "/planner"]
 
 
-@pytest.mark.parametrize(("counts", "said"), [({}, []), ({"ok": 2}, ["✔", "ok"])])
-def test_what_no_sentence_is_about_is_not_called_fine(counts, said):
-    assert rows(robot(counts=counts))[2] == [*said, "/scan"]
+@pytest.mark.parametrize(
+    ("state", "said", "plain"),
+    [
+        (None, "\N{EN DASH} not judged", "- not judged"),
+        (State.OK, "✔ ok", "+ ok"),
+        (State.UNKNOWN, "? unknown", "? unknown"),
+    ],
+)
+def test_only_what_a_constraint_judged_is_called_fine(state, said, plain):
+    assert rows(robot(state=state))[2] == [*said.split(), "/scan"]
+    assert rows(robot(state=state), unicode=False)[2] == [*plain.split(), "/scan"]
+
+
+def test_what_is_wrong_below_stands_apart_from_the_state_of_a_row():
+    view = robot(state=State.OK, below={"absent": 1, "ok": 3, "unknown": 2})
+    assert " ".join(rows(view)[2]) == "✔ ok /scan (1 absent, 2 unknown below)"
+
+
+def test_the_first_line_counts_what_nothing_judges():
+    view = msgspec.structs.replace(robot(state=State.OK), counts={"ok": 1})
+    line = screen(Terminal(100, False, True), view, (), title="t", height=9, clock=str)[0]
+    assert line == "t   1 ok, 2 not judged"
 
 
 def test_names_stand_under_each_other_whether_judged_or_not():
     lines = screen(Terminal(100, False, True), robot(counts=BAD), (), title="t", height=100, clock=str)
-    assert [len(line) - len(line.lstrip()) for line in lines[2:4]] == [12, 14]
-    assert lines[4].index("/scan") == 16
+    assert [lines[2].index("base"), lines[3].index("/lidar"), lines[4].index("/scan")] == [13, 15, 17]

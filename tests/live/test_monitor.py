@@ -14,6 +14,7 @@ from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.monitor import Monitor
 from roslens.live.signals import BY_KEY
 from roslens.live.window import MAX_BUCKETS
+from roslens.live.worth_a_row import badge, not_judged
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
@@ -256,7 +257,7 @@ class TestReplacedReference:
 
 
 class TestTree:
-    def test_hosts_hold_nodes_topics_and_connections_and_worst_states_rise(self):
+    def test_hosts_hold_nodes_topics_and_connections_and_worst_states_rise_apart_from_their_own(self):
         monitor = Monitor(RULES, start=0.0)
         graph = Graph(
             "ros2", (Node("/laser", "r1"), Node("/slam", "r2")), (Endpoint("/laser", Role.PUBLISHER, "/scan"),)
@@ -268,15 +269,21 @@ class TestTree:
         monitor.add_sample(Sample(EntityId(EntityKind.HOST, "r1"), 9.0, {"cpu": 50.0}))
         monitor.tick(10.05)
         tree = monitor.tree(10.05)
-        assert (tree.id, tree.state, tree.counts) == ("system", State.LOW, {"ok": 1, "low": 1})
+        assert (tree.id, tree.state, tree.worst) == ("system", None, State.LOW)
+        assert tree.counts == tree.below == {"ok": 1, "low": 1}
         host = next(one for one in tree.children if one.name == "r1")
         assert (host.values, host.observer) == ({"cpu": 50.0}, "agent")
+        assert (host.state, host.worst, host.below) == (None, State.LOW, {"ok": 1, "low": 1})
+        assert badge(host) == "1 low below"
         topic = host.children[0].children[0]
         assert (topic.id, topic.state, topic.observer) == ("topic:/scan", State.LOW, "inside")
         assert topic.values["rate"] == pytest.approx(20)
-        assert topic.children[0].id == "connection:/laser > /scan > /slam"
+        assert (topic.worst, topic.below, badge(topic)) == (State.LOW, {}, "")
+        connection = topic.children[0]
+        assert (connection.id, connection.state) == ("connection:/laser > /scan > /slam", None)
         other = next(one for one in tree.children if one.name == "r2")
-        assert (other.state, other.children[0].name) == (State.OK, "/slam")
+        assert (other.state, other.worst, other.children[0].name) == (None, None, "/slam")
+        assert not_judged(tree) == len({"r1", "r2", "/laser", "/slam", connection.id})
 
 
 class TestDue:

@@ -48,7 +48,7 @@ def test_a_service_is_below_the_node_that_serves_it(monitor):
 
 def test_a_slow_service_is_told_of_the_node_and_the_host_too(monitor):
     parts = watched(monitor, 0.2)
-    assert parts["node:/adder"].state is State.HIGH
+    assert (parts["node:/adder"].state, parts["node:/adder"].worst) == (None, State.HIGH)
     assert parts["node:/adder"].children[0].counts == {"high": 1}
     assert "process:base/7" in parts
 

@@ -8,7 +8,7 @@ from functools import lru_cache
 import msgspec
 
 from roslens.dashboard.live.places import Places
-from roslens.dashboard.live.snapshot import Item, Link, Picture, Row
+from roslens.dashboard.live.snapshot import UNJUDGED, Item, Link, Picture, Row
 from roslens.live.connection_name import connection_ends
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Role
@@ -19,7 +19,7 @@ PLUMBING = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 MOST_APART = 120
 """Topics up to which each is drawn on its own; of more, those that join the same nodes are drawn as one."""
 MOST_DRAWN = 1500
-_WORSE = {state.value: place for place, state in enumerate(State)}
+_WORSE = {state: place for place, state in enumerate((UNJUDGED, *(state.value for state in State)))}
 _PUBLISHES, _SUBSCRIBES = Role.PUBLISHER, Role.SUBSCRIPTION
 
 
@@ -35,7 +35,7 @@ def ends_of(connection: str) -> tuple[str, str, str]:
 
 
 class _Line(msgspec.Struct):
-    state: str = "ok"
+    state: str = UNJUDGED
     rate: str = ""
     latency: str = ""
 
@@ -73,7 +73,7 @@ class GraphPicture:
     def _item(self, members: Sequence[str], place: tuple[float, float], states: dict[str, str]) -> Item:
         first = members[0]
         kind, _, name = first.partition(":")
-        state = max((states.get(one, "ok") for one in members), key=_WORSE.__getitem__)
+        state = max((states.get(one, UNJUDGED) for one in members), key=_WORSE.__getitem__)
         return Item(first, self._short(name), kind, *place, state, tuple(members[1:]))
 
 
@@ -82,14 +82,14 @@ def _states(graph: Graph, rows: Iterable[Row], verdicts: Iterable[Verdict]) -> d
     found: dict[str, str] = {}
     for row in rows:
         state = row.state
-        if row.kind == "node":
+        if row.kind == "node" and there and row.entity not in there:
             # Of a node that was there nothing is known but that.
-            state = "ok" if row.entity in there or not there else "unknown"
-        found[row.entity] = max(found.get(row.entity, "ok"), state, key=_WORSE.__getitem__)
+            state = max("unknown", state, key=_WORSE.__getitem__)
+        found[row.entity] = max(found.get(row.entity, UNJUDGED), state, key=_WORSE.__getitem__)
     for one in verdicts:
         if one.entity.kind is EntityKind.NODE and one.state.bad:
             entity = encodable(str(one.entity))
-            found[entity] = max(found.get(entity, "ok"), one.state.value, key=_WORSE.__getitem__)
+            found[entity] = max(found.get(entity, UNJUDGED), one.state.value, key=_WORSE.__getitem__)
     return found
 
 
@@ -159,7 +159,7 @@ def _only_bad(
     states: dict[str, str],
 ) -> tuple[list[str], list[tuple[str, ...]], str]:
     """Return what is bad and what it hangs together with, for graphs that nobody could look at."""
-    bad = {entity for entity, state in states.items() if State(state).bad}
+    bad = {entity for entity, state in states.items() if state != UNJUDGED and State(state).bad}
     near = bad | {end for line in lines if bad.intersection(line) for end in line}
     kept_nodes = [node for node in nodes if node in near][: MOST_DRAWN // 2]
     kept = [group for group in groups if near.intersection(group)][: MOST_DRAWN // 2]

@@ -85,10 +85,11 @@ class Teller:
         else:
             shown = [one for one in step.changes if one.state.bad or one.of_observer or self._options.verbose]
             terminal = self._uncut
-            lines = [alert_line(terminal, one, self._clock(one.since)) for one in shown]
+            timed = [(one.since, alert_line(terminal, one, self._clock(one.since))) for one in shown]
             events = [one for one in step.events if self._options.verbose or is_reported(one)]
-            lines += [event_text(terminal, one, self._clock(one.time)) for one in events]
-            lines += [cause_text(terminal, one, self._clock(one.time)) for one in step.causes]
+            timed += [(one.time, event_text(terminal, one, self._clock(one.time))) for one in events]
+            timed += [(one.time, cause_text(terminal, one, self._clock(one.time))) for one in step.causes]
+            lines = [line for _, line in sorted(timed, key=lambda one: one[0])]
             for note in step.notes:
                 print(f"roslens: {note.text}", file=sys.stderr)
             for failure in step.failures:

@@ -13,11 +13,12 @@ import msgspec
 
 from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
 from roslens.cli.watch_screen import value_text
-from roslens.dashboard.live.snapshot import VERSION, Alert, Happening, Row, Snapshot
+from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.signals import BY_KEY
-from roslens.live.worth_a_row import worth_a_row
+from roslens.live.worth_a_row import badge, not_judged, worth_a_row
 from roslens.model.entity import EntityKind
+from roslens.model.graph import Change
 from roslens.model.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ _MOST_SHARE = 0.2
 _SLOWEST_S = 4.0
 """A large system is shown more slowly, so that showing it costs no more than this share of the time."""
 _KEPT = 50
+_PROCESS = f"{EntityKind.PROCESS.value}:"
 _LONGEST_NAME = 200
 _LONGEST_TEXT = 600
 
@@ -100,25 +102,29 @@ class PageSource:
             when=self._clock(now),
             title=shown_name(self._title),
             live=self._live,
-            state=view.state.value,
+            state=view.worst.value if view.worst else UNJUDGED,
             counts=view.counts,
+            unjudged=not_judged(view),
             cost=cost,
             columns=tuple(column for column in COLUMNS if any(column[0] in row.shown for row in rows)),
             rows=rows,
             alerts=_alerts(standing, self._clock),
             picture=self._picture.of(session.graph(), rows, standing),
-            happened=tuple(reversed(self._happened)),
+            happened=tuple(sorted(self._happened, key=lambda one: one.time)[::-1]),
             failures=tuple(reversed(self._failures)),
         )
 
     def _of_step(self, step: Step) -> Iterator[Happening]:
         for event in step.events:
+            if event.entity.startswith(_PROCESS) and event.change in (Change.APPEARED, Change.VANISHED):
+                # Programs come and go all the time; of those that hold nodes the nodes tell it.
+                continue
             text = shown_text(event.entity)
             what, detail = event.change.value, shown_text(event.detail)
             yield Happening(event.time, self._clock(event.time), what, text, text.partition(":")[2], "", detail)
         for one in step.changes:
             entity = shown_text(str(one.entity))
-            detail = shown_text(sentence(one)) if one.state.bad else _title(one.quantity)
+            detail = shown_text(sentence(one)) if one.state.bad or one.of_observer else _title(one.quantity)
             name = shown_name(one.entity.name)
             when = self._clock(one.since)
             yield Happening(one.since, when, f"is {one.state.value}", entity, name, one.state.value, detail)
@@ -160,11 +166,13 @@ def _rows(parts: Iterable[SystemView], depth: int, above: str) -> Iterator[Row]:
             _name(part),
             part.kind,
             depth,
-            part.state.value,
+            part.state.value if part.state else UNJUDGED,
             part.counts,
             values,
             shown,
             part.observer,
+            part.worst.value if part.worst else UNJUDGED,
+            badge(part),
         )
         yield from _rows(part.children, depth + 1, key)
 

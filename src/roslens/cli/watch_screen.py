@@ -11,7 +11,7 @@ from roslens.live.publish.diagnostics import sentence
 from roslens.live.reported_levels import is_reported
 from roslens.live.signals import BY_KEY
 from roslens.live.tree import SystemView
-from roslens.live.worth_a_row import worth_a_row
+from roslens.live.worth_a_row import badge, not_judged, worth_a_row
 from roslens.model.entity import EntityId
 from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict
@@ -22,10 +22,13 @@ COLUMNS = ("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth", "loss
 _HEADINGS = ("rate", "gap", "latency", "cpu", "memory", "bandwidth", "loss", "calls", "answer in")
 _CELL = 11
 _LEAST_NAME = 24
-_STATE = 11
+_STATE = 12
+NOT_JUDGED = "not judged"
+"""In place of a state, of what no constraint judges."""
 _MOST_ALERTS = 8
 
-GLYPHS: Mapping[State, tuple[str, str, str]] = {
+GLYPHS: Mapping[State | None, tuple[str, str, str]] = {
+    None: ("\N{EN DASH}", "-", "quiet"),
     State.OK: ("✔", "+", "fine"),
     State.SUSPENDED: ("‖", "=", "quiet"),
     State.UNKNOWN: ("?", "?", "quiet"),
@@ -33,13 +36,14 @@ GLYPHS: Mapping[State, tuple[str, str, str]] = {
     State.HIGH: ("▲", "^", "warning"),
     State.ABSENT: ("✖", "x", "error"),
 }
-"""Sign, plain sign and role of colour of each state."""
+"""Sign, plain sign and role of colour of each state, and of what nothing judges."""
 
 
-def state_text(terminal: Terminal, state: State) -> str:
-    """Return sign and word of a state, in its colour."""
+def state_text(terminal: Terminal, state: State | None) -> str:
+    """Return sign and word of a state, in its colour; ``not judged`` of None."""
     sign, plain, role = GLYPHS[state]
-    return terminal.paint(f"{sign if terminal.unicode else plain} {state.value:<9}", role)
+    word = NOT_JUDGED if state is None else state.value
+    return terminal.paint(f"{sign if terminal.unicode else plain} {word:<10}", role)
 
 
 def value_text(key: str, value: float) -> str:
@@ -78,27 +82,31 @@ def screen(
 
 
 def _first_line(terminal: Terminal, view: SystemView, title: str) -> str:
-    counts = ", ".join(f"{count} {state}" for state, count in view.counts.items() if count) or "nothing is judged yet"
-    return terminal.cut(f"{terminal.clean(title)}   {counts}", terminal.width)
+    counts = [f"{count} {state}" for state, count in view.counts.items() if count] or ["nothing is judged yet"]
+    counts += [f"{parts:,} {NOT_JUDGED}"] if (parts := not_judged(view)) and view.counts else []
+    return terminal.cut(f"{terminal.clean(title)}   {', '.join(counts)}", terminal.width)
 
 
 def _table(terminal: Terminal, view: SystemView, room: int) -> list[str]:
     rows = list(_rows(view.children, 0))
     shown = [place for place, key in enumerate(COLUMNS) if any(key in row.values for _, row in rows)]
-    while shown and terminal.width - 12 - _CELL * len(shown) < _LEAST_NAME:
+    while shown and terminal.width - _STATE - 1 - _CELL * len(shown) < _LEAST_NAME:
         shown.pop()
-    width = terminal.width - 12 - _CELL * len(shown)
-    lines = [terminal.paint(" " * 12 + left("", width) + "".join(right(_HEADINGS[at], _CELL) for at in shown), "quiet")]
+    width = terminal.width - _STATE - 1 - _CELL * len(shown)
+    lines = [
+        terminal.paint(
+            " " * (_STATE + 1) + left("", width) + "".join(right(_HEADINGS[at], _CELL) for at in shown), "quiet"
+        )
+    ]
     chosen = rows if len(rows) <= room else _worst(rows, room - 1)
     for depth, row in chosen:
-        name = terminal.cut("  " * depth + terminal.clean(_name(row, terminal)), width - 1)
+        told = f"  ({said})" if (said := badge(row)) else ""
+        name = terminal.cut("  " * depth + terminal.clean(_name(row, terminal) + told), width - 1)
         cells = "".join(right(_cell(row, COLUMNS[at]), _CELL) for at in shown)
-        # What no sentence is about is not fine: nobody knows.
-        state = state_text(terminal, row.state) if row.counts else " " * _STATE
-        lines.append(f"{state} {left(name, width)}{cells}".rstrip())
+        lines.append(f"{state_text(terminal, row.state)} {left(name, width)}{cells}".rstrip())
     if len(chosen) < len(rows):
         more = len(rows) - len(chosen)
-        lines.append(terminal.paint(f"{' ' * 12}{more} more that are fine or no worse", "quiet"))
+        lines.append(terminal.paint(f"{' ' * (_STATE + 1)}{more} more that are fine or no worse", "quiet"))
     return lines
 
 
@@ -111,8 +119,8 @@ def _rows(parts: Iterable[SystemView], depth: int) -> Iterable[tuple[int, System
 
 
 def _worst(rows: Sequence[tuple[int, SystemView]], room: int) -> list[tuple[int, SystemView]]:
-    order = {state: place for place, state in enumerate(State)}
-    ranked = sorted(range(len(rows)), key=lambda at: (-order[rows[at][1].state], rows[at][0], at))
+    order: dict[State | None, int] = {state: place for place, state in enumerate((None, *State))}
+    ranked = sorted(range(len(rows)), key=lambda at: (-order[rows[at][1].worst], rows[at][0], at))
     return [rows[at] for at in sorted(ranked[:room])]
 
 
@@ -137,9 +145,11 @@ def _alerts(terminal: Terminal, verdicts: Sequence[Verdict], clock: Callable[[fl
     lines += [alert_line(terminal, one, clock(one.since)) for one in causes[:_MOST_ALERTS]]
     left_out = len(causes) - _MOST_ALERTS
     if left_out > 0:
-        lines.append(terminal.paint(f"{' ' * 12}{left_out} more", "quiet"))
+        lines.append(terminal.paint(f"{' ' * (_STATE + 1)}{left_out} more", "quiet"))
     if len(bad) > len(causes):
-        lines.append(terminal.paint(f"{' ' * 12}and {len(bad) - len(causes)} that follow from these", "quiet"))
+        lines.append(
+            terminal.paint(f"{' ' * (_STATE + 1)}and {len(bad) - len(causes)} that follow from these", "quiet")
+        )
     return lines
 
 
@@ -149,15 +159,15 @@ def alert_line(terminal: Terminal, verdict: Verdict, when: str) -> str:
     text = terminal.clean(f"{verdict.entity}  {sentence(verdict)}" if says else f"{verdict.entity}")
     if not says:
         text += terminal.clean(f"  {verdict.quantity} {_value(verdict)}")
-    room = terminal.width - columns(when) - 14
+    room = terminal.width - columns(when) - _STATE - 3
     return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"
 
 
 def event_text(terminal: Terminal, event: Event, when: str) -> str:
     """Return on one line what happened to a part of the system."""
     said = event.detail if is_reported(event) else f"{event.change.value} {event.detail}".strip()
-    room = terminal.width - columns(when) - 14
-    return f"{when} {'':13}{terminal.cut(terminal.clean(f'{event.entity}  {said}'), max(room, 20))}"
+    room = terminal.width - columns(when) - _STATE - 3
+    return f"{when} {'':{_STATE + 2}}{terminal.cut(terminal.clean(f'{event.entity}  {said}'), max(room, 20))}"
 
 
 def cause_text(terminal: Terminal, verdict: Verdict, when: str) -> str:
@@ -165,7 +175,7 @@ def cause_text(terminal: Terminal, verdict: Verdict, when: str) -> str:
     why = f"now because of {verdict.cause}" if verdict.cause else "now by itself, because of nothing else"
     quantity = BY_KEY[verdict.quantity].title.lower() if verdict.quantity in BY_KEY else verdict.quantity
     text = terminal.clean(f"{verdict.entity}  {quantity} is still {verdict.state.value}, {why}")
-    room = terminal.width - columns(when) - 14
+    room = terminal.width - columns(when) - _STATE - 3
     return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"
 
 

@@ -29,21 +29,25 @@ class SystemView(msgspec.Struct, frozen=True, omit_defaults=True):
         id: text form of the id of the entity; ``system`` of the whole.
         name: to show.
         kind: ``system``, ``host``, ``node``, ``process``, ``topic``, ``service`` or ``connection``.
-        state: worst state of it and everything below.
+        state: worst state of what is said of it alone; None where nothing judges it.
         counts: how many verdicts of it and everything below are in which state, by the state's name.
         values: latest values of its own, by key of the signal.
         observer: how these were observed; empty where there are none.
         children: the parts below, sorted by name.
+        below: how many verdicts of what is below it are in which state, by the state's name.
+        worst: worst state of it and everything below; None where nothing of that is judged.
     """
 
     id: str
     name: str
     kind: str
-    state: State = State.OK
+    state: State | None = None
     counts: dict[str, int] = {}
     values: dict[str, float] = {}
     observer: str = ""
     children: tuple[SystemView, ...] = ()
+    below: dict[str, int] = {}
+    worst: State | None = None
 
 
 def view_of(world: World, standing: Iterable[Standing], now: float) -> SystemView:
@@ -89,8 +93,8 @@ class _Tree:
         for name in sorted(hosts):
             entity = EntityId(EntityKind.HOST, name)
             views.append(self._view(entity, {entity} | below.get(name, set()), tuple(hosts[name])))
-        state, counts = self._sum(everything)
-        return SystemView("system", "system", "system", state, counts, {}, "", tuple(views))
+        worst, counts = self._sum(everything)
+        return SystemView("system", "system", "system", None, counts, {}, "", tuple(views), counts, worst)
 
     def _placed(self) -> dict[str, set[str]]:
         """Return the topics of each node; those without a publisher under no name."""
@@ -140,15 +144,18 @@ class _Tree:
     def _view(
         self, entity: EntityId, below: set[EntityId], children: tuple[SystemView, ...], name: str = ""
     ) -> SystemView:
-        state, counts = self._sum(below)
+        worst, counts = self._sum(below | {entity})
+        state, _ = self._sum({entity})
+        _, others = self._sum(below - {entity})
         values, observer = self._values(entity)
         shown = name or entity.name
-        return SystemView(str(entity), shown, entity.kind.value, state, counts, values, observer, children)
+        kind = entity.kind.value
+        return SystemView(str(entity), shown, kind, state, counts, values, observer, children, others, worst)
 
-    def _sum(self, entities: set[EntityId]) -> tuple[State, dict[str, int]]:
+    def _sum(self, entities: set[EntityId]) -> tuple[State | None, dict[str, int]]:
         states = [state for entity in entities for state in self._states.get(entity, ())]
         counts = {state.value: states.count(state) for state in State if state in states}
-        return max(states, key=_WORSE.__getitem__, default=State.OK), counts
+        return max(states, key=_WORSE.__getitem__, default=None), counts
 
     def _values(self, entity: EntityId) -> tuple[dict[str, float], str]:
         sampled = self._world.sampled.get(entity)

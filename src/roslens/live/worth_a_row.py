@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslens.live.tree import SystemView
+from roslens.model.verdict import State
 
 _TOPICS = frozenset({"/rosout", "/rosout_agg", "/parameter_events", "/statistics"})
 _TO_NOBODY = " > ?"
@@ -12,6 +13,26 @@ _ENDS = frozenset(
      "set_logger_levels", "transition_event", "get_state", "change_state", "get_available_states",
      "get_available_transitions", "get_transition_graph"}
 )  # fmt: skip
+
+
+def not_judged(whole: SystemView) -> int:
+    """Return how many parts that are worth a row nothing judges, each once."""
+    found = set()
+    waiting = list(whole.children)
+    while waiting:
+        part = waiting.pop()
+        if worth_a_row(part):
+            if part.state is None and part.name:
+                found.add(part.id)
+            waiting += part.children
+    return len(found)
+
+
+def badge(part: SystemView) -> str:
+    """Return what is wrong or unknown below a part: ``1 absent, 2 unknown below``; empty where nothing is."""
+    wrong = [state for state in reversed(State) if state.bad or state is State.UNKNOWN]
+    counts = [f"{part.below[state.value]} {state.value}" for state in wrong if part.below.get(state.value)]
+    return f"{', '.join(counts)} below" if counts else ""
 
 
 def worth_a_row(part: SystemView) -> bool:

@@ -83,7 +83,7 @@ def test_the_snapshot_is_a_versioned_document():
     answer = client(ScriptedRobot()).get("/snapshot.json")
     assert answer.headers["content-type"] == "application/json"
     document = answer.json()
-    assert document["version"] == 1
+    assert document["version"] == 2
     assert {"time", "title", "cost", "counts", "rows", "alerts", "picture", "happened", "failures"} <= document.keys()
 
 

@@ -7,8 +7,12 @@ from __future__ import annotations
 
 import msgspec
 
-VERSION = 1
+VERSION = 2
 """Of the document; it rises when something in it changes its meaning or goes away."""
+
+
+UNJUDGED = "unjudged"
+"""In place of a state, of what no constraint judges."""
 
 
 class Row(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -20,11 +24,13 @@ class Row(msgspec.Struct, frozen=True, omit_defaults=True):
         name: to show.
         kind: ``host``, ``node``, ``process``, ``topic`` or ``connection``.
         depth: 0 of a host, one more for each level below.
-        state: worst state of it and everything below.
+        state: worst state of what is said of it alone; ``unjudged`` where nothing judges it.
         counts: how many verdicts of it and everything below are in which state.
         values: latest values by key of the signal, in the unit of the signal.
         shown: the same values as people read them.
         observer: how these were observed.
+        worst: worst state of it and everything below, ``unjudged`` where nothing of that is judged.
+        below: what is wrong below, in words: ``1 absent, 2 unknown below``.
     """
 
     key: str
@@ -37,6 +43,8 @@ class Row(msgspec.Struct, frozen=True, omit_defaults=True):
     values: dict[str, float] = {}
     shown: dict[str, str] = {}
     observer: str = ""
+    worst: str = UNJUDGED
+    below: str = ""
 
 
 class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -86,7 +94,7 @@ class Item(msgspec.Struct, frozen=True, omit_defaults=True):
     kind: str
     x: float
     y: float
-    state: str = "ok"
+    state: str = UNJUDGED
     also: tuple[str, ...] = ()
 
 
@@ -98,7 +106,7 @@ class Link(msgspec.Struct, frozen=True, omit_defaults=True):
 
     start: int
     end: int
-    state: str = "ok"
+    state: str = UNJUDGED
     rate: str = ""
     latency: str = ""
     via: tuple[tuple[float, float], ...] = ()
@@ -139,8 +147,9 @@ class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
         when: the same as people read it.
         title: what is watched.
         live: whether more will come; false of a recording that was read to its end.
-        state: worst state of all.
+        state: worst state of all; ``unjudged`` where nothing is judged.
         counts: how many verdicts are in which state.
+        unjudged: how many rows nothing judges.
         cost: what watching costs, in words.
         columns: key and heading of the values in the tree, in order.
         rows: the tree.
@@ -164,3 +173,4 @@ class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
     picture: Picture
     happened: tuple[Happening, ...]
     failures: tuple[str, ...]
+    unjudged: int = 0

@@ -7,7 +7,7 @@ import { startShell } from "../shell.js";
 import { Alerts } from "./alerts.js";
 import { Happened } from "./happened.js";
 import { Picture } from "./picture.js";
-import { sign } from "./states.js";
+import { sign, word } from "./states.js";
 import { listen } from "./stream.js";
 import { Tree } from "./tree.js";
 
@@ -44,11 +44,12 @@ function filter() {
 function headline(snapshot) {
   const wrong = snapshot.alerts.length;
   const judged = Object.values(snapshot.counts).some(Boolean);
+  const unknown = snapshot.counts.unknown || 0;
   const follow = snapshot.alerts.reduce((sum, alert) => sum + (alert.follows?.length || 0), 0);
-  const words = wrong ? `${wrong} wrong${follow ? `, ${follow} more ${follow === 1 ? "follows" : "follow"} from ${wrong === 1 ? "it" : "them"}` : ""}` : judged ? "Nothing is wrong" : "Nothing is judged: no reference says what is expected";
-  by("headline").replaceChildren(sign(judged ? snapshot.state : "unknown"), make("span", { text: words }));
-  by("counts").replaceChildren(...Object.entries(snapshot.counts).filter(([, count]) => count)
-    .map(([state, count]) => make("li", { class: "mark" }, sign(state), `${count.toLocaleString("en-US")} ${state}`)));
+  const words = wrong ? `${wrong} wrong${follow ? `, ${follow} more ${follow === 1 ? "follows" : "follow"} from ${wrong === 1 ? "it" : "them"}` : ""}` : judged ? (unknown ? "Nothing is known to be wrong" : "Nothing is wrong") : "Nothing is judged: no reference says what is expected";
+  by("headline").replaceChildren(sign(judged ? snapshot.state : "unjudged"), make("span", { text: words }));
+  by("counts").replaceChildren(...[...Object.entries(snapshot.counts), ["unjudged", snapshot.unjudged || 0]].filter(([, count]) => count)
+    .map(([state, count]) => make("li", { class: "mark" }, sign(state), `${count.toLocaleString("en-US")} ${word(state)}`)));
   document.title = `${wrong ? `(${wrong}) ` : ""}${snapshot.title} · roslens watch`;
 }
 
@@ -59,7 +60,7 @@ let waiting = null;
 /** Say at once how it stands; draw what is large in the next frame, the newest of several and none while nobody looks. */
 function show(snapshot, read = 0) {
   const begun = performance.now();
-  const sum = JSON.stringify([snapshot.counts, snapshot.state, snapshot.alerts.map((alert) => alert.follows?.length || 0)]);
+  const sum = JSON.stringify([snapshot.counts, snapshot.unjudged, snapshot.state, snapshot.alerts.map((alert) => alert.follows?.length || 0)]);
   if (sum !== summed) headline(snapshot);
   summed = sum;
   by("when").textContent = snapshot.when.trim();

@@ -2,7 +2,7 @@
 
 import { draw } from "../dom.js";
 import { Camera } from "../graph/camera.js";
-import { sign } from "./states.js";
+import { sign, word } from "./states.js";
 
 const BOX = { width: 156, height: 32 };
 const DIAMOND = 8;
@@ -87,18 +87,18 @@ export class Picture {
   write(shown, item, moved) {
     const { element } = shown;
     if (moved) element.setAttribute("transform", `translate(${item.x} ${item.y})`);
-    const state = item.state || "ok";
+    const state = item.state || "unjudged";
     const also = (item.also || []).join("\n");
     if (shown.is === state && shown.also === also) return;
     shown.is = state;
     shown.also = also;
-    element.classList.remove("ok", "suspended", "unknown", "low", "high", "absent");
+    element.classList.remove("unjudged", "ok", "suspended", "unknown", "low", "high", "absent");
     element.classList.add(`is-${item.kind}`, state);
-    element.setAttribute("aria-label", `${item.kind} ${item.name}, ${state}`);
-    shown.title.textContent = [`${item.name}: ${state}`, also].filter(Boolean).join("\n").slice(0, 2000);
+    element.setAttribute("aria-label", `${item.kind} ${item.name}, ${word(state)}`);
+    shown.title.textContent = [`${item.name}: ${word(state)}`, also].filter(Boolean).join("\n").slice(0, 2000);
     shown.glyph?.remove();
     shown.glyph = null;
-    if (state === "ok") return;
+    if (state === "ok" || state === "unjudged") return;
     const place = item.kind === "node" ? { x: -BOX.width / 2 - 6, y: -BOX.height / 2 - 6 } : { x: DIAMOND + 3, y: -6 };
     shown.glyph = sign(state, "", { ...place, width: 12, height: 12 });
     element.append(shown.glyph);
@@ -121,7 +121,7 @@ export class Picture {
         this.layers.lines.append(shown.element);
         place(shown, start, end, link);
       } else if (moved) place(shown, start, end, link);
-      const state = link.state || "ok";
+      const state = link.state || "unjudged";
       if (shown.is === state && shown.rate === link.rate && shown.latency === link.latency && shown.sent === rates.get(start.entity)) continue;
       shown.rate = link.rate;
       shown.latency = link.latency;
@@ -137,7 +137,7 @@ export class Picture {
         shown.label = rate;
         shown.text.textContent = rate;
       }
-      const about = [`${start.name} → ${end.name}: ${state}`, link.rate, link.latency && `latency ${link.latency}`].filter(Boolean).join(", ");
+      const about = [`${start.name} → ${end.name}: ${word(state)}`, link.rate, link.latency && `latency ${link.latency}`].filter(Boolean).join(", ");
       if (shown.about !== about) {
         shown.about = about;
         shown.title.textContent = about;

@@ -8,9 +8,14 @@ export function sign(state, severity, place) {
   return draw("svg", { class: `glyph ${state}${grave}`, viewBox: "0 0 16 16", "aria-hidden": "true", ...place }, draw("use", { href: `#g-${state}` }));
 }
 
+/** The word of a state. */
+export function word(state) {
+  return state === "unjudged" ? "not judged" : state;
+}
+
 /** Put sign and word of a state into an element. */
 export function mark(element, state, severity) {
-  element.replaceChildren(sign(state, severity), state);
+  element.replaceChildren(sign(state, severity), word(state));
 }
 
 /** 75 -> "1 min 15 s". */

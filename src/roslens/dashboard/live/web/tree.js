@@ -9,6 +9,7 @@ const OPEN_TOPICS = 40;
 const OPEN_NODES = 300;
 const SHORT = 150;
 const ROW_HEIGHT = 28;
+const BAD = new Set(["suspended", "unknown", "low", "high", "absent"]);
 
 export class Tree {
   /** `chose` is called with the id of the entity of the row that was chosen by hand, or with "". */
@@ -79,7 +80,7 @@ export class Tree {
     for (let at = 0; at < rows.length; at += 1) {
       const row = rows[at];
       above.length = row.depth;
-      const matches = (!this.worse || row.state !== "ok") && (!text || row.entity.toLowerCase().includes(text) || row.name.toLowerCase().includes(text));
+      const matches = (!this.worse || BAD.has(row.worst || "unjudged")) && (!text || row.entity.toLowerCase().includes(text) || row.name.toLowerCase().includes(text));
       if (matches) {
         wanted[at] = 1;
         for (const place of above) wanted[place] = 1;
@@ -143,12 +144,13 @@ export class Tree {
 
   build(row) {
     const name = make("bdi", { text: row.name, title: row.entity });
-    const cell = make("td", { class: "name" }, make("span", { class: "step" }), make("button", { type: "button", class: "fold", tabindex: "-1", "aria-label": "Fold" }), name);
+    const below = make("span", { class: "below" });
+    const cell = make("td", { class: "name" }, make("span", { class: "step" }), make("button", { type: "button", class: "fold", tabindex: "-1", "aria-label": "Fold" }), name, below);
     const state = make("span", { class: "mark" });
     const cells = this.keys.map(() => make("td", { class: "num" }, ""));
     const element = make("tr", { role: "row", "data-key": row.key, "data-kind": row.kind, "data-entity": row.entity, "aria-level": row.depth + 1, tabindex: "-1" },
       cell, make("td", { class: "state" }, state), ...cells);
-    return { element, state, cells, is: "", open: null, texts: [], observer: null, kind: "" };
+    return { element, state, below, cells, is: "", open: null, texts: [], observer: null, kind: "" };
   }
 
   write(line, { row, parent, open }) {
@@ -157,6 +159,8 @@ export class Tree {
       line.is = row.state;
       mark(line.state, row.state);
     }
+    const below = row.below || "";
+    if (line.below.textContent !== below) line.below.textContent = below;
     const chosen = row.key === this.chosen && this.marked;
     const kind = `d${row.depth} ${row.state}${parent ? "" : " leaf"}${chosen ? " chosen" : ""}`;
     if (line.kind !== kind) {

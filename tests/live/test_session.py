@@ -311,3 +311,45 @@ def test_a_service_is_told_with_the_values_of_all_hosts(session):
         )
         session.look(second + 1.0)
     assert dict(session.readings(3.0))[add] == {"calls": 2.0, "client_calls": 2.0}
+
+
+def test_a_service_of_another_domain_is_left_out(session):
+    ends = (Endpoint("/a", Role.PUBLISHER, "/scan", gid="010f"), Endpoint("/a", Role.SERVICE_SERVER, "/add"))
+    services = [Sample(EntityId(EntityKind.SERVICE, name), 1.0, {"calls": 2.0}) for name in ("/add", "/elsewhere")]
+    session.take(
+        [
+            frame(1.0, graph=Graph("ros2", (Node("/a", "base", 7),), ends)),
+            frame(1.0, sender="arm/agent", samples=services, counted_at="arm's"),
+        ]
+    )
+    session.look(1.0)
+    assert {str(entity) for entity, _ in session.readings(1.0) if entity.kind is EntityKind.SERVICE} == {"service:/add"}
+
+
+def test_the_cause_of_a_service_that_is_not_called_is_its_server_that_died():
+    reference = """
+kind: reference
+name: rover
+defaults: {grace: 0 s}
+constraints:
+  - {service: /add, calls: ">= 1 Hz"}
+  - {node: /server, expected: always}
+"""
+    session = Session(load_reference([GivenText("rover.yaml", reference.encode())], BY_KEY), start=0.0)
+    add = EntityId(EntityKind.SERVICE, "/add")
+    client = (
+        Endpoint("/client", Role.PUBLISHER, "/rosout", gid="010f"),
+        Endpoint("/client", Role.SERVICE_CLIENT, "/add"),
+    )
+    with_server = Graph("ros2", (Node("/server"),), (*client, Endpoint("/server", Role.SERVICE_SERVER, "/add")))
+    for second in range(1, 20):
+        now, alive = float(second), second < 8
+        graph = with_server if alive else Graph("ros2", (), client)
+        sample = Sample(add, now, {"calls": 2.0 if alive else 0.0})
+        session.take([frame(now, graph=graph, samples=[sample], looked=now)])
+        if second == 8:
+            session.take([frame(now, events=[Event(now, Change.VANISHED, "node:/server")], looked=now)])
+        session.look(now)
+    (verdict,) = [one for one in session.monitor.standing() if one.entity == add]
+    assert verdict.state is State.LOW
+    assert verdict.cause.startswith("node:/server")

@@ -18,6 +18,7 @@ WAIT_S = 5.0
 """How long a tally waits for the name of its publisher."""
 KEPT_S = 60.0
 MOST_WAITING = 10_000
+_OF_ACTION = "/_action/"
 
 
 class GidNames:
@@ -28,6 +29,7 @@ class GidNames:
         self._left: dict[str, tuple[str, float]] = {}
         self._there: set[tuple[str, str]] = set()
         self._nodes: set[str] = set()
+        self._ends: set[str] = set()
         self._waiting: deque[tuple[float, Tally]] = deque()
 
     def take_graph(self, graph: Graph, now: float) -> None:
@@ -37,6 +39,7 @@ class GidNames:
         self._left = {gid: left for gid, left in self._left.items() if gid not in names and now - left[1] < KEPT_S}
         self._names = names
         self._there = {(end.node, end.name) for end in graph.endpoints}
+        self._ends = {end.name for end in graph.endpoints}
         self._nodes = {end.node for end in graph.endpoints} | {node for node, _ in self._left.values()}
 
     def named(self, tally: Tally, now: float) -> Tally | None:
@@ -61,6 +64,13 @@ class GidNames:
             elif self._counts(tally):
                 found.append(msgspec.structs.replace(tally, publisher=""))
         return found
+
+    def has(self, service: str) -> bool:
+        """Tell whether the graph has a service, or the action that it is a part of.
+
+        Without a graph of ROS 2 all may be. What the nodes of another domain call is in no graph.
+        """
+        return not self._names or service in self._ends or service.partition(_OF_ACTION)[0] in self._ends
 
     def _known(self, tally: Tally) -> Tally | None:
         """Return a tally with names; None where the graph lacks its node or the name of its publisher."""

@@ -10,6 +10,7 @@ import msgspec
 from roslens.live.agent.counting import Counters, with_nodes
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
+from roslens.model.failure import Failure
 from roslens.model.graph import Event, Graph
 from roslens.model.sample import Sample
 from roslens.model.wire import VERSION, Frame
@@ -36,8 +37,8 @@ class LocalHost:
     ) -> None:
         """Sample the host ``name`` every ``period_s`` seconds, and look for its processes every second sample.
 
-        Of ``counters`` only services and who counts are told here: an observer of ROS beside the monitor tells the
-        traffic of topics, so that nobody else has to. ``identities`` is what identifiers made here begin with.
+        Of ``counters`` only who counts is told here: an observer of ROS beside the monitor tells what is counted in
+        its domain, so that nobody else has to. ``identities`` is what identifiers made here begin with.
         """
         self._name = name
         self._host = host
@@ -85,16 +86,17 @@ class LocalHost:
     def _counted(self, counters: Counters, wall: float) -> list[Frame]:
         """Return a frame for each place where is counted, which says at least that it is told of from here."""
         counters.read(wall)
-        calls = dict(counters.calls(wall))
-        return [self._frame(calls.get(place, []), counted_at=place) for place in counters.places()]
+        failures = counters.failures()
+        return [self._frame([], counted_at=place, failures=failures) for place in counters.places()]
 
     def _frame(
-        self, samples: list[Sample], events: Sequence[Event] = (), graph: Graph | None = None, counted_at: str = ""
-    ) -> Frame:
+        self, samples: list[Sample], events: Sequence[Event] = (), graph: Graph | None = None, counted_at: str = "",
+        failures: Sequence[Failure] = (),
+    ) -> Frame:  # fmt: skip
         self._sequence += 1
         return Frame(
             VERSION, f"{self._name}/monitor", self._sequence, self._wall(), [], samples, list(events), graph,
-            counted_at=counted_at,
+            list(failures), counted_at=counted_at,
         )  # fmt: skip
 
     def descriptors(self) -> list[int]:

@@ -168,7 +168,8 @@ class Session:
             self._graph_changed = False
         self._add_counted(self._names.due(now))
         for sample in self._services.samples(now):
-            self.monitor.add_sample(sample)
+            if self._names.has(sample.entity.name):
+                self.monitor.add_sample(sample)
         changes, causes = self._parted(self.monitor.tick(now))
         step = Step(now, changes, tuple(self._events), tuple(self._failures), causes)
         self._events.clear()

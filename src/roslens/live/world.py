@@ -17,6 +17,7 @@ from roslens.model.graph import Graph, Role
 from roslens.model.tally import Tally
 
 MAX_ENTITIES = 100_000
+_MOST_FORMER = 1000
 """Connections, topics and sampled entities together; more are refused and counted."""
 FORGET_GONE_S = 300.0
 """After which a connection is forgotten that the graph has no more, and a process that nobody samples."""
@@ -48,6 +49,7 @@ class World:
         self.refused = 0
         self.published: dict[str, set[str]] = {}
         self.subscribed: dict[str, set[str]] = {}
+        self._servers: dict[EntityId, set[str]] = {}
         self._hosts: dict[str, str] = {}
 
     @property
@@ -162,6 +164,7 @@ class World:
             if end.type:
                 types.setdefault(end.name, set()).add(end.type)
         self.graph = graph
+        self._take_servers(graph)
         moved = self._take_hosts(graph)
         for name in sorted({*publishers, *subscribers} - self.topics.keys()):
             if self.full:
@@ -177,6 +180,15 @@ class World:
             if sampled.id.kind is EntityKind.NODE and sampled.id.name in moved:
                 sampled.host = self.host_of(sampled.id.name)
                 yield sampled
+
+    def _take_servers(self, graph: Graph) -> None:
+        """Note who serves; what a service depended on that nobody serves any more is who did."""
+        servers: dict[EntityId, set[str]] = {}
+        for end in graph.endpoints:
+            if (kind := _ENDS.get(end.role)) is not None:
+                servers.setdefault(EntityId(kind, end.name), set()).add(end.node)
+        former = [one for one in self._servers.items() if one[0] not in servers]
+        self._servers = {**dict(former[-_MOST_FORMER:]), **servers}
 
     def _take_hosts(self, graph: Graph) -> set[str]:
         """Note where nodes are; return those that are somewhere else than before."""
@@ -238,6 +250,8 @@ class World:
             host = self.host_of(entity.name)
             inputs = [EntityId(EntityKind.TOPIC, name) for name in self.subscribed.get(entity.name, ())]
             return inputs + ([EntityId(EntityKind.HOST, host)] if host else [])
+        if entity.kind in (EntityKind.SERVICE, EntityKind.ACTION):
+            return [EntityId(EntityKind.NODE, node) for node in self._servers.get(entity, ())]
         if entity.kind is EntityKind.PROCESS:
             return [EntityId(EntityKind.HOST, entity.name.rpartition("/")[0])]
         return []

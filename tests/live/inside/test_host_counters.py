@@ -45,10 +45,13 @@ def test_calls_of_services_are_no_traffic_of_topics(folder, file):
     now = time.time()
     counters.read(now)
     counters.calls(now)
-    for kind in (slots.ASKED, slots.REPLIED):
-        file.slot(kind, b"", "/add", "/server").arrived(time.time_ns(), time.time_ns(), None, None, -1, None)
-    assert [tallies for _, tallies in counters.read(now + 1)] == [[]]
-    ((_, samples),) = counters.calls(now + 1)
+    ends = [file.slot(kind, b"", "/add", "/server") for kind in (slots.ASKED, slots.REPLIED)]
+    for second in (1, 2):
+        for end in ends:
+            when = int((now + second) * 1e9)
+            end.arrived(when, when, None, None, -1, None)
+        assert [tallies for _, tallies in counters.read(now + second)] == [[]]
+    ((_, samples),) = counters.calls(now + 2)
     assert [(str(one.entity), one.values["calls"]) for one in samples] == [("service:/add", pytest.approx(1.0))]
     counters.close()
 

@@ -3,6 +3,8 @@ from types import SimpleNamespace
 from roslens.live.adapters.ros2.graph import GraphReader
 from roslens.live.adapters.ros2.local_process import Found
 from roslens.live.adapters.ros2.observation import Observation
+from roslens.live.inside import slots
+from roslens.live.inside.counters import Called
 from roslens.live.inside.counters import Counted as CountedSlot
 from roslens.model.graph import Change, Role
 from roslens.model.tally import Tally
@@ -194,6 +196,9 @@ class NoCounters:
     def failures(self):
         return []
 
+    def called(self):
+        return []
+
 
 def test_frames_tell_changes_once_and_a_misfit_again_when_it_is_back():
     node = FakeNode()
@@ -226,6 +231,9 @@ class Counted:
     def failures(self):
         return []
 
+    def called(self):
+        return []
+
 
 def test_traffic_of_an_observer_is_not_told():
     node = FakeNode()
@@ -239,6 +247,9 @@ def test_traffic_of_an_observer_is_not_told():
             return [CountedSlot(8, gid(pid, number).hex(), tally, "") for pid, number in ((9, 3), (7, 1))]
 
         def failures(self):
+            return []
+
+        def called(self):
             return []
 
     observation = Observation("robot", reader(node), Heard())
@@ -264,6 +275,9 @@ def test_what_nodes_of_the_same_name_count_in_another_domain_is_not_told():
         def failures(self):
             return []
 
+        def called(self):
+            return []
+
     observation = Observation("robot", reader(node), Heard())
     observation.changed(1.0)
     frame, _ = observation.period(2.0, 1.0)
@@ -285,3 +299,27 @@ def test_silence_is_told_of_what_is_there_only():
     observation.changed(1.0)
     frame, _ = observation.period(2.0, 1.0)
     assert [tally.topic for tally in frame.tallies] == ["/last", "/t"]
+
+
+def test_what_is_called_in_another_domain_is_not_told():
+    node = FakeNode()
+    node.add("server", "p", "/rosout", 7)
+
+    class Services(NoCounters):
+        def __init__(self):
+            self.now = 0.0
+
+        def read(self, now):
+            self.now = now
+            return []
+
+        def called(self):
+            def asked(service, pid, count):
+                return Called(pid, slots.ASKED, Tally(service, "/ns/server", "", 0.0, 1.0, count, last=self.now))
+
+            return [asked("/add", 7, 2), asked("/add", 1007, 40), asked("/elsewhere", 1007, 1)]
+
+    observation = Observation("robot", reader(node), Services())
+    observation.changed(1.0)
+    told = [observation.period(2.0 + second, 1.0)[0].samples for second in range(4)]
+    assert [(str(one.entity), one.values) for one in told[-1]] == [("service:/add", {"calls": 2.0})]

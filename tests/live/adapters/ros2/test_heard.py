@@ -156,6 +156,9 @@ class Counters:
     def failures(self):
         return []
 
+    def called(self):
+        return []
+
 
 def test_parameters_stand_in_the_graph_and_their_changes_are_events_without_secrets(heard):
     observation = Observation("vm", Graphs(), Counters(), None, heard)

@@ -13,9 +13,11 @@ from roslens.live.adapters.ros2.fit import misfits
 from roslens.live.adapters.ros2.heard import Told
 from roslens.live.adapters.ros2.parameters import Parameters
 from roslens.live.adapters.ros2.same_domain import SameDomain
-from roslens.live.inside.counters import Counted, joined
+from roslens.live.inside.call_times import CallTimes
+from roslens.live.inside.counters import Called, Counted, joined
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
+from roslens.model.sample import Sample
 from roslens.model.tally import Tally
 from roslens.model.wire import VERSION, Frame
 
@@ -37,6 +39,7 @@ class Counters(Protocol):
     """What reads the counters of nodes."""
 
     def read(self, now: float) -> list[Counted]: ...  # noqa: D102
+    def called(self) -> list[Called]: ...  # noqa: D102
     def failures(self) -> list[Failure]: ...  # noqa: D102
 
 
@@ -61,6 +64,8 @@ class Hears(Protocol):
 SWEEP_PER_S = 20
 PARAMETERS_S = 5.0
 """A graph of which only parameters changed is told so often at most; each change is an event at once."""
+CALLS_S = 1.0
+"""Calls of services are told so often."""
 _GRACE_S = 60.0
 
 
@@ -90,6 +95,8 @@ class Observation:
         self._told: set[Failure] = set()
         self._left: dict[str, tuple[str, float]] = {}
         self._domain = SameDomain()
+        self._calls = CallTimes()
+        self._calls_told = float("-inf")
 
     @property
     def unsettled(self) -> bool:
@@ -136,6 +143,7 @@ class Observation:
         """
         heard = [one for one in self._counters.read(now) if not self._graphs.own(one.gid) and self._here(one)]
         counted = joined(heard, self._name_of, self._host)
+        self._calls.add(one for one in self._counters.called() if self._domain.has(one.tally.publisher, one.pid))
         tallies = [tally for tally in counted if tally.count or self._stands(tally)]
         failures = self._counters.failures()
         shed = 0
@@ -147,8 +155,8 @@ class Observation:
         told = self._listened(now)
         stale = self._graphs.sweep(max(1, round(SWEEP_PER_S * seconds)))
         frame = self._frame(
-            now, tallies=tallies + told.tallies, failures=failures + told.failures, shed=shed, events=told.events,
-            graph=self._with_parameters(now), looked=now if attentive else 0.0,
+            now, tallies=tallies + told.tallies, samples=self._called(now), failures=failures + told.failures,
+            shed=shed, events=told.events, graph=self._with_parameters(now), looked=now if attentive else 0.0,
         )  # fmt: skip
         return frame, stale
 
@@ -159,6 +167,13 @@ class Observation:
         self._heard.parameters.again(now)
         self._heard.parameters.turn(now)
         return self._heard.parameters.busy
+
+    def _called(self, now: float) -> list[Sample]:
+        """Return what is known of the services of this domain, once a second."""
+        if 0 <= now - self._calls_told < CALLS_S:
+            return []
+        self._calls_told = now
+        return self._calls.samples(now)
 
     def _listened(self, now: float) -> Told:
         if self._heard is None:

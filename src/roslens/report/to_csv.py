@@ -65,7 +65,16 @@ def write_table(view: RunView, name: str, stream: TextIO, tags: TagFilter | None
         StoreError: the store cannot be read.
         OSError: the stream cannot be written.
     """
-    head, rows = TABLES[name](view, tags or TagFilter())
+    write_rows(TABLES[name](view, tags or TagFilter()), stream)
+
+
+def write_rows(table: Table, stream: TextIO) -> None:
+    """Write a table with its header line.
+
+    Raises:
+        OSError: the stream cannot be written.
+    """
+    head, rows = table
     writer = csv.writer(stream, lineterminator="\r\n")
     writer.writerow(head)
     writer.writerows(map(_cell, row) for row in rows)

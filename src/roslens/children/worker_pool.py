@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from typing import Literal
 
 from roslens.children.lifeline import leave_interrupts, watch_parent
@@ -11,8 +13,9 @@ from roslens.children.safe_path import elsewhere
 Method = Literal["fork", "forkserver", "spawn"]
 
 
-def worker_pool(jobs: int, method: Method) -> ProcessPoolExecutor:
-    """Return a pool of ``jobs`` workers that are started by ``method``.
+@contextmanager
+def worker_pool(jobs: int, method: Method) -> Iterator[ProcessPoolExecutor]:
+    """Lend a pool of ``jobs`` workers that are started by ``method``; where the block ends by an error, so do they.
 
     The helper processes of ``multiprocessing`` are started here, in a neutral folder: later they would be started in
     the current one, and import what lies there.
@@ -27,7 +30,16 @@ def worker_pool(jobs: int, method: Method) -> ProcessPoolExecutor:
             from multiprocessing import forkserver
 
             forkserver.ensure_running()
-        return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context(method), initializer=_begin)
+        pool = ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context(method), initializer=_begin)
+    try:
+        yield pool
+    except BaseException:
+        # An interrupt is left to this process, so what workers are at has to be ended here.
+        for worker in list((getattr(pool, "_processes", None) or {}).values()):
+            worker.kill()
+        pool.shutdown(wait=True, cancel_futures=True)
+        raise
+    pool.shutdown(wait=True)
 
 
 def _begin() -> None:

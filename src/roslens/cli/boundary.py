@@ -6,16 +6,20 @@
 2    usage or bad input
 3    something could not be analysed (the report says what)
 70   a bug; a file with everything needed to report it has been written
-130  interrupted
+130  interrupted: by Ctrl-C, a request to end (SIGTERM) or a terminal that closed (SIGHUP)
 ==== =========================================================================================
 """
 
 from __future__ import annotations
 
 import os
+import signal
 import sys
-from collections.abc import Callable, Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from typing import NoReturn
 
 from roslens.model.errors import RoslensError
 
@@ -26,12 +30,15 @@ NOT_ANALYSED = 3
 BUG = 70
 INTERRUPTED = 130
 
+_ENDING = (signal.SIGINT, signal.SIGTERM, *((signal.SIGHUP,) if hasattr(signal, "SIGHUP") else ()))
+
 
 def guarded(command: Callable[[], int], arguments: Sequence[str]) -> int:
     """Run ``command`` and return the exit code; messages go to standard error."""
     try:
-        code = command()
-        sys.stdout.flush()
+        with _ended_by_signals():
+            code = command()
+            sys.stdout.flush()
         return code
     except RoslensError as error:
         print(f"roslens: {error}", file=sys.stderr)
@@ -48,6 +55,32 @@ def guarded(command: Callable[[], int], arguments: Sequence[str]) -> int:
         return BAD_INPUT
     except Exception as error:  # noqa: BLE001 - the last line of defence: a bug becomes a report
         return _report_bug(error, arguments)
+
+
+@contextmanager
+def _ended_by_signals() -> Iterator[None]:
+    """Be interrupted by a request to end and by a terminal that closes as by Ctrl-C, so that what is begun is undone.
+
+    Once it is over, an interrupt ends the process at once: there is nothing left to undo, and no traceback to show.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = {number: signal.getsignal(number) for number in _ENDING}
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in _ENDING[1:]:
+        if before[number] is signal.SIG_DFL:
+            signal.signal(number, _interrupt)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _interrupt(number: int, _frame: object) -> NoReturn:
+    signal.signal(number, signal.SIG_IGN)
+    raise KeyboardInterrupt
 
 
 def _of_system(error: OSError) -> str:

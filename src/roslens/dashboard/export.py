@@ -20,6 +20,7 @@ from roslens.dashboard.site import Site
 from roslens.dashboard.table import Table, to_csv
 from roslens.dashboard.view import FOLDER, Limits, Request
 from roslens.model.errors import UsageError
+from roslens.report.left_behind import OLD, PARTIAL, beside, sweep
 
 MARKER = ".roslens-report"
 """Says that roslens wrote the folder, and what is in it: the names directly below it, one a line."""
@@ -54,8 +55,9 @@ def export_folder(site: Site, out: Path, progress: Progress, jobs: int = 1) -> N
         UsageError: ``out`` holds something that roslens did not write, or cannot be written.
     """
     target = Path(os.path.abspath(out))  # noqa: PTH100 - resolve() would write through a link that the reader set
+    sweep(target)
     _refuse_foreign(target, out)
-    partial = target.with_name(f".{target.name}.{os.getpid()}.partial")
+    partial = beside(target, PARTIAL)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         partial.mkdir()
@@ -152,7 +154,7 @@ def _replace(target: Path, partial: Path) -> None:
         partial.rename(target)
         return
     kept = _foreign_names(target)
-    old = target.with_name(f".{target.name}.{os.getpid()}.old")
+    old = beside(target, OLD)
     target.rename(old)
     try:
         partial.rename(target)

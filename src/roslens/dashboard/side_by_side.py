@@ -50,20 +50,19 @@ def _by_copies(work: Callable[[Task], None], tasks: Sequence[Task], jobs: int) -
 
     _share = share
     lost: list[int] = []
-    pool = worker_pool(jobs, "fork")
     try:
-        futures = {pool.submit(_do_share, first): first for first in range(0, len(tasks), _BATCH)}
-        for future in as_completed(futures):
-            first = futures[future]
-            try:
-                future.result()
-            except BrokenProcessPool:
-                # A process was killed, for want of memory as a rule: one alone needs less.
-                lost.append(first)
-                continue
-            yield from tasks[first : first + _BATCH]
+        with worker_pool(jobs, "fork") as pool:
+            futures = {pool.submit(_do_share, first): first for first in range(0, len(tasks), _BATCH)}
+            for future in as_completed(futures):
+                first = futures[future]
+                try:
+                    future.result()
+                except BrokenProcessPool:
+                    # A process was killed, for want of memory as a rule: one alone needs less.
+                    lost.append(first)
+                    continue
+                yield from tasks[first : first + _BATCH]
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
         _share = None
     for first in sorted(lost):
         share(first)

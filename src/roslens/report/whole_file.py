@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TextIO
+
+from roslens.report.left_behind import PART, beside, sweep
 
 
 @contextmanager
@@ -25,7 +26,8 @@ def whole_file(path: Path) -> Iterator[TextIO]:
             yield stream
         return
     target.parent.mkdir(parents=True, exist_ok=True)
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
+    sweep(target)
+    part = beside(target, PART)
     try:
         with part.open("w", encoding="utf-8", newline="") as stream:
             yield stream

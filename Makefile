@@ -10,7 +10,7 @@ export PYTHONDONTWRITEBYTECODE =
 # What a change is tested with. What reads clones of public code is where $ROSLENS_CORPORA says where they are.
 EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 
-.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes accuracy lock lock-ros2 bench sites clean
+.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings accuracy lock lock-ros2 bench sites clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -74,6 +74,10 @@ docs: .venv/stamp
 # Write docs/known_mistakes.md from its tables.
 known-mistakes: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m known_mistakes
+
+# Write docs/accuracy_of_graph_rules.md from the judged samples; `python -m graph_findings sample` draws one.
+graph-findings: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m graph_findings page
 
 # Run nodes, compare their graph with what source says of it, and write docs/accuracy.md. What cannot run here keeps the
 # graph that was recorded: clones of public code are looked for in $ROSLENS_CORPORA, a Python with launch_ros in

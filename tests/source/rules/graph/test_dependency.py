@@ -1,4 +1,5 @@
 from roslens.model.configuration import Origin
+from roslens.model.finding import Severity
 from roslens.model.source import Dependency, Location, Package
 from roslens.source.rules.graph.dependency import found
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -40,3 +41,9 @@ def test_a_dependency_for_tests_alone_is_not_enough():
 
 def test_the_innermost_package_counts():
     assert not findings(package("all", path="."), package("slam", "sensor_msgs"))
+
+
+def test_what_a_dependency_brings_along_is_a_note():
+    (one,) = findings(package("slam", "laser_geometry"))
+    assert one.severity is Severity.NOTE
+    assert "does not depend on `sensor_msgs`. It is there because `laser_geometry` brings it along. Add" in one.message

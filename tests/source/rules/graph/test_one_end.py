@@ -2,9 +2,10 @@ import msgspec
 
 from roslens.model.configuration import Origin, Proof, Unresolved
 from roslens.model.finding import Severity
+from roslens.model.source import Location, Package
 from roslens.source.rules.graph.one_end import found
 from roslens.source.rules.graph.surroundings import Surroundings
-from testbed.configured import configuration, end, launched, node
+from testbed.configured import configuration, end, launched, node, parameter
 
 PROOF = Proof("src/x.cpp", 1)
 
@@ -123,6 +124,15 @@ def test_the_interface_of_a_driver_is_nothing_but_in_a_whole_system():
     ]
 
 
+def test_what_nobody_hears_of_a_type_of_the_workspace_is_a_note():
+    place = Location("own_msgs/package.xml")
+    own = Package("own_msgs", "own_msgs", "own_msgs", place)
+    driver = node("/driver", end("pub", "/points"), end("pub", "/state", "own_msgs/msg/State"))
+    assert [(one.entity, one.severity) for one in findings(driver, packages=(own,))] == [
+        ("topic:/state", Severity.NOTE)
+    ]
+
+
 def test_a_name_below_that_of_a_node_which_has_none_of_it_is_a_warning():
     tracker = node("/tracker", end("pub", "/tracker/feature"), line=7)
     (one,) = findings(tracker, node("/slam", end("sub", "/tracker/features", "m/msg/F", line=3)))
@@ -131,6 +141,18 @@ def test_a_name_below_that_of_a_node_which_has_none_of_it_is_a_warning():
         "The name is below that of /tracker (launch/robot.launch.xml:7), which has none of it: it publishes "
         "`/tracker/feature`. Correct the name, or let /tracker have it." in one.message
     )
+
+
+def test_a_name_that_a_parameter_gives_to_a_node_which_does_not_use_it_is_a_warning():
+    pose = (parameter("pose", value="/truth/pose", set_by=launched(9)),)
+    truth = node("/gazebo", end("pub", "/truth/pose"), end("pub", "/other"))
+    (one,) = findings(truth, node("/control", end("sub", "/state", "m/msg/S"), parameters=pose), external=("/state",))
+    assert (one.entity, one.severity) == ("topic:/truth/pose", Severity.WARNING)
+    assert (
+        "Parameter `pose` (launch/robot.launch.xml:9) gives the name to /control, which does not use it." in one.message
+    )
+    (one,) = findings(truth, node("/control", end("sub", "/*", resolved=False), parameters=pose))
+    assert (one.severity, "not all of the code of /control was understood" in one.message) == (Severity.NOTE, True)
 
 
 def test_nothing_is_expected_of_a_node_that_is_not_known_or_has_what_every_node_has():

@@ -133,3 +133,16 @@ def test_a_parameter_of_another_node_of_the_same_program_is_known():
     uas = node("/mavros", parameters=(declared,), executable="mavros_node", unit="Uas")
     assert not findings(router, uas)
     assert findings(router)
+
+
+def test_a_name_that_is_nearly_the_same_outweighs_code_that_was_not_understood():
+    missed = (Unresolved("x", CODE, "unknown", node="/a"),)
+    known = tuple(parameter(name, access="declared", proof=CODE) for name in ("max_speed", "gain1"))
+    found_ones = findings(
+        node("/a", parameters=(*known, parameter("max_sped", set_by=FILE), parameter("gain2", set_by=FILE))),
+        unresolved=missed,
+    )
+    assert {one.entity: one.severity for one in found_ones} == {
+        "parameter:/a:max_sped": Severity.WARNING,
+        "parameter:/a:gain2": Severity.NOTE,
+    }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslens.model.configuration import ConfiguredNode
+from roslens.model.graph import Role
 
 _PROGRAMS = frozenset(
     {
@@ -20,7 +21,15 @@ _PROGRAMS = frozenset(
     }
 )
 
+_CALLING = frozenset({Role.SERVICE_CLIENT, Role.ACTION_CLIENT})
+
 
 def is_brief(node: ConfiguredNode) -> bool:
-    """Return whether a node ends as soon as it has done what it is started for."""
-    return (node.package, node.executable) in _PROGRAMS
+    """Return whether a node ends as soon as it has done what it is started for.
+
+    It is one of the programs that are known, or nothing that is known of its code could keep it at work: it only calls.
+    """
+    if (node.package, node.executable) in _PROGRAMS:
+        return True
+    roles = {one.endpoint.role for one in node.endpoints if not one.implicit}
+    return bool(roles) and roles <= _CALLING and not node.timers

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.source import Package
+from roslens.source.rules.graph.brought_along import brought_by
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import WORDS, End
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -16,7 +17,7 @@ RULE = RuleInfo(
     "graph.dependency",
     "Interface package that is not declared",
     "Code of a package uses a message, service or action of another package that its package.xml does not depend on. "
-    "Dependencies of dependencies do not count. Add `<depend>`.",
+    "What a dependency brings along is a note: it is there until that one changes its mind. Add `<depend>`.",
     Severity.WARNING,
     ("ros", "graph", "dependencies", "package"),
     "It builds where the package happens to be installed and fails on a clean machine or the build farm.",
@@ -41,7 +42,9 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
                 packages[package.id] = package
                 lacking.setdefault((package.id, owner), []).append(End(node, one))
     for (package_id, owner), used in sorted(lacking.items()):
-        yield _told(packages[package_id], owner, min(used, key=lambda end: end.order))
+        package = packages[package_id]
+        along = brought_by(package, owner, surroundings.packages)
+        yield _told(package, owner, min(used, key=lambda end: end.order), along)
 
 
 def _is_written(one: ConfiguredEndpoint, owner: str) -> bool:
@@ -59,10 +62,11 @@ def _depends(package: Package, owner: str) -> bool:
     return owner == package.name or any(one.name == owner and one.kind in _COUNT for one in package.dependencies)
 
 
-def _told(package: Package, owner: str, end: End) -> Finding:
-    severity, doubt = weighed(RULE.severity, (end.one.proof,))
+def _told(package: Package, owner: str, end: End, along: str) -> Finding:
+    severity, doubt = weighed(Severity.NOTE if along else RULE.severity, (end.one.proof,))
+    only = f" It is there because `{along}` brings it along." if along else ""
     message = (
         f"{end.told} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "
-        f"`{owner}`. Add `<depend>{owner}</depend>`.{doubt}"
+        f"`{owner}`.{only} Add `<depend>{owner}</depend>`.{doubt}"
     )
     return told(RULE, message, end.one.proof, entity=f"package:{package.id}", severity=severity, context=owner)

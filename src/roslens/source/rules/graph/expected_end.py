@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import msgspec
 
-from roslens.model.configuration import Configuration, ConfiguredNode, Origin, Unresolved
+from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredParameter, Origin, Unresolved
 from roslens.model.graph import Role
 from roslens.source.rules.graph.ends import (
     KIND,
@@ -32,10 +32,12 @@ class Expected(msgspec.Struct, frozen=True):
     Attributes:
         words: what was found and what to do, as sentences.
         name: the other name that may have been meant; empty where it is another reason.
+        doubt: why it may not hold; empty where nothing speaks against it.
     """
 
     words: str
     name: str = ""
+    doubt: str = ""
 
 
 class View(msgspec.Struct, frozen=True):
@@ -46,6 +48,7 @@ class View(msgspec.Struct, frozen=True):
         lonely: those of names that one side uses.
         implicit: names that nodes have without their code saying so.
         owners: nodes of which all ends are known, by name.
+        named: by name the nodes to which a parameter gives it, with the parameter.
         unknown: nodes of which nobody knows what they make.
         unresolved: ends of which a part of the name is unknown.
         missing: what may start further nodes.
@@ -55,6 +58,7 @@ class View(msgspec.Struct, frozen=True):
     lonely: Mapping[tuple[str, str], list[End]]
     implicit: frozenset[tuple[str, str]]
     owners: Mapping[str, ConfiguredNode]
+    named: Mapping[str, Sequence[tuple[ConfiguredNode, ConfiguredParameter]]]
     unknown: Sequence[ConfiguredNode]
     unresolved: Sequence[End]
     missing: Sequence[Unresolved]
@@ -76,22 +80,22 @@ def view_of(
     """Return the view of a configuration with its ends by kind and name."""
     unresolved = unresolved_ends(configuration)
     not_understood = {one.node for one in configuration.unresolved if one.node} | {one.node.name for one in unresolved}
-    owners = {
-        node.name: node
+    read = [
+        node
         for node in configuration.nodes
-        if node.resolved
-        and node.name not in not_understood
-        and not is_unknown(node)
-        and node.defined is not None
-        and node.defined.origin is Origin.CODE
-    }
+        if node.resolved and not is_unknown(node) and node.defined is not None and node.defined.origin is Origin.CODE
+    ]
+    owners = {node.name: node for node in read if node.name not in not_understood}
     implicit = frozenset(
         (KIND[one.endpoint.role], one.endpoint.name)
         for node in configuration.nodes
         for one in node.endpoints
         if one.implicit
     )
-    return View(named, lonely, implicit, owners, unknown_nodes(configuration), unresolved, missing_parts(configuration))
+    return View(
+        named, lonely, implicit, owners, _named_by_parameters(read), unknown_nodes(configuration), unresolved,
+        missing_parts(configuration),
+    )  # fmt: skip
 
 
 def expected(of_name: Sequence[End], view: View) -> Expected | None:
@@ -101,7 +105,7 @@ def expected(of_name: Sequence[End], view: View) -> Expected | None:
         of_name: the ends that there are, all of one side, the clearest first.
         view: the configuration.
     """
-    return _by_candidate(of_name, view) or _by_owner(of_name, view)
+    return _by_candidate(of_name, view) or _by_owner(of_name, view) or _by_parameter(of_name, view)
 
 
 def types_fit(one: End, other: End) -> bool:
@@ -136,9 +140,14 @@ def _why(end: End, other: End, name: str) -> str:
     if last == other_last and same_type:
         return "the same name in another namespace"
     special = same_type and end.type.partition("/")[0] not in _ORDINARY
-    if space == other_space and special and (last in other_last or other_last in last):
+    if space == other_space and special and (_is_part(last, other_last) or _is_part(other_last, last)):
         return "the same type in the same namespace"
     return ""
+
+
+def _is_part(one: str, other: str) -> bool:
+    """Whether the words of one name are among those of another."""
+    return f"_{one}_" in f"_{other}_"
 
 
 def _letters(name: str) -> str:
@@ -159,6 +168,34 @@ def _by_owner(of_name: Sequence[End], view: View) -> Expected | None:
         f"The name is below that of {owner.name} ({owner.proof.place}), which has none of it: {has}. Correct the name, "
         f"or let {owner.name} have it."
     )
+
+
+def _named_by_parameters(
+    nodes: Sequence[ConfiguredNode],
+) -> dict[str, list[tuple[ConfiguredNode, ConfiguredParameter]]]:
+    """Return the nodes whose parameters are set to a global name, by that name."""
+    found: dict[str, list[tuple[ConfiguredNode, ConfiguredParameter]]] = {}
+    for node in nodes:
+        for one in node.parameters:
+            # A name with a slash in front is one of ROS 1, where a node may have parameters of others too.
+            own = not one.name.startswith("/") or one.name.startswith(f"{node.name}/")
+            if own and one.set_by is not None and one.value and one.value.startswith("/"):
+                found.setdefault(one.value, []).append((node, one))
+    return found
+
+
+def _by_parameter(of_name: Sequence[End], view: View) -> Expected | None:
+    """Return that a node is given a name by a parameter and does not use it."""
+    own = {one.node.name for one in of_name}
+    for node, one in view.named.get(of_name[0].name, ()):
+        if node.name not in own and one.set_by is not None:
+            doubt = "" if node.name in view.owners else f"not all of the code of {node.name} was understood"
+            return Expected(
+                f"Parameter `{one.name}` ({one.set_by.place}) gives the name to {node.name}, which does not use it. "
+                "Let its code take the name from the parameter, or correct the value.",
+                doubt=doubt,
+            )
+    return None
 
 
 def _own(node: ConfiguredNode, role: Role) -> set[str]:

@@ -17,9 +17,11 @@ RULE = RuleInfo(
     "One end only",
     "A topic, service or action is used by one side only. Most such names are the interface of a node to what is "
     "started beside it, so it is a warning only where the other end is expected: another node has nearly the same "
-    "name, or the same one in another namespace, with the same type, and that one is used by one side too; or the name "
-    "is below that of a node of the configuration which has none of it. Otherwise what nobody "
-    "publishes or serves is a note, and what nobody subscribes to or calls is nothing. In a configuration that "
+    "name, or the same one in another namespace, with the same type, and that one is used by one side too; the name is "
+    "below that of a node of the configuration which has none of it; or a parameter gives it to a node that does not "
+    "use it. Otherwise what nobody "
+    "publishes or serves is a note, and so is what nobody subscribes to or calls where its type is one of the "
+    "workspace; of other types it is nothing. In a configuration that "
     "`roslens.toml` declares to be the whole system (`whole = true`) what nobody publishes or serves is a warning, and "
     "what nobody subscribes to or calls a note. Names whose other end is usually elsewhere are left out; `external` in "
     "`[options.graph]` says which.",
@@ -42,6 +44,8 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
         if len({end.role for end in of_name}) == 1 and not surroundings.is_external(key[1])
     }
     launched = is_launched(configuration)
+    # Who listens to a type of the workspace is in the workspace, as a rule.
+    own = {one.name for one in surroundings.packages}
     view = view_of(configuration, named, lonely)
     paired: set[tuple[str, str]] = set()
     # Those that wait come first: what nobody hears is seldom what is wrong.
@@ -51,7 +55,8 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
         why = expected(of_name, view)
         if why is not None and why.name:
             paired.add((key[0], why.name))
-        if why is not None or (launched and (of_name[0].role in WAITING or surroundings.whole)):
+        open_ended = of_name[0].role not in WAITING and of_name[0].type.partition("/")[0] not in own
+        if why is not None or (launched and (surroundings.whole or not open_ended)):
             yield _told(key, of_name, why, view, whole=surroundings.whole)
 
 
@@ -84,7 +89,7 @@ def _told(key: tuple[str, str], of_name: list[End], why: Expected | None, view: 
         (end.one.proof,),
         end.conditions,
         # That the other end is expected says more than that somebody unknown might be there.
-        more=_missing(view) or (_more_doubt(end, view) if why is None else ""),
+        more=_missing(view) or (_more_doubt(end, view) if why is None else why.doubt),
     )
     said = listed([f"{one.told} {WORDS[one.role]}" for one in of_name])
     missing = {"topic": ("publishes", "subscribes to"), "service": ("serves", "calls"), "action": ("serves", "calls")}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import msgspec
@@ -64,7 +65,12 @@ def _of_process(node: ConfiguredNode, configuration: Configuration) -> list[Conf
     return [
         each
         for each in configuration.nodes
-        if each is node or (each.proof.place == node.proof.place and each.executable == node.executable)
+        if each is node
+        or (
+            (each.proof.place, each.executable) == (node.proof.place, node.executable)
+            # The same file may be included once for each robot.
+            and _above(each.name) == _above(node.name)
+        )
     ]
 
 
@@ -148,15 +154,15 @@ def _told(
     one, others = group[0], group[1:]
     proof = one.set_by
     assert proof is not None  # noqa: S101 - only parameters that are set are told
+    near = "" if others else nearest_name(one.name, known)
     why = ""
-    if is_open:
+    if is_open and not _differs_in_letters(near, one.name):
         why = f"not all of the code of {node.name} was understood"
     elif not known:
         why = f"no parameter of the code of {node.name} is known"
     elif _may_be_of_plugin(one, ros1=ros1):
         why = "a plug-in that the node loads may declare it"
     severity, doubt = weighed(RULE.severity, (proof,), node.conditions, more=why)
-    near = "" if others else nearest_name(one.name, known)
     verb = "reads" if ros1 else "declares"
     advice = f"Did you mean `{near}`?" if near else f"Correct the name or remove it; {_knows(known)}."
     where = f" ({node.defined.place})" if node.defined is not None else ""
@@ -168,6 +174,11 @@ def _told(
     found = told(RULE, message, proof, entity=entity, severity=severity, context=proof.path)
     same = tuple(f"{other.name} ({other.set_by.place})" for other in others if other.set_by is not None)
     return msgspec.structs.replace(found, others=same)
+
+
+def _differs_in_letters(near: str, name: str) -> bool:
+    """Whether a name that is nearly the same is there, and not one that only counts on: that outweighs unknown code."""
+    return bool(near) and re.sub(r"\d", "", near) != re.sub(r"\d", "", name)
 
 
 def _named(group: list[ConfiguredParameter]) -> str:

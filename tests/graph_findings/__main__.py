@@ -1,0 +1,70 @@
+"""Draws samples and writes the page: ``python -m graph_findings sample FOLDER --seed N -o FILE`` and ``… page``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections import Counter
+from pathlib import Path
+
+from graph_findings.collecting import NotReadError, findings_of
+from graph_findings.judgements import Sample, drawn, read, samples, taken_over, write
+from graph_findings.page import PAGE, page
+from graph_findings.repositories import repositories
+
+_SEVERITIES = ("note", "warning", "error")
+
+
+def main() -> int:
+    """Do what the command line asks for."""
+    parser = argparse.ArgumentParser(prog="python -m graph_findings", description=__doc__)
+    verbs = parser.add_subparsers(required=True)
+    sample = verbs.add_parser("sample", help="look at clones and draw findings to judge by hand")
+    sample.add_argument("folder", type=Path, help="with clones, bare ones too: owner+name, owner__name or owner/name")
+    sample.add_argument("--seed", type=int, required=True)
+    sample.add_argument("--per-rule", type=int, default=20, metavar="N", help="at most so many of each rule")
+    sample.add_argument("--severity", choices=_SEVERITIES, default="warning", help="from this on (default: warning)")
+    sample.add_argument("--developed", action="store_true", help="rules were changed because of these repositories")
+    sample.add_argument("--judged", type=Path, action="append", default=[], metavar="FILE", help="take verdicts over")
+    sample.add_argument("-o", "--output", type=Path, required=True, metavar="FILE")
+    sample.set_defaults(run=_sample)
+    verbs.add_parser("page", help=f"write {PAGE.name}").set_defaults(run=_page)
+    options = parser.parse_args()
+    code: int = options.run(options)
+    return code
+
+
+def _sample(options: argparse.Namespace) -> int:
+    found, commits, not_read = {}, {}, {}
+    for one in repositories(options.folder):
+        commits[one.name] = one.commit
+        try:
+            found[one.name] = findings_of(one)
+        except NotReadError as error:
+            not_read[one.name] = str(error)
+        sys.stderr.write(f"{one.name}: {not_read.get(one.name) or len(found[one.name])}\n")
+    if not commits:
+        sys.stderr.write(f"{options.folder} has no clones: nothing was written\n")
+        return 2
+    wanted = _SEVERITIES[_SEVERITIES.index(options.severity) :]
+    on = {name: [one for one in every if one["severity"] in wanted] for name, every in found.items()}
+    rows = taken_over(drawn(on, options.seed, options.per_rule), commits, [read(path) for path in options.judged])
+    counted = Counter(one["rule"] for every in on.values() for one in every)
+    notes = Counter(one["rule"] for every in found.values() for one in every if one["severity"] not in wanted)
+    write(
+        Sample(
+            options.developed, options.seed, options.per_rule, options.severity, commits, not_read,
+            dict(sorted(counted.items())), dict(sorted(notes.items())), rows,
+        ),
+        options.output,
+    )  # fmt: skip
+    return 0
+
+
+def _page(_options: argparse.Namespace) -> int:
+    PAGE.write_text(page(samples()), "utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,62 @@
+"""What the command line says of a revision: findings of ``roslens check --graph`` and ``roslens graph --check``."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from known_mistakes.checkout import check_out
+
+from graph_findings.repositories import Repository
+
+TIME_LIMIT_S = 900
+_ANSWERS = (0, 1, 3)
+_RANK = ("note", "warning", "error")
+
+
+class NotReadError(Exception):
+    """A repository of which the command line says nothing."""
+
+
+def findings_of(repository: Repository) -> list[dict[str, Any]]:
+    """Return what the rules of the graph find in the commit of a repository, each once, at its highest severity.
+
+    The files are laid out in a folder of their own; nothing is written below the clone.
+
+    Raises:
+        NotReadError: a command failed, or took too long.
+    """
+    with TemporaryDirectory() as folder:
+        root = Path(folder, "ws")
+        root.mkdir()
+        try:
+            check_out(repository.clone, repository.commit, root)
+        except subprocess.CalledProcessError as error:
+            raise NotReadError(f"the clone has no commit {repository.commit}") from error
+        # Every launch file that no other includes, and the nodes of which no launch file says that they run together.
+        report = _said("check", str(root), "--graph", "--no-store")
+        every = [one for one in report["findings"] if one.get("tool") == "graph"]
+        every += _said("graph", str(root), "--check")
+    found: dict[str, dict[str, Any]] = {}
+    for one in every:
+        known = found.get(one["fingerprint"])
+        if known is None or _RANK.index(one["severity"]) > _RANK.index(known["severity"]):
+            found[one["fingerprint"]] = one
+    return [found[key] for key in sorted(found)]
+
+
+def _said(*words: str) -> Any:
+    program = str(Path(sys.executable).with_name("roslens"))
+    command = [program, *words, "--format", "json", "--fail-on", "never", "--no-cache", "-q"]
+    try:
+        ended = subprocess.run(command, capture_output=True, text=True, check=False, timeout=TIME_LIMIT_S)
+    except subprocess.TimeoutExpired as error:
+        raise NotReadError(f"roslens {words[0]} took more than {TIME_LIMIT_S} s") from error
+    if ended.returncode not in _ANSWERS or not ended.stdout:
+        last = ended.stderr.strip().splitlines()[-1:] or ["nothing was said"]
+        raise NotReadError(f"roslens {words[0]} ended with {ended.returncode}: {last[0]}")
+    return json.loads(ended.stdout)

@@ -1,0 +1,92 @@
+"""The page that tells how many findings of the graph are true: ``docs/accuracy_of_graph_rules.md``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from graph_findings.judgements import ROOT, Judgement, Sample
+
+PAGE = ROOT / "docs" / "accuracy_of_graph_rules.md"
+GOAL = 0.8
+"""A rule of which less is true is a note."""
+_FEW = 5
+_HEAD = """# How many findings of the graph are true
+
+Written by `make graph-findings` from the tables in
+[`tests/fixtures/graph_findings`](../tests/fixtures/graph_findings); do not edit. The command line
+(`roslens check --graph` and `roslens graph --check`, without a `roslens.toml`) looked at each repository as it is at
+its commit. Of the warnings and errors of each [rule](reference/graph_rules.md) a sample was drawn with a seed, and each
+place was read: a finding is *true* where a maintainer would agree that it is a real problem worth acting on. A finding
+that is right and of no use is not true.
+
+A rule that is a warning or an error has at least 80 % of them true; one that has not is a note. Where fewer than 5 were
+found, the share says little.
+
+To measure on other repositories: `PYTHONPATH=tests python -m graph_findings sample FOLDER --seed N -o FILE.yaml` draws
+the sample of the clones below a folder, `verdict` and `why` are filled in by hand, the file goes to the tables, and
+`make graph-findings` writes this page. `--developed` says that rules were changed because of these repositories,
+`--judged FILE` takes verdicts over that are known of the same commits.
+"""
+
+
+def page(found: Mapping[str, Sample]) -> str:
+    """Return the page of some samples, those of repositories that nothing was tuned to first."""
+    lines = [_HEAD]
+    for name, one in sorted(found.items(), key=lambda item: (item[1].developed_on, item[0])):
+        lines += _section(name, one)
+    return "\n".join(lines).rstrip("\n") + "\n"
+
+
+def shares(sample: Sample) -> dict[str, tuple[int, int]]:
+    """Return of each rule how many are true, and how many were judged."""
+    found: dict[str, list[bool]] = {rule: [] for rule in sample.population}
+    for one in sample.findings:
+        if one.verdict is not None:
+            found.setdefault(one.rule, []).append(one.verdict)
+    return {rule: (sum(verdicts), len(verdicts)) for rule, verdicts in sorted(found.items())}
+
+
+def _section(name: str, sample: Sample) -> list[str]:
+    tuned = "rules were changed because of what they found here" if sample.developed_on else "no rule was tuned to them"
+    read = len(sample.repositories) - len(sample.not_read)
+    lines = [
+        f"## {name.replace('_', ' ').capitalize()}",
+        "",
+        f"{read} repositories; {tuned}. Seed {sample.seed}, at most {sample.per_rule} of each rule.",
+        "",
+        "| rule | warnings and errors | read | true | share | notes besides |",
+        "| --- | --: | --: | --: | --: | --: |",
+    ]
+    every = shares(sample)
+    for rule, (true, judged) in every.items():
+        lines.append(
+            f"| `{rule}` | {_row(sample.population.get(rule, 0), true, judged)} | {sample.notes.get(rule, 0)} |"
+        )
+    total = sum(true for true, _ in every.values()), sum(judged for _, judged in every.values())
+    lines.append(f"| all | {_row(sum(sample.population.values()), *total)} | {sum(sample.notes.values())} |")
+    quiet = sorted(set(sample.notes) - set(every))
+    if quiet:
+        lines += ["", "Notes only: " + ", ".join(f"`{rule}` ({sample.notes[rule]})" for rule in quiet) + "."]
+    for title, verdict in (("Not true, and why", False), ("True", True)):
+        rows = [one for one in sample.findings if one.verdict is verdict]
+        if rows:
+            lines += ["", f"### {title}: {name.replace('_', ' ')}", "", *(_judged(one) for one in rows)]
+    lines += ["", f"### Repositories: {name.replace('_', ' ')}", ""]
+    lines += [_repository(each, commit, sample) for each, commit in sorted(sample.repositories.items())]
+    return [*lines, ""]
+
+
+def _row(population: int, true: int, judged: int) -> str:
+    share = f"{100 * true / judged:.0f} %" if judged else "-"
+    few = " (few)" if 0 < judged < _FEW else ""
+    return f"{population} | {judged} | {true} | {share}{few}"
+
+
+def _judged(one: Judgement) -> str:
+    place = f"{one.path}:{one.line}" if one.line else one.path
+    return f"- `{one.rule}`, {one.repository}, `{place}`: {one.why}"
+
+
+def _repository(name: str, commit: str, sample: Sample) -> str:
+    reason = f": not read, {sample.not_read[name]}" if name in sample.not_read else ""
+    return f"- {name} at `{commit[:9]}`{reason}"

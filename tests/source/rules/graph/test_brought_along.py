@@ -1,0 +1,25 @@
+from roslens.model.source import Dependency, Location, Package
+from roslens.source.rules.graph.brought_along import brought_by
+
+HERE = Location("package.xml", 1)
+
+
+def package(name, *depends, kind="depend"):
+    return Package(name, name, name, HERE, dependencies=tuple(Dependency(one, kind, HERE) for one in depends))
+
+
+def test_what_is_known_of_packages_that_many_depend_on():
+    assert brought_by(package("a", "rclcpp", "nav_msgs"), "geometry_msgs", ()) == "nav_msgs"
+    assert brought_by(package("a", "common_interfaces"), "sensor_msgs", ()) == "common_interfaces"
+    assert brought_by(package("a", "rclcpp"), "std_msgs", ()) == ""
+
+
+def test_packages_of_the_workspace_hand_on_what_they_export():
+    middle = package("middle", "sensor_msgs")
+    assert brought_by(package("a", "middle"), "geometry_msgs", (middle,)) == "middle"
+    assert brought_by(package("a", "middle"), "sensor_msgs", (package("middle", "sensor_msgs", kind="build"),)) == ""
+    assert brought_by(package("a", "middle", kind="test"), "sensor_msgs", (middle,)) == ""
+
+
+def test_packages_that_depend_on_each_other_end():
+    assert brought_by(package("a", "b"), "x", (package("a", "b"), package("b", "c"), package("c", "b", "a"))) == ""

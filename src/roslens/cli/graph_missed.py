@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import msgspec
 
 if TYPE_CHECKING:
+    from roslens.model.configuration import Configuration, ConfiguredNode
     from roslens.source.extract.launched import Unresolved
 
 
@@ -37,3 +38,15 @@ def told_by_file(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:
         reason = f"{first.reason}; and {more} more in this file" if more else first.reason
         found.append(msgspec.structs.replace(first, reason=reason))
     return tuple(found)
+
+
+def with_roles(configuration: Configuration, roles: Mapping[str, str]) -> Configuration:
+    """Return a configuration whose unresolved parts tell whose code they are in; ``roles`` are those of files."""
+    missed = (msgspec.structs.replace(one, role=roles.get(one.proof.path, "")) for one in configuration.unresolved)
+    nodes = tuple(_with_role(one, roles) for one in configuration.nodes)
+    return msgspec.structs.replace(configuration, nodes=nodes, unresolved=tuple(missed))
+
+
+def _with_role(node: ConfiguredNode, roles: Mapping[str, str]) -> ConfiguredNode:
+    role = roles.get(node.defined.path, "") if node.defined is not None else ""
+    return msgspec.structs.replace(node, role=role) if role else node

@@ -10,7 +10,7 @@ from roslens.model.errors import UsageError
 from roslens.model.source import Package, Role
 
 if TYPE_CHECKING:
-    from roslens.model.configuration import Configuration
+    from roslens.model.configuration import Configuration, Unresolved
     from roslens.source.extract.launched import Launch
     from roslens.source.extract.workspace_facts import WorkspaceFacts
     from roslens.source.progress import Progress
@@ -93,7 +93,10 @@ class GraphSource:
 
         path, result = self.evaluated(launch, arguments)
         started = sorted({one.package.known for one in result.nodes if one.package.known})
-        missed = told_by_file(one for name in started for one in self.facts.missed_in_code(name))
+        facts = self.facts
+        missed = told_by_file(
+            one for name in started for one in (*facts.missed_in_code(name), *facts.never_called(name))
+        )
         result = msgspec.structs.replace(result, unresolved=(*result.unresolved, *missed))
         given = "".join(f" {name}:={value}" for name, value in self.meant(launch, arguments)[1].items())
         return assemble(
@@ -124,7 +127,7 @@ class GraphSource:
         Raises:
             UsageError: the workspace has no package of that name.
         """
-        from roslens.cli.graph_missed import told_by_file, told_once
+        from roslens.cli.graph_missed import told_once, with_roles
         from roslens.source.extract.assemble import assemble, targets_started
         from roslens.source.extract.catalogue import known_node
 
@@ -146,7 +149,7 @@ class GraphSource:
 
             missed = [
                 *told_once(one for name in chosen for one in self.facts.missed(name)),
-                *told_by_file(one for name in chosen for one in self.facts.missed_in_code(name)),
+                *(one for name in chosen for one in self.facts.missed_in_code(name)),
             ]
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
             started = Launch(generation, tuple(nodes), unresolved=tuple(missed))
@@ -154,8 +157,54 @@ class GraphSource:
                 started, self.facts, title=title, known=known_node, files=self.facts.files,
                 by_launch=False, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
             )  # fmt: skip
-            found.append(made)
+            found.append(with_roles(made, self.facts.roles))
         return tuple(one for one in found if one.nodes)
+
+    def unstarted(self, names: Sequence[str]) -> tuple[Configuration, ...]:
+        """Return what code of packages makes that no known program starts: a configuration for each generation of ROS.
+
+        Of packages whose builds make no node it has what was not understood of their code.
+        """
+        from roslens.source.extract.unstarted import places_shown, unstarted, unstarted_configuration
+
+        started = self.packages(())
+        targets = (one for package in self.facts.packages for one in self.facts.targets(package.name))
+        loose = unstarted(self.facts.made(), places_shown(started), self.facts.package_names, targets)
+        wanted = set(names) or {*self.facts.package_names.values()}
+        told = {node.package for one in started for node in one.nodes}
+        missed = self._missed_beside(sorted(wanted - told))
+        code = {one.evidence.path for name in wanted - told for one in self.facts.missed_in_code(name)}
+        found = []
+        for generation in ("ros1", "ros2"):
+            units = [one for one in loose if one.package in wanted and one.facts.generation == generation]
+            made = unstarted_configuration(
+                generation, units, self.facts, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
+                roles=self.facts.roles, missed=missed.get(generation, ()),
+            )  # fmt: skip
+            if made.nodes or any(one.proof.path in code for one in made.unresolved):
+                found.append(made)
+        return tuple(found)
+
+    def _missed_beside(self, packages: Sequence[str]) -> dict[str, list[Unresolved]]:
+        """Return what was not understood of packages whose builds make no node, by generation."""
+        from roslens.cli.graph_missed import told_once
+        from roslens.model.configuration import Unresolved
+        from roslens.source.extract.assemble_proof import launch_proof
+
+        known = {one.name: one for one in self.facts.packages}
+        roles = self.facts.roles
+        found: dict[str, list[Unresolved]] = {}
+        for name in packages:
+            ros1 = self._is_of_ros1(known[name]) if name in known else self._mostly_ros1()
+            for one in (*told_once(self.facts.missed(name)), *self.facts.missed_in_code(name)):
+                role = roles.get(one.evidence.path, "")
+                told = Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens, role=role)
+                found.setdefault("ros1" if ros1 else "ros2", []).append(told)
+        return found
+
+    def _mostly_ros1(self) -> bool:
+        ros1 = [self._is_of_ros1(one) for one in self.facts.packages]
+        return sum(ros1) * 2 > len(ros1)
 
     def first_launch_files(self) -> tuple[str, ...]:
         """Return the paths of the launch files that start something and that no other of the users' own includes."""

@@ -170,6 +170,7 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
         reason: in words.
         node: of which it is a part; empty where no node is meant.
         opens: whether it may start further nodes, so that the configuration is not whole.
+        role: whose code it is in where that is not own code: ``vendored``, ``generated`` or ``test``.
     """
 
     text: str
@@ -177,6 +178,7 @@ class Unresolved(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
     reason: str
     node: str = ""
     opens: bool = False
+    role: str = ""
 
 
 class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -188,7 +190,8 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
         resolved: whether all of its name is known.
         package: that has it.
         executable: of the package; of a component the name of its class.
-        kind: ``node``, ``lifecycle``, ``container``, ``component``, ``nodelet``, ``test`` or ``process``.
+        kind: ``node``, ``lifecycle``, ``container``, ``component``, ``nodelet``, ``test`` or ``process``; of what no
+            known program starts ``plugin``, ``script``, ``program`` or ``library``.
         defined: where its code is; None where it is unknown.
         unit: class or function that is the node.
         container: name of the node it is loaded into.
@@ -199,6 +202,7 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
         parameters: sorted by name.
         remaps: in the order in which they hold.
         timers: in source order.
+        role: whose code it is where that is not own code: ``vendored``, ``generated`` or ``test``.
     """
 
     name: str
@@ -217,6 +221,7 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
     parameters: tuple[ConfiguredParameter, ...] = ()
     remaps: tuple[ConfiguredRemap, ...] = ()
     timers: tuple[ConfiguredTimer, ...] = ()
+    role: str = ""
 
     @property
     def name_is_guessed(self) -> bool:
@@ -246,6 +251,8 @@ class Configuration(msgspec.Struct, frozen=True, omit_defaults=True):
         included: files that the launch file includes, directly or not.
         unresolved: what could not be evaluated.
         version: of this form.
+        unstarted: whether its nodes stand for code that makes endpoints and that no known program starts: a library, a
+            plug-in, a script. In what nodes its endpoints are is not known, so their names are likely at most.
     """
 
     title: str
@@ -256,6 +263,7 @@ class Configuration(msgspec.Struct, frozen=True, omit_defaults=True):
     included: tuple[str, ...] = ()
     unresolved: tuple[Unresolved, ...] = ()
     version: int = 1
+    unstarted: bool = False
 
     def graph(self, *, implicit: bool = True) -> Graph:
         """Return the computation graph, as a live system would show it: nodelets are part of their manager.

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+import msgspec
+
 from roslens.model.configuration import (
     Configuration,
     ConfiguredEndpoint,
@@ -34,15 +36,46 @@ _LONGEST_REASON = 120
 
 def to_graph_text(configuration: Configuration) -> str:
     """Return a configuration as lines; marks are told in the last one where there are any."""
+    if configuration.unstarted:
+        from roslens.report.unstarted_text import to_unstarted_text
+
+        return to_unstarted_text(configuration)
     lines = [*_head(configuration)]
     unknown = {one.proof.place for one in configuration.unresolved}
     for one in configuration.nodes:
         lines += ["", *_node(one, configuration.generation, set_by_unknown=one.proof.place in unknown)]
-    if configuration.unresolved:
-        lines += ["", f"unresolved: {len(configuration.unresolved)}", *_unresolved(configuration.unresolved)]
+    lines += unresolved_lines(configuration.unresolved)
     if any("? " in line or "~ " in line for line in lines):
         lines += ["", "? a part of the name is unknown, * stands for it   ~ likely, but may be otherwise"]
     return "".join(f"{printable(line)}\n" for line in lines)
+
+
+def unresolved_lines(missed: Sequence[Unresolved]) -> Iterator[str]:
+    """Yield what is unresolved, the users' own code first; what is in vendored and generated code is counted."""
+    if not missed:
+        return
+    yield ""
+    yield f"unresolved: {len(missed)}"
+    yield from _unresolved(folded_by_file([one for one in missed if not one.role]))
+    for role in ("test", "generated", "vendored"):
+        count = sum(one.role == role for one in missed)
+        if count:
+            yield f"  and {count} in {role} code, told by --format json"
+
+
+def folded_by_file(missed: Sequence[Unresolved]) -> list[Unresolved]:
+    """Return what is unresolved of code, each reason once for a file, at the first place where it is so."""
+    places: dict[tuple[str, str, str], list[Unresolved]] = {}
+    for one in missed:
+        places.setdefault((one.proof.path, one.reason, one.node), []).append(one)
+    found = []
+    for group in places.values():
+        first, more = group[0], len(group) - 1
+        if first.node or not more:
+            found += group
+        else:
+            found.append(msgspec.structs.replace(first, reason=f"{first.reason}; and {more} more in this file"))
+    return found
 
 
 def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
@@ -69,8 +102,8 @@ def _unresolved(missed: Sequence[Unresolved]) -> Iterator[str]:
 
 def _head(configuration: Configuration) -> Iterator[str]:
     names = {one.endpoint.name for node in configuration.nodes for one in node.endpoints if _is_topic(one)}
-    nodes = _counted(len(configuration.nodes), "node")
-    yield f"{configuration.title}: {configuration.generation}, {nodes}, {_counted(len(names), 'topic')}"
+    nodes = counted(len(configuration.nodes), "node")
+    yield f"{configuration.title}: {configuration.generation}, {nodes}, {counted(len(names), 'topic')}"
     if configuration.arguments:
         yield "  arguments and their defaults"
         for argument in configuration.arguments:
@@ -80,7 +113,8 @@ def _head(configuration: Configuration) -> Iterator[str]:
     yield from _parameters("parameters of all nodes", configuration.parameters)
 
 
-def _counted(count: int, what: str) -> str:
+def counted(count: int, what: str) -> str:
+    """Return a number of things: ``1 node``, ``2 nodes``."""
     return f"{count} {what}{'s' * (count != 1)}"
 
 
@@ -100,11 +134,7 @@ def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Ite
         yield f"  if {condition}"
     if node.machine:
         yield f"  on {node.machine}"
-    for role, head in _HEADS:
-        ends = [one for one in node.endpoints if one.endpoint.role is role]
-        if ends:
-            yield f"  {head}"
-            yield from _aligned([_end(one) for one in ends])
+    yield from endpoint_lines(node.endpoints)
     # Where a part of what starts a node is unknown, as a file of parameters, other values may hold.
     head = "parameters, as far as is known" if set_by_unknown else "parameters"
     everywhere = _OF_EVERY_NODE if generation == "ros2" else frozenset[str]()
@@ -117,6 +147,15 @@ def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Ite
     if remaps:
         yield "  remappings that match nothing" + (", as far as is known" if any(r.uncertain for r in remaps) else "")
         yield from _aligned([(f"{one.source} to {one.target}", one.proof.place) for one in remaps])
+
+
+def endpoint_lines(endpoints: Sequence[ConfiguredEndpoint]) -> Iterator[str]:
+    """Yield endpoints by what they do."""
+    for role, head in _HEADS:
+        ends = [one for one in endpoints if one.endpoint.role is role]
+        if ends:
+            yield f"  {head}"
+            yield from _aligned([_end(one) for one in ends])
 
 
 def _end(one: ConfiguredEndpoint) -> tuple[str, ...]:

@@ -39,10 +39,8 @@ def parts(root, cache):
 def test_nodes_and_what_is_in_none(workspace, tmp_path, monkeypatch):
     with Cache.open(tmp_path / "cache.sqlite") as cache:
         found = workspace_nodes(parts(workspace, cache))
-    assert [str(one.name) for one in found.nodes] == ["eye"]
-    assert [(one.text, one.evidence.path, one.evidence.line) for one in found.never_followed] == [
-        ("end()", "eye/eye/look.py", 5)
-    ]
+    assert [(one.unit, str(one.name)) for one in found.nodes] == [("begin", "eye"), ("end", "")]
+    assert found.without_endpoint == ()
     assert {one.evidence.path for one in found.unresolved} == {"eye/eye/odd.cpp"}
     assert found.failures == ()
     monkeypatch.setattr(isolated_units, "units_of", None)

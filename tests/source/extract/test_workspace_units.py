@@ -1,10 +1,12 @@
 """Units of a workspace, on small programs."""
 
+from roslens.source.extract.call_sites import without_endpoint
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.makes_endpoints import MAKE, STEMS, makes_endpoints
 from roslens.source.extract.python_program import program_of_python
+from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.workspace_index import Index
-from roslens.source.extract.workspace_units import facts_of_workspace, never_followed, unreached
+from roslens.source.extract.workspace_units import facts_of_workspace, unreached
 from roslens.source.syntax.macros import load_macros
 
 MACROS = load_macros()
@@ -109,13 +111,12 @@ int main(int argc, char ** argv) {
 """
 
 
-def test_a_function_that_nothing_calls_is_told():
+def test_functions_that_nothing_calls_are_units_of_their_own():
     index = index_of(("far/far.cpp", FAR))
-    reached = set()
-    facts_of_workspace(index, reached)
-    (told,) = never_followed(index, reached)
-    assert (told.text, told.evidence.path, told.evidence.line) == ("far.reset()", "far/far.cpp", 4)
-    assert "nothing that was followed calls it" in told.reason
+    reached = Reached()
+    facts = facts_of_workspace(index, reached)
+    assert {one.unit for one in facts if one.kind == "function"} == {"far.reset", "far.offer", "far.advertise"}
+    assert list(without_endpoint(index, facts, reached)) == []
 
 
 def test_all_that_makes_endpoints_is_found_by_its_letters():

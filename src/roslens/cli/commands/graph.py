@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 TEXT = "Show which node publishes, subscribes, serves and calls what, from source and launch files."
 FORMATS = ("text", "json", "dot", "mermaid", "svg", "nodl", "rosgraph", "markdown")
 _ONE = ("rosgraph",)
+_WITH_UNSTARTED = ("text", "json")
 EXAMPLES = """\
   roslens graph                                    every node of the packages below this folder
   roslens graph --launch rover_bringup/rover.launch.py --arg navigation:=false
@@ -93,6 +94,7 @@ def run(options: argparse.Namespace) -> int:
 
     with open_source(options) as source:
         found = _configurations(source, options)
+        unstarted = () if options.launch or options.check else source.unstarted(options.package)
         for failure in source.facts.broken:
             print(f"roslens: {failure.what}; {failure.advice}", file=sys.stderr)
         if options.check:
@@ -107,10 +109,11 @@ def run(options: argparse.Namespace) -> int:
 
             draw(source, found, options)
             return _complete(source, found)
-        code = _complete(source, found)
+        code = _complete(source, (*found, *unstarted))
         if not found:
             _say_why(source, options)
-    shown = tuple(chosen(one, options.node, implicit=options.all) for one in found)
+    told = (*found, *unstarted) if options.format in _WITH_UNSTARTED and not options.node else found
+    shown = tuple(chosen(one, options.node, implicit=options.all) for one in told)
     write_result(_text(shown, options), options.output)
     return code
 

@@ -179,7 +179,7 @@ class _Whole:
                 held = self._further(given, facts)
             node, missing = assembled(held, facts, meant)
             place = len(self.nodes)
-            self.nodes.append(_with_checksums(node, self.units))
+            self.nodes.append(with_checksums(node, self.units))
             self.unresolved += missing
             if facts.loads and launched.kind != "nodelet":
                 for loaded in loaded_by(held, facts):
@@ -280,7 +280,7 @@ def _whole_name(launched: Launched) -> str:
 _KINDS = {"publisher": "msg", "subscription": "msg", "service": "srv", "action": "action"}
 
 
-def _with_checksums(node: ConfiguredNode, units: Units) -> ConfiguredNode:
+def with_checksums(node: ConfiguredNode, units: Units) -> ConfiguredNode:
     """Return a node whose endpoints tell which definition of their type they use."""
     endpoints = []
     for one in node.endpoints:

@@ -36,6 +36,7 @@ from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
+from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.refined_values import lose, lose_unseen
 from roslens.source.extract.shared_values import changed_by_call, newest
 from roslens.source.extract.text import Asked, Text, unknown
@@ -103,7 +104,7 @@ class Evaluation(Objects):
         self.running = False
         self.made: list[Obj] = []
         self.later: list[tuple[Callable, str]] = []
-        self.reached: set[tuple[str, int]] = set()
+        self.reached = Reached()
         self.globals: dict[str, Any] = {}
         self.once: dict[tuple[object, ...], Any] = {}
         self.gave: tuple[Frame, Expression] | None = None
@@ -203,7 +204,7 @@ class Evaluation(Objects):
             if key in self._stack:
                 self._again.cuts.add(key)
             return Unknown(f"result of {what.name}()")
-        self.reached.add(key)
+        self.reached.follow(key, what.name, (self.site.path, self.site.line))
         if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
             lose_unseen(self, function, written)
             return self._computed_by(what, [*function.arguments, *arguments])

@@ -115,7 +115,7 @@ def extract_found(
         launch_files=parts.launch_files(),
         unresolved=(
             *nodes.unresolved,
-            *nodes.never_followed,
+            *nodes.without_endpoint,
             *(one for build in builds.builds.values() for one in build.unresolved),
         ),
         failures=(*workspace.failures, *inventory.failures, *builds.failures, *interfaces.failures, *nodes.failures),

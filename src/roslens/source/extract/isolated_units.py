@@ -11,20 +11,22 @@ from typing import NamedTuple
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location
+from roslens.source.extract.call_sites import without_endpoint
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_bases import generation_of
 from roslens.source.extract.node_facts import NodeFacts, Target
 from roslens.source.extract.node_units import (
-    Reached,
     facts_of_class,
+    facts_of_function,
     facts_of_main,
     facts_of_module,
     facts_of_plugin,
     node_classes,
     registered,
 )
+from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.workspace_index import Defined, Index
-from roslens.source.extract.workspace_units import facts_of_workspace, never_followed, unreached
+from roslens.source.extract.workspace_units import facts_of_workspace, never_called, unreached
 
 Unit = Callable[[], Iterable[NodeFacts]]
 _SELDOM = 50_000
@@ -32,10 +34,10 @@ _SELDOM = 50_000
 
 
 class Units(NamedTuple):
-    """What all units make: their facts, functions that make endpoints and that no unit calls, and what broke."""
+    """What all units make: their facts, calls that look as if they made endpoints and do not, and what broke."""
 
     facts: tuple[NodeFacts, ...]
-    never_followed: tuple[Unresolved, ...]
+    without_endpoint: tuple[Unresolved, ...]
     failures: tuple[Failure, ...]
 
 
@@ -48,18 +50,16 @@ def units_of(index: Index, targets: Iterable[Target]) -> Units:
     """
     failures: list[Failure] = []
     found: list[NodeFacts] = []
-    reached: Reached = set()
+    reached = Reached()
+    entries = _entries(index, targets)
     with _spared():
         try:
-            found += facts_of_workspace(index, reached)
+            found += facts_of_workspace(index, reached, entries)
         except Exception:  # noqa: BLE001 - which unit it was is found by evaluating them one by one
-            found += _one_by_one(index, failures, reached)
-        for path, function in sorted(_entries(index, targets)):
-            unit = partial(facts_of_module, index, path, function, reached)
-            found += attempt(unit, path, 0, failures)
+            found += _one_by_one(index, failures, reached, entries)
     order = sorted(found, key=lambda one: (one.path, one.line, one.unit))
     facts = tuple(one for place, one in enumerate(order) if not place or one != order[place - 1])
-    return Units(facts, tuple(never_followed(index, reached)), tuple(failures))
+    return Units(facts, tuple(without_endpoint(index, facts, reached)), tuple(failures))
 
 
 @contextmanager
@@ -91,8 +91,11 @@ def _entries(index: Index, targets: Iterable[Target]) -> set[tuple[str, str]]:
     return found
 
 
-def _one_by_one(index: Index, failures: list[Failure], reached: Reached) -> Iterator[NodeFacts]:
+def _one_by_one(
+    index: Index, failures: list[Failure], reached: Reached, entries: set[tuple[str, str]]
+) -> Iterator[NodeFacts]:
     reached.clear()
+    reached.passed_on.clear()
     known: set[str] = set()
 
     def plugin(defined: Defined) -> Unit:
@@ -119,6 +122,11 @@ def _one_by_one(index: Index, failures: list[Failure], reached: Reached) -> Iter
         yield from attempt(of_file, path, 0, failures)
     for defined in list(unreached(index, reached)):
         yield from attempt(plugin(defined), defined.path, defined.what.line, failures)
+    for path, name in sorted(entries):
+        yield from attempt(partial(facts_of_module, index, path, name, reached), path, 0, failures)
+    for path, function in never_called(index, reached):
+        unit = partial(facts_of_function, index, path, function, reached)
+        yield from attempt(unit, path, function.line, failures)
 
 
 def attempt(unit: Unit, path: str, line: int, failures: list[Failure]) -> list[NodeFacts]:

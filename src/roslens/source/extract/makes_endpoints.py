@@ -1,6 +1,8 @@
-"""Whether a function makes an endpoint, by the names that it calls."""
+"""Calls that make an endpoint, by the names of what is called."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 import msgspec
 from msgspec.structs import astuple
@@ -8,7 +10,8 @@ from msgspec.structs import astuple
 from roslens.source.extract.program import Call, Function, Lambda, Literal, Member, Name, Opaque
 
 MAKE = frozenset(
-    {"create_publisher", "create_subscription", "create_service", "create_client", "create_wall_timer", "advertise",
+    {"create_publisher", "create_subscription", "create_generic_publisher", "create_generic_subscription",
+      "create_service", "create_client", "create_wall_timer", "advertise",
      "subscribe", "advertiseService", "serviceClient", "create_action_server", "create_action_client", "Publisher",
      "Subscriber", "ServiceProxy", "create_server", "ActionClient", "ActionServer", "advertiseCamera",
      "subscribeCamera", "SimpleActionClient", "SimpleActionServer", "RealtimePublisher", "InteractiveMarkerServer"}
@@ -22,17 +25,21 @@ _encode = msgspec.msgpack.Encoder().encode
 
 def makes_endpoints(function: Function) -> bool:
     """Whether a function calls something that makes an endpoint, by its name."""
-    written = _encode((function.initialisers, function.body))
+    return next(calls_that_make(function.initialisers, function.body), None) is not None
+
+
+def calls_that_make(*parts: object) -> Iterator[Call]:
+    """Yield the calls in parts of a program that make an endpoint, by their name."""
+    written = _encode(parts)
     if not any(stem in written for stem in STEMS):
-        return False
-    waiting: list[object] = [function.initialisers, function.body]
+        return
+    waiting: list[object] = [*parts]
     while waiting:
         one = waiting.pop()
         if isinstance(one, tuple):
             waiting += [part for part in one if type(part) not in _LEAVES]
         elif isinstance(one, msgspec.Struct):
             called = one.function if isinstance(one, Call) else None
-            if isinstance(called, Name | Member) and called.name.rpartition(".")[2] in MAKE:
-                return True
+            if isinstance(one, Call) and isinstance(called, Name | Member) and called.name.rpartition(".")[2] in MAKE:
+                yield one
             waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
-    return False

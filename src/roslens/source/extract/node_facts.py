@@ -202,7 +202,7 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
         path: file in which it is.
         line: of the class or function.
         generation: ``ros1`` or ``ros2``.
-        kind: ``node``, ``lifecycle``, ``component``, ``nodelet`` or ``plugin``.
+        kind: ``node``, ``lifecycle``, ``component``, ``nodelet``, ``plugin``, or ``function`` that nothing calls.
         name: that it gives itself; a hole where it does not.
         namespace: that it gives itself.
         endpoints: in source order.

@@ -29,13 +29,12 @@ from roslens.source.extract.program import (
     Operation,
     Statement,
 )
+from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.text import Text
 from roslens.source.extract.word_list import words_given
 from roslens.source.extract.workspace_index import Defined, Index, type_name
 
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
-Reached = set[tuple[str, int]]
-"""Functions that were evaluated, by file and line."""
 _FIRST = (
     "on_init",
     "on_configure",
@@ -129,6 +128,24 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
                 other = Obj(defined.what.qualified_name, defined, {})
                 engine.prepare(other)
                 engine.call(Callable(found.what, found.path, other), [], {})
+        engine.run_later()
+
+    return _finished(engine, run, reached)
+
+
+def facts_of_function(index: Index, path: str, function: Function, reached: Reached | None = None) -> list[NodeFacts]:
+    """Return the facts of a function that nothing is known to call, with arguments and object that are unknown."""
+    building = _building(function.qualified_name, path, function.line, generation_of(index, path), "function")
+    building.named = True
+    engine = Evaluation(index, building)
+
+    def run() -> None:
+        defined = index.class_of(function.class_name, path, "") if function.class_name else None
+        thing = None if defined is None else Obj(defined.what.qualified_name, defined, {})
+        engine.frame = Frame(path, "")
+        if thing is not None:
+            engine.prepare(thing)
+        engine.call(Callable(function, path, thing), [], {})
         engine.run_later()
 
     return _finished(engine, run, reached)
@@ -314,7 +331,7 @@ def _finished(
     if units is not None:
         units[unit] = (found, followed)
     if reached is not None:
-        reached |= followed
+        reached.add_all(followed)
     return list(found)
 
 
@@ -394,6 +411,7 @@ __all__ = [
     "Named",
     "Reached",
     "facts_of_class",
+    "facts_of_function",
     "facts_of_main",
     "facts_of_module",
     "facts_of_plugin",

@@ -18,7 +18,7 @@ from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_interfaces import KnownInterface, nearest
-from roslens.source.extract.workspace_nodes import WorkspaceMissed, workspace_missed
+from roslens.source.extract.workspace_nodes import WorkspaceMissed, workspace_missed, workspace_nodes
 from roslens.source.extract.workspace_parts import WorkspaceParts
 from roslens.source.inventory import take_inventory
 from roslens.source.keys import key_of
@@ -96,12 +96,30 @@ class WorkspaceFacts:
         return () if build is None else build.unresolved
 
     def missed_in_code(self, package: str) -> tuple[Unresolved, ...]:
-        """Return parts of the code of a package that were not understood, and what in it makes endpoints of no unit."""
-        found = self._parts.found.get(package)
-        if found is None:
-            return ()
-        owners = self._parts.owners
-        return tuple(one for one in self._missed.missed if owners.get(one.evidence.path) == found.package.id)
+        """Return parts of the code of a package that were not understood, and calls in it of which no endpoint came."""
+        names = self.package_names
+        return tuple(one for one in self._missed.missed if names.get(one.evidence.path) == package)
+
+    def never_called(self, package: str) -> tuple[Unresolved, ...]:
+        """Return the functions of a package that make endpoints and that nothing was seen to call."""
+        names = self.package_names
+        return tuple(one for one in self._missed.never_called if names.get(one.evidence.path) == package)
+
+    def made(self) -> tuple[NodeFacts, ...]:
+        """Return the facts of all units, whether anything starts them or not."""
+        return workspace_nodes(self._parts).nodes
+
+    @cached_property
+    def package_names(self) -> dict[str, str]:
+        """The name of the package of each file, of those outside of packages ``(outside packages)``."""
+        names = {one.id: one.name for one in self._parts.packages}
+        return {path: names.get(owner, owner) for path, owner in self._parts.owners.items()}
+
+    @cached_property
+    def roles(self) -> dict[str, str]:
+        """Whose code a file is, of all files that are not own code."""
+        files = (file for files in self._parts.files.values() for file in files)
+        return {file.path: file.role.value for file in files if file.role is not Role.OWN}
 
     @cached_property
     def _missed(self) -> WorkspaceMissed:
@@ -119,8 +137,7 @@ class WorkspaceFacts:
 
     def role(self, path: str) -> Role:
         """Return whose code a file is; own where the workspace does not have it."""
-        files = self._parts.files.get(self._parts.owners.get(path, ""), ())
-        return next((file.role for file in files if file.path == path), Role.OWN)
+        return Role(self.roles.get(path, Role.OWN.value))
 
     def has(self, package: str) -> bool:
         """Return whether the workspace has a package of that name."""

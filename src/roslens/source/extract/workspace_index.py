@@ -33,6 +33,7 @@ from roslens.source.extract.used_names import UsedNames
 if TYPE_CHECKING:
     from roslens.source.extract.node_facts import NodeFacts, Target
     from roslens.source.extract.parameter_library import ParameterLibrary
+    from roslens.source.extract.reached_functions import Reached
 
 __all__ = ["Defined", "Index", "dotted", "type_arguments", "type_name"]
 
@@ -79,7 +80,7 @@ class Index:
         self._outer = known_names()
         self.programs = dict(programs)
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
-        self.units: dict[tuple[str, ...], tuple[list[NodeFacts], set[tuple[str, int]]]] | None = None
+        self.units: dict[tuple[str, ...], tuple[list[NodeFacts], Reached]] | None = None
         self.interfaces = InterfacesByPackage(packages or {})
         self.linkage = Linkage(self.programs, packages or {}, needs or {}, targets)
         self._own = own_names(self.programs, packages or {}, needs or {})

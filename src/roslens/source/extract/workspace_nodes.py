@@ -15,6 +15,8 @@ from roslens.source.extract.node_facts import Evidence, NodeFacts, Target
 from roslens.source.extract.workspace_parts import WorkspaceParts
 from roslens.source.keys import key_of
 
+NEVER_CALLED = "this function makes endpoints, but nothing that was followed calls it"
+
 
 class WorkspaceNodes(msgspec.Struct, frozen=True, array_like=True):
     """What the programs of a workspace come to.
@@ -22,22 +24,29 @@ class WorkspaceNodes(msgspec.Struct, frozen=True, array_like=True):
     Attributes:
         nodes: facts of all units, in order of their files.
         unresolved: parts of files that were not understood.
-        never_followed: functions that make endpoints and that no unit calls.
+        without_endpoint: calls that look as if they made an endpoint, of which nothing came.
         failures: what could not be read or evaluated at all.
         lasting: whether the next run may take it from the cache.
     """
 
     nodes: tuple[NodeFacts, ...]
     unresolved: tuple[Unresolved, ...]
-    never_followed: tuple[Unresolved, ...]
+    without_endpoint: tuple[Unresolved, ...]
     failures: tuple[Failure, ...]
     lasting: bool = True
 
 
 class WorkspaceMissed(msgspec.Struct, frozen=True, array_like=True):
-    """What of code is in no node, see :class:`WorkspaceNodes`; small, so that it is soon read again."""
+    """What of code is in no node, see :class:`WorkspaceNodes`; small, so that it is soon read again.
+
+    Attributes:
+        missed: parts of files that were not understood, and calls of which no endpoint came.
+        never_called: functions that make endpoints and that no unit calls.
+        lasting: whether the next run may take it from the cache.
+    """
 
     missed: tuple[Unresolved, ...]
+    never_called: tuple[Unresolved, ...]
     lasting: bool = True
 
 
@@ -46,7 +55,12 @@ def workspace_missed(parts: WorkspaceParts) -> WorkspaceMissed:
 
     def made() -> WorkspaceMissed:
         nodes = workspace_nodes(parts)
-        return WorkspaceMissed((*nodes.unresolved, *nodes.never_followed), nodes.lasting)
+        alone = (
+            Unresolved(f"{one.unit}()", Evidence(one.path, one.line), NEVER_CALLED)
+            for one in nodes.nodes
+            if one.kind == "function"
+        )
+        return WorkspaceMissed((*nodes.unresolved, *nodes.without_endpoint), tuple(alone), nodes.lasting)
 
     return parts.kept("missed", _key(parts), WorkspaceMissed, made)
 
@@ -79,4 +93,4 @@ def _evaluated(parts: WorkspaceParts, entries: Iterable[Target]) -> WorkspaceNod
         msgspec.structs.replace(one, package=parts.owners.get(one.location.path, "") if one.location else "")
         for one in (*programs.failures, *units.failures)
     )
-    return WorkspaceNodes(units.facts, tuple(missed), units.never_followed, tuple(placed), programs.lasting)
+    return WorkspaceNodes(units.facts, tuple(missed), units.without_endpoint, tuple(placed), programs.lasting)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from roslens.source.extract.launched import Unresolved
-from roslens.source.extract.makes_endpoints import MAKE, makes_endpoints
+from roslens.source.extract.makes_endpoints import makes_endpoints
 from roslens.source.extract.node_bases import generation_of
-from roslens.source.extract.node_facts import Evidence, NodeFacts
+from roslens.source.extract.node_facts import NodeFacts
 from roslens.source.extract.node_units import (
-    Reached,
     facts_of_class,
+    facts_of_function,
     facts_of_main,
     facts_of_module,
     facts_of_plugin,
@@ -19,23 +18,27 @@ from roslens.source.extract.node_units import (
     registered,
 )
 from roslens.source.extract.program import Function
+from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.workspace_index import Defined, Index
 
 _REGISTRY = "BT_REGISTER_NODES"
-NEVER_FOLLOWED = "this function makes endpoints, but nothing that was followed calls it"
 
 
-def facts_of_workspace(index: Index, reached: Reached | None = None) -> list[NodeFacts]:
+def facts_of_workspace(
+    index: Index, reached: Reached | None = None, entries: Iterable[tuple[str, str]] = ()
+) -> list[NodeFacts]:
     """Return the facts of all units of a workspace, in order of their files.
 
     Classes that are nodes, plug-ins that are registered, nodes of behaviour trees, programs and scripts come first.
-    Then classes that make endpoints and are reached by none of these: somebody outside makes or loads them.
+    Then classes that make endpoints and are reached by none of these, and functions: somebody outside makes, loads or
+    calls them.
 
     Args:
         index: of the workspace.
         reached: is filled with the functions that were followed.
+        entries: functions of Python modules that are started, by file and name.
     """
-    reached = set() if reached is None else reached
+    reached = Reached() if reached is None else reached
     found: list[NodeFacts] = []
     known: set[str] = set()
     for defined, generation, kind in node_classes(index):
@@ -50,6 +53,10 @@ def facts_of_workspace(index: Index, reached: Reached | None = None) -> list[Nod
         found += _facts_of_file(index, path, reached)
     for defined in unreached(index, reached):
         found += facts_of_plugin(index, defined, generation_of(index, defined.path), reached)
+    for path, name in sorted(entries):
+        found += facts_of_module(index, path, name, reached)
+    for path, function in never_called(index, reached):
+        found += facts_of_function(index, path, function, reached)
     return sorted(found, key=lambda one: (one.path, one.line, one.unit))
 
 
@@ -94,13 +101,12 @@ def _makes(index: Index, defined: Defined, reached: Reached, known: dict[int, bo
     return False
 
 
-def never_followed(index: Index, reached: Reached) -> Iterator[Unresolved]:
-    """Yield the functions that make endpoints and that nothing was seen to call: a table of callbacks, another program.
+def never_called(index: Index, reached: Reached) -> Iterator[tuple[str, Function]]:
+    """Yield the functions that make endpoints and that nothing was seen to call: callbacks, parts of other programs.
 
-    Left out are those that make what they are given: templates, and what is named like them (``create_publisher``).
+    ``reached`` may grow meanwhile; functions around others come first, as they may call them.
     """
     for path in sorted(index.programs):
-        for one in index.programs[path].functions:
-            named = one.templates or one.name.startswith("TEST") or not MAKE.isdisjoint(one.qualified_name.split("."))
-            if not named and (path, one.line) not in reached and makes_endpoints(one):
-                yield Unresolved(f"{one.qualified_name}()", Evidence(path, one.line), NEVER_FOLLOWED)
+        for one in sorted(index.programs[path].functions, key=lambda one: (one.name == "lambda", one.line)):
+            if not one.name.startswith("TEST") and (path, one.line) not in reached and makes_endpoints(one):
+                yield path, one

@@ -1,0 +1,61 @@
+"""Calls that are named as what makes an endpoint, and of which nothing came: each is told, with its reason.
+
+No call of a program that the vocabulary knows by name is lost: an endpoint is made there, or a function of the
+workspace answers it, or it is told here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from roslens.source.extract.launched import Unresolved
+from roslens.source.extract.makes_endpoints import calls_that_make
+from roslens.source.extract.node_facts import Evidence, NodeFacts
+from roslens.source.extract.program import Call, Function, Member, Name
+from roslens.source.extract.program_text import expression_text
+from roslens.source.extract.reached_functions import Reached
+from roslens.source.extract.workspace_index import Index
+
+NEVER_FOLLOWED = "this call looks as if it made an endpoint, but nothing that was followed comes to it"
+NOT_KNOWN = "this call looks as if it made an endpoint, but what it is called on is not known to be a node"
+_TIMERS = frozenset({"create_wall_timer"})
+_LONGEST = 160
+
+
+def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached) -> Iterator[Unresolved]:
+    """Yield the calls of which no unit made an endpoint, in order of their files.
+
+    Args:
+        index: of the workspace.
+        facts: of all its units.
+        reached: what evaluating them reached.
+    """
+    made = {place for one in facts for place in places_of(one)} | reached.passed_on
+    for path in sorted(index.programs):
+        program = index.programs[path]
+        parts: list[tuple[Function | None, tuple[object, ...]]] = [(None, (program.body,))]
+        parts += [(one, (one.initialisers, one.body)) for one in program.functions if not one.name.startswith("TEST")]
+        told: set[int] = set()
+        for function, inside in parts:
+            known = function is None or (path, function.line) in reached
+            for call in calls_that_make(*inside):
+                if (path, call.line) not in made and call.line not in told and not _is_timer(call):
+                    told.add(call.line)
+                    place = Evidence(path, call.line, call.column)
+                    yield Unresolved(_shown(call), place, NOT_KNOWN if known else NEVER_FOLLOWED)
+
+
+def places_of(facts: NodeFacts) -> Iterator[tuple[str, int]]:
+    """Yield where the endpoints of a unit are made: their calls, and those of helpers that pass names on."""
+    for one in facts.endpoints:
+        for place in (one.evidence, *one.through):
+            yield place.path, place.line
+
+
+def _is_timer(call: Call) -> bool:
+    return isinstance(call.function, Name | Member) and call.function.name.rpartition(".")[2] in _TIMERS
+
+
+def _shown(call: Call) -> str:
+    text = expression_text(call)
+    return text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "…"

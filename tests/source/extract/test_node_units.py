@@ -7,6 +7,7 @@ from roslens.source.extract.node_units import (
     node_classes,
     registered,
 )
+from roslens.source.extract.reached_functions import Reached
 
 COMPONENT = """
 #include <rclcpp_lifecycle/lifecycle_node.hpp>
@@ -49,7 +50,7 @@ def test_classes_that_are_nodes(index_of):
     index = index_of(a_cpp=COMPONENT)
     ((defined, generation, kind),) = node_classes(index)
     assert (defined.what.qualified_name, generation, kind) == ("n.Own", "ros2", "lifecycle")
-    reached = set()
+    reached = Reached()
     (facts,) = facts_of_class(index, defined, generation, kind, reached)
     assert (facts.name.known, facts.namespace.known, facts.kind) == ("own", "space", "lifecycle")
     assert [(one.name.known, one.conditions) for one in facts.endpoints] == [("out", ()), ("in", ("late() is called",))]

@@ -9,6 +9,8 @@ export PYTHONDONTWRITEBYTECODE =
 
 # What a change is tested with. What reads clones of public code is where $ROSLENS_CORPORA says where they are.
 EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
+# Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
+ALONE := tests/scenarios tests/testbed
 
 .PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings accuracy lock lock-ros2 bench sites clean
 
@@ -36,22 +38,22 @@ testbed: .venv/stamp
 test: export ROSLENS_SAME_EXAMPLES = 1
 test: parts lint
 	$(BIN)/pytest -n auto --dist worksteal -m "$(EVERYDAY) and not slow"
-	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table"
+	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table" $(ALONE)
 
 # What `make test` leaves out: random searches that are wide and new each time, further variants of real robots, every
 # fault of the table, and what reads clones below $ROSLENS_CORPORA. Hours on two processors; whole only as root.
 nightly: parts lint
 	sh .ci/ros-source ros-geometry ros-image-pipeline ros-robot-state-publisher
 	ROSLENS_NIGHTLY=1 $(BIN)/pytest -n auto --dist worksteal -m "not slow"
-	$(BIN)/pytest -m "slow"
+	$(BIN)/pytest -m slow $(ALONE)
 
 # Speed, size and whole robots alone; wants an otherwise idle machine.
 slow: parts lint
-	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table"
+	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table" $(ALONE)
 
 # Every fault of docs/faults.md, injected into real robots on three hosts; wants an otherwise idle machine, and root.
 faults: parts lint
-	$(BIN)/pytest -m table
+	$(BIN)/pytest -m table $(ALONE)
 
 # An answer in two minutes: no real tools, no browser, no pages, no whole runs, no recorded systems, nothing slow, and fewer examples.
 quick: lint

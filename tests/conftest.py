@@ -10,6 +10,7 @@ A test that is about when things happen (`timed`, `real`, `slow` or `browser`) i
 import os
 import tempfile
 
+import pytest
 from hypothesis import HealthCheck, settings
 from tried_again import TriedAgain
 
@@ -31,3 +32,14 @@ def pytest_configure(config):
     config.add_cleanup(own.cleanup)
     os.environ["XDG_CONFIG_HOME"] = own.name
     config.pluginmanager.register(TriedAgain())
+
+
+def pytest_collection_modifyitems(items):
+    """Put what waits for nodes first, so that one worker waits while the others compute, and they share its rest."""
+    items.sort(key=lambda item: item.get_closest_marker("real") is None)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers(config):
+    """Return how many workers `-n auto` means: one more than there are processors, as one of them mostly waits."""
+    return len(os.sched_getaffinity(0)) + 1

@@ -30,6 +30,15 @@ def test_no_machine_path_and_no_open_end_is_left():
             assert mark not in text, f"{path}: {mark}"
 
 
+def test_what_wants_the_machine_for_itself_is_where_it_is_looked_for():
+    tests = Path(__file__).parents[1]
+    lines = (tests.parent / "Makefile").read_text().splitlines()
+    (folders,) = (line.split()[2:] for line in lines if line.startswith("ALONE"))
+    for path in tests.rglob("test_*.py"):
+        if "mark." + "slow" in path.read_text():
+            assert any(path.is_relative_to(tests.parent / folder) for folder in folders), f"{path}: not in {folders}"
+
+
 def test_what_drives_a_browser_is_where_it_is_looked_for():
     # Whose conftest marks them all, and says what is missing.
     tests = Path(__file__).parents[1]

@@ -66,7 +66,6 @@ def _waited(newest, wanted):
 
 
 @pytest.mark.real
-@pytest.mark.slow
 @pytest.mark.timeout(240)
 def test_a_node_that_runs_is_on_a_page_beside_the_others(tmp_path):
     if reason := robot_ros2.why_not():

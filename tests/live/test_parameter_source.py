@@ -73,7 +73,6 @@ rclpy.spin(node)
 
 
 @pytest.mark.real
-@pytest.mark.slow
 def test_parameters_of_a_node(tmp_path):
     python = os.environ.get("ROSLENS_ROS2_PYTHON") or str(WHEELS)
     if not Path(python).exists():

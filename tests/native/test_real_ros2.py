@@ -13,7 +13,7 @@ from roslens.live.inside.counters import CounterReader, joined
 from roslens.live.inside.slots import ASKED, HEARD, PUBLISHED, REPLIED, REQUESTED, TAKEN
 from roslens.live.inside.snapshot import snapshot
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 
 ROOT = Path(__file__).parents[2]
 PAIR = Path(__file__).with_name("ros2_pair.py")

@@ -14,7 +14,7 @@ from ros2_domain import own_domain
 
 from roslens.live.adapters.child import clean_environment
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 
 REFERENCE = """
 kind: reference

@@ -10,7 +10,7 @@ import pytest
 
 from testbed import leftovers, robot_ros1, robot_ros2
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 TESTS = Path(__file__).parents[1]
 
 

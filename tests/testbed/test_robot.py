@@ -18,6 +18,10 @@ ROBOTS = {"ros1": (Ros1Robot, robot_ros1.why_not), "ros2": (Ros2Robot, robot_ros
 BRISK = {topic for topic, rate in RATES.items() if rate > 1}
 
 
+NIGHTLY = pytest.mark.nightly
+EITHER = pytest.mark.parametrize("kind", [pytest.param("ros1", marks=NIGHTLY), "ros2"], indirect=True)
+
+
 @pytest.fixture(params=sorted(ROBOTS))
 def kind(request, allowed) -> type[Robot]:
     made, why_not = ROBOTS[request.param]
@@ -33,7 +37,16 @@ topic that nobody hears, shows at every pace."""
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-@pytest.mark.parametrize("link", ["bulk", "shaped"])
+@pytest.mark.parametrize(
+    ("kind", "link"),
+    [
+        ("ros1", "shaped"),
+        ("ros2", "bulk"),
+        pytest.param("ros1", "bulk", marks=NIGHTLY),
+        pytest.param("ros2", "shaped", marks=NIGHTLY),
+    ],
+    indirect=["kind"],
+)
 def test_every_topic_is_heard_on_another_host_at_its_rate(kind, link):
     for pace in PACES:
         rates = heard_at(pace, kind, link)
@@ -80,6 +93,7 @@ def test_the_master_knows_who_publishes_what(allowed):
 
 
 @pytest.mark.slow
+@EITHER
 def test_loads_and_faults_show_in_what_is_heard(kind):
     with Bed(HOSTS, "shaped") as bed, kind(bed, loads={"lidar": {"rate": 5}}) as robot:
         assert soon_near(lambda: robot.listen("base", 2.0, topics=["/scan"]).rates["/scan"], 5, 1) == pytest.approx(

@@ -36,7 +36,6 @@ def test_loopback_is_no_address():
 
 
 @pytest.mark.real
-@pytest.mark.slow
 def test_a_node_has_the_bits_of_its_host():
     if reason := robot_ros2.why_not():
         pytest.skip(reason)

@@ -48,7 +48,7 @@ runpy.run_path(program, run_name="__main__")
 """A node of the example that writes down when it publishes scans, to tell a late lidar from a wrong verdict."""
 WRONG = "  - {topic: /scan, id: wrong, period: '>= 1 s', grace: 0 s}\n"
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 
 
 @pytest.fixture

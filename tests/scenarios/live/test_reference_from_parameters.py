@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from ros2_domain import own_domain
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 
 WHEELS = Path(__file__).parents[3] / "build" / "ros2" / "bin" / "python"
 PUT = """

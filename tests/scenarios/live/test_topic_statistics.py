@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 
 STATISTICS = {
     "StatisticDataPoint": "uint8 data_type\nfloat64 data\n",

@@ -18,7 +18,7 @@ from ros2_domain import own_domain
 
 from testbed import robot_ros1, robot_ros2
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 
 ROSLENS = Path(sys.executable).parent / "roslens"
 REFERENCE = """

@@ -386,7 +386,6 @@ def test_silence_is_told_by_the_light_logger(ros, observe):
     sender.send_signal(signal.SIGCONT)
 
 
-@pytest.mark.slow
 def test_parameters_and_diagnostics(ros, observe):
     observer = observe("--parameters", "--reports")
     observer.until(lambda frame: observer.graph and "/rosversion" in observer.graph.parameters.get("", ()))

@@ -75,7 +75,6 @@ NODE = "import rclpy, sys; rclpy.init(); rclpy.spin(rclpy.create_node(sys.argv[1
 
 
 @pytest.mark.real
-@pytest.mark.slow
 def test_nodes_beyond_are_met(tmp_path):
     if reason := robot_ros2.why_not():
         pytest.skip(reason)

@@ -18,7 +18,7 @@ from roslens.model.failure import Failure
 from roslens.model.graph import Change, Role
 from roslens.model.tally import NOTHING, Observer
 
-pytestmark = [pytest.mark.real, pytest.mark.slow]
+pytestmark = pytest.mark.real
 
 HZ = 50
 START = """

@@ -11,10 +11,14 @@ CODE = Proof("src/a.cpp", 5)
 FILE = launched(3, "launch/a.launch")
 
 
-def findings(name, value, *ends, access="", others=(), **more):
+def findings(name, value, *ends, access="", others=(), whole=True, **more):
     one = parameter(name, value=value, set_by=FILE, access=access, proof=CODE if access else None)
     nodes = (node("/driver", end("pub", "/driver/path"), *ends, parameters=(one,)), *others)
-    return list(found(configuration(*nodes, **more), Surroundings()))
+    return list(found(configuration(*nodes, **more), Surroundings(whole=whole)))
+
+
+def test_what_may_be_started_beside_it_is_a_note():
+    assert [one.severity for one in findings("path_topic", "/opponent/path", whole=False)] == [Severity.NOTE]
 
 
 def test_a_topic_in_a_namespace_that_is_not_there():

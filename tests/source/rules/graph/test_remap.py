@@ -1,10 +1,11 @@
+from roslens.model.finding import Severity
 from roslens.source.rules.graph.remap import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, end, node, remap
 
 
-def findings(*nodes):
-    return list(found(configuration(*nodes), Surroundings()))
+def findings(*nodes, external=()):
+    return list(found(configuration(*nodes), Surroundings(external=external)))
 
 
 def test_a_remapping_that_matches_nothing_is_told_with_what_was_meant():
@@ -66,3 +67,32 @@ def test_a_node_that_has_the_same_remapping_of_its_own_is_not_out_of_reach():
     assert "/d (launch/robot.launch.xml:1) does, and is outside of it" in told.message
     (told,) = findings(node("/e", end("pub", "/tf"), line=7), other, *held)
     assert "do, and are outside of it" in told.message
+
+
+def test_one_that_is_left_over_is_a_note():
+    (one,) = findings(node("/a", X, remaps=(remap("motor_power", "commands/motor_power"),)))
+    assert one.severity is Severity.NOTE
+
+
+def test_one_after_which_somebody_is_alone_is_a_warning():
+    base = node("/base", end("sub", "/commands/power", line=8))
+    (one,) = findings(base, node("/a", X, remaps=(remap("motor_power", "commands/power"),)))
+    assert one.severity is Severity.WARNING
+    assert "/a uses no such name. /base (src/base.cpp:8) waits for it at `commands/power`." in one.message
+    other = node("/other", end("pub", "/commands/power"))
+    assert findings(base, other, node("/a", X, remaps=(remap("motor_power", "commands/power"),)))[0].severity is (
+        Severity.NOTE
+    )
+
+
+def test_a_name_in_another_namespace_was_meant():
+    (one,) = findings(node("/a", end("sub", "/a/scan", given="~/scan"), remaps=(remap("scan", "/front/scan"),)))
+    assert one.severity is Severity.WARNING
+    assert "Did you mean `~/scan`?" in one.message
+
+
+def test_what_every_node_has_and_what_a_file_gives_all_of_its_nodes():
+    assert not findings(node("/a", X, remaps=(remap("/tf", "tf"),)), external=("/tf",))
+    one, other = remap("scann", "front/scan", 3, used=True), remap("scann", "front/scan", 9)
+    given = node("/b", end("pub", "/scan", given="scan"), remaps=(other,))
+    assert [each.severity for each in findings(node("/a", X, remaps=(one,)), given)] == [Severity.NOTE]

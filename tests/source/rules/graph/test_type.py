@@ -49,6 +49,18 @@ def test_of_one_node_only_one_type_is_there_under_opposite_conditions():
     assert not findings(node("/a", *both))
     (one,) = findings(node("/a", *both), node("/b", end("sub", "/cmd", "g/msg/Twist", 5)))
     assert "TwistStamped another name" in one.message
+    assert one.severity is Severity.NOTE
+    assert "/a has it with each of these types, and may choose the one that fits" in one.message
+
+
+def test_where_one_node_chooses_the_others_still_have_to_fit():
+    ways = [end("sub", "/scan", kind, 3, sure="likely") for kind in ("s/msg/Scan", "s/msg/Cloud")]
+    chooser = node("/a", *ways)
+    scan, cloud = node("/b", end("pub", "/scan", "s/msg/Scan", 5)), node("/c", end("sub", "/scan", "s/msg/Cloud", 6))
+    (one,) = findings(chooser, scan, cloud)
+    assert (one.severity, one.path) == (Severity.ERROR, "src/b.cpp")
+    (one,) = findings(node("/a", end("pub", "/x", "s/msg/A", 3), end("pub", "/x", "s/msg/B", 4)))
+    assert one.severity is Severity.ERROR, "one node that has both for sure"
 
 
 def test_words_of_two_nodes_are_two_values():

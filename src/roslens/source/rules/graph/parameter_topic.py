@@ -18,7 +18,8 @@ RULE = RuleInfo(
     "Parameter that names no topic",
     "A parameter whose name ends with `topic` is set to a global name below a node or namespace that is not there, and "
     "no node of the configuration has a topic of that name. It is told of nodes whose code is known; names that may be "
-    "those of unknown parts, and names whose other end is usually elsewhere, are left out. Correct the value, or start "
+    "those of unknown parts, and names whose other end is usually elsewhere, are left out. It is a warning in a "
+    "configuration that `roslens.toml` declares to be the whole system, a note in others. Correct the value, or start "
     "who has the topic.",
     Severity.WARNING,
     ("ros", "graph", "parameters", "names", "launch"),
@@ -46,7 +47,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
             if not _own(one, node, ros1=configuration.generation == "ros1") or "/" + value.split("/")[1] in spaces:
                 continue
             if not any(fnmatchcase(value, other) for other in (*patterns, *surroundings.external)):
-                yield _told(one, node, [other.name for other in unknown])
+                yield _told(one, node, [other.name for other in unknown], whole=surroundings.whole)
 
 
 def _is_understood(node: ConfiguredNode) -> bool:
@@ -63,9 +64,11 @@ def _own(one: ConfiguredParameter, node: ConfiguredNode, *, ros1: bool) -> bool:
     return not ros1 or one.name.startswith(f"{node.name}/")
 
 
-def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str]) -> Finding:
+def _told(one: ConfiguredParameter, node: ConfiguredNode, unknown: list[str], *, whole: bool) -> Finding:
     more = f"nobody knows what {listed(unknown)} may have" if unknown else ""
-    severity, doubt = weighed(RULE.severity, (one.set_by,), (*node.conditions, *one.conditions), more=more)
+    # What is not in the configuration may be started beside it.
+    usual = RULE.severity if whole else Severity.NOTE
+    severity, doubt = weighed(usual, (one.set_by,), (*node.conditions, *one.conditions), more=more)
     proof = one.set_by
     assert proof is not None  # noqa: S101 - only parameters that are set are told
     space = "/" + (one.value or "").split("/")[1]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredNode, ConfiguredRemap
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.source.rules.graph.doubt import weighed
-from roslens.source.rules.graph.ends import is_unknown, listed
+from roslens.source.rules.graph.ends import ends, is_unknown, listed
 from roslens.source.rules.graph.likeness import nearest_name
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, ids_of, told
@@ -17,7 +17,9 @@ RULE = RuleInfo(
     "Remapping that matches nothing",
     "A remapping names what none of the nodes that it holds for uses. Nodes whose code is unknown, or not understood "
     "everywhere, are taken to use it, except where a node outside of a remapping for several nodes has the name: it "
-    "holds only for what follows it in its group or file. Correct the name, or move or remove the remapping.",
+    "holds only for what follows it in its group or file. It is a warning where a name was meant that a node has, or "
+    "where somebody is alone at the other name, and a note where it does no harm that is known; what every node has, "
+    "as /tf, is left out. Correct the name, or move or remove the remapping.",
     Severity.WARNING,
     ("ros", "graph", "names", "launch"),
     "The node keeps its name and the one meant stays unconnected; nothing says that a remapping had no effect.",
@@ -26,8 +28,9 @@ RULE = RuleInfo(
 )
 
 
-def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator[Finding]:
+def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[Finding]:
     """Yield a finding for each remapping that has no effect on any node."""
+    usual = _in_use_elsewhere(configuration)
     held: dict[ConfiguredRemap, list[ConfiguredNode]] = {}
     effective: set[tuple[str, str, str]] = set()
     for node in configuration.nodes:
@@ -37,8 +40,9 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
             else:
                 held.setdefault(one, []).append(node)
     for one, nodes in sorted(held.items(), key=lambda item: item[0]):
-        if _key(one) not in effective:
-            yield _told(one, nodes)
+        if _key(one) not in effective and not surroundings.is_external(_absolute(one.source, nodes[0])):
+            alone = (one.proof.path, one.source, one.target) not in usual
+            yield _told(one, nodes, _waiting(one, nodes, configuration), alone=alone)
     yield from _out_of_reach(configuration)
 
 
@@ -101,12 +105,37 @@ def _key(one: ConfiguredRemap) -> tuple[str, str, str]:
     return one.proof.place, one.source, one.target
 
 
-def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode]) -> Finding:
+def _in_use_elsewhere(configuration: Configuration) -> set[tuple[str, str, str]]:
+    """Return the remappings that have an effect on some node, by their file, which may give all the same."""
+    return {(one.proof.path, one.source, one.target) for node in configuration.nodes for one in node.remaps if one.used}
+
+
+def _waiting(one: ConfiguredRemap, nodes: list[ConfiguredNode], configuration: Configuration) -> list[str]:
+    """Return the nodes that use the target of a remapping, where only one side does: the other one is missing."""
+    held = {node.name for node in nodes}
+    target = _absolute(one.target, nodes[0])
+    users = [end for end in ends(configuration) if end.name == target and end.node.name not in held]
+    return [end.told for end in users] if len({end.role for end in users}) == 1 else []
+
+
+def _meant(source: str, names: list[str]) -> str:
+    """Return the name that was likely meant: one that is nearly the same, or the same in another namespace."""
+    near = nearest_name(source, names)
+    last = source.rpartition("/")[2].lstrip("~")
+    same = [name for name in names if name.rpartition("/")[2].lstrip("~") == last]
+    return near or (min(same, key=lambda name: (len(name), name)) if same else "")
+
+
+def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str], *, alone: bool) -> Finding:
     names = [end.given or end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
     names += [end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
-    near = nearest_name(one.source, names)
+    near = _meant(one.source, names)
     advice = f"Did you mean `{near}`?" if near else "Correct the name or remove the remapping."
-    severity, doubt = weighed(RULE.severity, (one.proof,), nodes[0].conditions)
+    # Many are left over from a name that was changed, and do no harm: that something is missing has to show.
+    usual = RULE.severity if alone and (near or waiting) else Severity.NOTE
+    severity, doubt = weighed(usual, (one.proof,), nodes[0].conditions)
+    if waiting:
+        advice = f"{listed(waiting)} {'waits' if len(waiting) == 1 else 'wait'} for it at `{one.target}`. {advice}"
     who = listed([node.name for node in nodes])
     verb = "uses" if len(nodes) == 1 else "use"
     message = f"remapping of `{one.source}` to `{one.target}`: {who} {verb} no such name. {advice}{doubt}"

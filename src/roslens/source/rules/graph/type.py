@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import combinations, product
 
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
-from roslens.source.rules.graph.doubt import exclude_each_other, weighed
+from roslens.source.rules.graph.doubt import doubt_of, exclude_each_other, weighed
 from roslens.source.rules.graph.ends import WORDS, End, by_name, conditions_of, ends, exclude, listed
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.told import TOOL, told
@@ -16,7 +16,8 @@ RULE = RuleInfo(
     "graph.type",
     "Two types on one name",
     "Ends of one topic, service or action have different types. Types that are unknown, and those that stand for any, "
-    "fit all. Give one of them another name, or both the same type.",
+    "fit all; where one node has the name with both types and may choose, it is a note. Give one of them another name, "
+    "or both the same type.",
     Severity.ERROR,
     ("ros", "graph", "type", "connectivity"),
     "The ends are never joined; in ROS 1 the connection is refused with a line in a log, in ROS 2 what happens differs "
@@ -39,9 +40,16 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
                 of_type.setdefault(_SAME.get(end.type, end.type), []).append(end)
         # What most ends have is taken to be meant; the others are found fault with.
         ranked = sorted(of_type, key=lambda one: (-len(of_type[one]), one))
-        pair = next((pair for pair in _pairs(ranked, of_type) if not exclude(*pair)), None)
-        if pair is not None:
-            yield _told(kind, name, of_type, ranked, pair)
+        types: dict[str, set[str]] = {}
+        for one, of_one in of_type.items():
+            for end in of_one:
+                types.setdefault(end.node.name, set()).add(one)
+        pairs = [pair for pair in _pairs(ranked, of_type) if not exclude(*pair)]
+        if pairs:
+            choosers = [_chooser(first, second, types) for first, second in pairs]
+            # What nobody can choose is clearer.
+            place = min(range(len(pairs)), key=lambda number: bool(choosers[number]))
+            yield _told(kind, name, of_type, ranked, pairs[place], choosers[place])
 
 
 def _pairs(ranked: list[str], of_type: dict[str, list[End]]) -> Iterator[tuple[End, End]]:
@@ -49,10 +57,30 @@ def _pairs(ranked: list[str], of_type: dict[str, list[End]]) -> Iterator[tuple[E
         yield from product(of_type[usual], of_type[other])
 
 
-def _told(kind: str, name: str, of_type: dict[str, list[End]], ranked: list[str], pair: tuple[End, End]) -> Finding:
+def _chooser(first: End, second: End, types: Mapping[str, set[str]]) -> str:
+    """Return the node that has the name with the types of both ends, and may choose; empty where none has."""
+    if first.node.name == second.node.name:
+        sure = (
+            not (first.one.conditions or second.one.conditions) and doubt_of((first.one.proof, second.one.proof)) == 0
+        )
+        return "" if sure else first.node.name
+    both = {_SAME.get(one.type, one.type) for one in (first, second)}
+    return next((end.node.name for end in (first, second) if both <= types[end.node.name]), "")
+
+
+def _told(
+    kind: str, name: str, of_type: dict[str, list[End]], ranked: list[str], pair: tuple[End, End], chooser: str
+) -> Finding:
     good, bad = pair
     apart = _APART if exclude_each_other(good.conditions, bad.conditions) else ""
-    severity, doubt = weighed(RULE.severity, (good.one.proof, bad.one.proof), conditions_of(good, bad), more=apart)
+    if chooser:
+        apart = f"{chooser} has it with each of these types, and may choose the one that fits"
+    severity, doubt = weighed(
+        Severity.NOTE if chooser else RULE.severity,
+        (good.one.proof, bad.one.proof),
+        conditions_of(good, bad),
+        more=apart,
+    )
     said = "; ".join(
         f"{listed([f'{end.told} {WORDS[end.role]} it' for end in of_type[one]])} as {one}" for one in ranked
     )

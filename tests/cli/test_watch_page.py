@@ -76,6 +76,20 @@ def test_alerts_are_first_causes_with_what_follows():
     assert not others
 
 
+def test_a_node_that_is_gone_is_told_before_a_busy_host_with_what_it_leads_to():
+    robot = ScriptedRobot()
+    robot.cpu["rover"] = 99.0
+    robot.run(4)
+    robot.gone.add("/lidar")
+    robot.rates["/scan"] = 0
+    robot.run(8)
+    first, *others = document(robot)["alerts"]
+    assert (first["entity"], first["state"], first["severity"]) == ("node:/lidar", "absent", "error")
+    assert first["sentence"] == "is gone → /scan silent → /planner, /slam without input"
+    assert "topic:/scan" in [one["entity"] for one in first["follows"]]
+    assert [(one["entity"], one["severity"]) for one in others] == [("host:rover", "warning")]
+
+
 def test_the_picture_has_every_line_with_its_rate_and_state():
     robot = ScriptedRobot()
     robot.rates["/scan"] = 4

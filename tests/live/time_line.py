@@ -31,6 +31,7 @@ from roslens.judge.expectation import (
 from roslens.judge.range import Range
 from roslens.live.monitor import Monitor
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
 from roslens.model.sample import Sample
 from roslens.model.tally import NOTHING, Moments, Observer, Tally
@@ -49,7 +50,7 @@ def moments(values: list[float]) -> Moments:
 
 def told(row: dict[str, Any]) -> Told:
     timing = {_TIMINGS[key]: float(row[key]) for key in _TIMINGS if key in row}
-    return Told(id=row["id"], timing=Timing(**timing))
+    return Told(id=row["id"], severity=Severity(row.get("severity", "warning")), timing=Timing(**timing))
 
 
 def selector(row: dict[str, Any]) -> Selector:
@@ -256,7 +257,7 @@ def wrong(line: dict[str, Any], played: Played) -> list[str]:
     found = []
     for row in line["then"]:
         verdict = played.at(row["at"]).get((row["of"], row["id"]))
-        for key in ("state", "cause"):
+        for key in ("state", "cause", "leads_to", "severity"):
             said = str(getattr(getattr(verdict, key, None), "value", getattr(verdict, key, None)))
             if key in row and said != row[key]:
                 found.append(f"at {row['at']}: {row['of']} {row['id']}: {key} is {said}, not {row[key]}: {verdict}")

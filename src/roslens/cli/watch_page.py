@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
-from roslens.cli.watch_screen import value_text
+from roslens.cli.watch_screen import urgency, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.signals import BY_KEY
 from roslens.live.worth_a_row import badge, not_judged, worth_a_row
 from roslens.model.entity import EntityKind
+from roslens.model.finding import Severity
 from roslens.model.graph import Change
 from roslens.model.verdict import Verdict
 
@@ -41,6 +42,7 @@ _MOST_SHARE = 0.2
 _SLOWEST_S = 4.0
 """A large system is shown more slowly, so that showing it costs no more than this share of the time."""
 _KEPT = 50
+_GRAVITY = {severity.value: severity.rank for severity in Severity}
 _PROCESS = f"{EntityKind.PROCESS.value}:"
 _LONGEST_NAME = 200
 _LONGEST_TEXT = 600
@@ -205,7 +207,7 @@ def _alerts(verdicts: Sequence[Verdict], clock: Callable[[float], str]) -> tuple
     """Return the first causes, latest last, each with what follows from it."""
     silent = {str(one.entity) for one in verdicts if one.of_observer}
     shown = (one for one in verdicts if one.wrong or one.cause in silent)
-    bad = sorted(shown, key=lambda one: (one.since, one.entity, one.expectation))
+    bad = sorted(shown, key=urgency)
     causes = {str(one.entity): place for place, one in reversed(list(enumerate(bad))) if not one.cause}
     followers: dict[int, list[Alert]] = {}
     firsts = []
@@ -230,7 +232,8 @@ def _alert(one: Verdict, clock: Callable[[float], str], follows: tuple[Alert, ..
         name=shown_name(name),
         kind=one.entity.kind.value,
         state=one.state.value,
-        severity=one.severity.value,
+        # What an error follows from matters as much as the error.
+        severity=max([one.severity.value, *(other.severity for other in follows)], key=_GRAVITY.__getitem__),
         sentence=shown_text(sentence(msgspec.structs.replace(one, cause=""))),
         since=one.since,
         when=clock(one.since),

@@ -137,10 +137,15 @@ def _cell(row: SystemView, key: str) -> str:
     return value_text(key, row.values[key]) if key in row.values else ""
 
 
+def urgency(one: Verdict) -> tuple[bool, int, float, EntityId, str]:
+    """Return by what alerts are sorted: who is not heard, then the gravest, of these the one that began first."""
+    return not one.of_observer, -one.severity.rank, one.since, one.entity, one.expectation
+
+
 def _alerts(terminal: Terminal, verdicts: Sequence[Verdict], clock: Callable[[float], str]) -> list[str]:
     silent = {str(one.entity) for one in verdicts if one.of_observer}
     bad = [one for one in verdicts if one.wrong or one.cause in silent]
-    causes = sorted((one for one in bad if not one.cause), key=lambda one: one.since)
+    causes = sorted((one for one in bad if not one.cause), key=urgency)
     lines = [""] if bad else []
     lines += [alert_line(terminal, one, clock(one.since)) for one in causes[:_MOST_ALERTS]]
     left_out = len(causes) - _MOST_ALERTS

@@ -2,7 +2,9 @@
 
 Upstream of a topic are the nodes that publish it, of a node the topics it subscribes to and its host, of a connection
 its topic and publisher. A topic that is judged fine ends the search, since data flows there. In a cycle the fault that
-began first is the cause. Tarjan's strongly connected components make one pass enough.
+began first is the cause. What matters more is never explained by what matters less: a warning about a host may be why
+a topic is slow, but nobody who reads it would look for the error. Of several that explain a fault it is the gravest,
+of these the first. Tarjan's strongly connected components make one pass enough.
 """
 
 from __future__ import annotations
@@ -15,10 +17,16 @@ LATE_S = 2.0
 """A cause may be noticed so much later than what it causes, since windows differ."""
 
 Upstream = Callable[[EntityId], Iterable[EntityId]]
+_Roots = dict[int, EntityId]
+"""By weight the first fault upstream that weighs at least as much."""
 
 
 def first_causes(
-    bad: Mapping[EntityId, float], fine: Callable[[EntityId], bool], upstream: Upstream
+    bad: Mapping[EntityId, float],
+    fine: Callable[[EntityId], bool],
+    upstream: Upstream,
+    weights: Mapping[EntityId, int] | None = None,
+    until: Mapping[EntityId, float] | None = None,
 ) -> dict[EntityId, EntityId]:
     """Return for each bad entity that another explains the one that does.
 
@@ -26,9 +34,13 @@ def first_causes(
         bad: since when each bad entity is so.
         fine: whether an entity is judged and fine.
         upstream: what an entity depends on.
+        weights: how much each bad entity matters; all the same where nothing is said.
+        until: when what an entity causes has begun at the latest; any time later where nothing is said.
     """
     causes: dict[EntityId, EntityId] = {}
-    carried: dict[EntityId, EntityId | None] = {}
+    carried: dict[EntityId, _Roots] = {}
+    weight_of = {entity: (weights or {}).get(entity, 0) for entity in bad}
+    levels = sorted(set(weight_of.values()))
 
     def open_upstream(entity: EntityId) -> list[EntityId]:
         return sorted(
@@ -40,23 +52,28 @@ def first_causes(
     def order(entity: EntityId) -> tuple[float, EntityId]:
         return bad[entity], entity
 
+    def explains(cause: EntityId | None, fault: EntityId) -> bool:
+        latest = (until or {}).get(cause, float("inf")) if cause is not None else 0.0
+        return cause is not None and bad[cause] - LATE_S <= bad[fault] <= latest
+
     for component, links in _components(sorted(bad), open_upstream):
         members = set(component)
-        incoming = {
-            root
-            for entity in component
-            for one in links[entity]
-            if one not in members and (root := carried[one]) is not None
-        }
+        sources = [carried[one] for entity in component for one in links[entity] if one not in members]
         inside = sorted((entity for entity in component if entity in bad), key=order)
-        outside = min(incoming, key=order, default=None)
-        first = inside[0] if inside else None
-        explained = first is None or (outside is not None and bad[outside] <= bad[first] + LATE_S)
-        root = outside if explained else first
+        roots: _Roots = {}
+        graver: list[EntityId] = []
+        for level in reversed(levels):
+            outside = min((found[level] for found in sources if level in found), key=order, default=None)
+            graver += [outside] if outside is not None else []
+            first = next((entity for entity in inside if weight_of[entity] >= level), None)
+            root = outside if first is None else next((one for one in graver if explains(one, first)), first)
+            if root is not None:
+                roots[level] = root
         for entity in component:
-            carried[entity] = root
+            carried[entity] = roots
         for entity in inside:
-            if root is not None and entity != root:
+            root = roots[weight_of[entity]]
+            if entity != root:
                 causes[entity] = root
     return causes
 

@@ -67,7 +67,7 @@ class Monitor:
         self._silences: dict[str, Silence] = {}
         self._fields = FieldChecks(reference.field_checks, start)
         self._chains = AgeChains(reference.chains, start)
-        self._explained = Explained(self._world)
+        self._explained = Explained(self._world, self._gone_nodes)
         self._lookout = Lookout(self._world, self._existence, self._plan)
         self._moved: list[Standing] = []
         self._retired: list[Verdict] = []
@@ -165,7 +165,9 @@ class Monitor:
             sampled.appeared = max(sampled.appeared, self._clock.now)
             sampled.planless = True
         sampled.voice = voice
+        stopped = sampled.newest("stopped")
         if sampled.add(sample, values):
+            self._explained.stale |= bool(stopped) is not bool(sampled.newest("stopped"))
             self._existence.take_sample(sampled, sample.time)
             self._lookout.wait(sampled)
 
@@ -195,7 +197,11 @@ class Monitor:
             self._existence.appear(key, self._presences.existing.get(key, NOTHING_KNOWN))
             for one in self._world.concerned(entity):
                 one.appeared = max(one.appeared, min(event.time, self._clock.now + 1))
+                if isinstance(one, Connection) and one.publisher == entity.name:
+                    # That it was away is no gap of what it publishes from now on.
+                    one.clear(one.appeared)
                 self._lookout.wait(one)
+        self._explained.stale = True
 
     def add_field(self, topic: str, time: float, values: Mapping[str, float]) -> None:
         """Take values of fields of the last message on a topic, by path."""
@@ -273,7 +279,7 @@ class Monitor:
         for one in changed:
             one.reported = one.state.state
             self._explained.note(one)
-        changed.update(dict.fromkeys(self._explained.explain()))
+        changed.update(dict.fromkeys(self._explained.explain(now)))
         verdicts = {(one.entity, one.expectation): one for one in self._retired}
         self._retired = []
         verdicts.update((one.key, one.verdict()) for one in changed)
@@ -314,8 +320,13 @@ class Monitor:
             self._fields.standing,
             self._chains.standing,
             (one for one in self._silences.values() if one.voice.silent),
+            self._explained.faults,
             chain.from_iterable(one.judged for one in self._entities()),
         )
+
+    def _gone_nodes(self) -> dict[EntityId, float]:
+        gone = self._existence.vanished.items()
+        return {EntityId(kind, name): time for (kind, name), time in gone if kind is EntityKind.NODE}
 
     def _meet(self, tally: Tally, now: float) -> Connection | None:
         """Make room for a connection that is new, and for what is known by it alone."""

@@ -105,6 +105,11 @@ class Sampled(Measured):
         values = [value for time, value in kept if time > self._newest - (window or self._window)]
         return percentile_of(values, percentile) if percentile else sum(values) / len(values)
 
+    def newest(self, key: str) -> float | None:
+        """Return the newest value of a signal, however old."""
+        kept = self._values.get(key)
+        return kept[-1][1] if kept else None
+
     def latest(self, now: float) -> dict[str, float]:
         """Return the newest value of each signal."""
         if not self.fresh(now):

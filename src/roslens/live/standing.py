@@ -23,11 +23,13 @@ class Standing:
         evidence: in words, where no window shows it.
         reported: the state that was told last.
         cause: text form of the id of the entity whose fault explains this one.
+        leads_to: what follows from it, in words, where it is a first cause.
         unheard: text form of the id of the observer that it waits for, because nothing is heard of it.
     """
 
     __slots__ = (
-        "cause", "entity", "evidence", "quantity", "reported", "state", "told", "unheard", "window", "written",
+        "cause", "entity", "evidence", "leads_to", "quantity", "reported", "state", "told", "unheard", "window",
+        "written",
     )  # fmt: skip
 
     def __init__(self, entity: EntityId, told: Told, quantity: str, written: str, now: float) -> None:
@@ -38,7 +40,7 @@ class Standing:
         self.state = VerdictState(told.timing, now)
         self.window: Window | None = None
         self.evidence = ""
-        self.cause = self.unheard = ""
+        self.cause = self.unheard = self.leads_to = ""
         self.reported = State.UNKNOWN
 
     @property
@@ -68,4 +70,5 @@ class Standing:
             group=told.group,
             where=told.where,
             cause=self.cause if state.state.bad else self.unheard if state.state is State.UNKNOWN else "",
+            leads_to=self.leads_to if state.state.bad else "",
         )

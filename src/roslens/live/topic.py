@@ -76,7 +76,7 @@ class Topic(Measured):
     def all_connections(self) -> list[Connection]:
         """Return every connection that is there, else every one, in order."""
         every = self._ordered
-        return [one for one in every if not one.left] or every
+        return [one for one in every if not one.left] or [one for one in every if self._of_last(one)] or every
 
     def views(self, at: int) -> list[tuple[Connection, Window]]:
         """Return for each publisher where its traffic is seen best: subscribers of one publisher do not add up."""
@@ -96,7 +96,10 @@ class Topic(Measured):
             seen = [(one, window) for one in group if (window := one.best(at))]
             if seen:
                 found.append(min(seen, key=_quality))
-        return [(one, window) for one, window in found if len(found) == 1 or not one.left] or found
+        if len(found) == 1:
+            return found
+        there = [(one, window) for one, window in found if not one.left]
+        return there or [(one, window) for one, window in found if self._of_last(one)] or found
 
     def value(
         self, key: str, at: int, percentile: float = 0.0, views: list[tuple[Connection, Window]] | None = None
@@ -128,6 +131,10 @@ class Topic(Measured):
             if silent and (key not in _OF_PUBLISHERS or len(silent) == len(group)):
                 return silent[0]
         return None
+
+    def _of_last(self, connection: Connection) -> bool:
+        """Whether a connection is of those who published last: who left before says nothing of how it ended."""
+        return connection.publisher in self.former
 
     def _count(self, known: frozenset[str], field: str) -> tuple[float | None, Window | None]:
         if self.known:

@@ -236,6 +236,14 @@ class World:
                 found[EntityKind.TOPIC, topic.name] = self.facts(topic)
         return found
 
+    def stopped(self, now: float) -> Iterator[tuple[EntityId, float]]:
+        """Yield the nodes whose process is stopped, as it was sampled lately, and since when."""
+        for sampled in self.sampled.values():
+            if sampled.id.kind is EntityKind.NODE and sampled.unheard is None and sampled.fresh(now):
+                seconds = sampled.newest("stopped")
+                if seconds:
+                    yield sampled.id, sampled.noticed - seconds
+
     def upstream(self, entity: EntityId) -> list[EntityId]:
         """Return what an entity depends on."""
         if entity.kind is EntityKind.TOPIC:

@@ -55,6 +55,7 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
         where: ``file:line`` of the sentence.
         cause: text form of the id of the entity whose fault explains this one; empty for a first cause. Of what is
             unknown it is the observer of which nothing is heard.
+        leads_to: of a first cause what follows from it: ``/scan silent → /planner without input``.
     """
 
     entity: EntityId
@@ -71,6 +72,7 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
     group: str = ""
     where: str = ""
     cause: str = ""
+    leads_to: str = ""
 
     @property
     def of_observer(self) -> bool:

@@ -10,10 +10,10 @@ from roslens.model.entity import EntityKind
 from roslens.model.graph import Change
 
 
-def stat(pid, *, ticks=0, started=500, pages=10, threads=3, name="a (b) c"):
+def stat(pid, *, ticks=0, started=500, pages=10, threads=3, name="a (b) c", state="S"):
     fields = ["0"] * 50
     fields[11], fields[12], fields[17], fields[19], fields[21] = str(ticks), "0", str(threads), str(started), str(pages)
-    return f"{pid} ({name}) {' '.join(['S', *fields[1:]])}\n"
+    return f"{pid} ({name}) {' '.join([state, *fields[1:]])}\n"
 
 
 class Machine:
@@ -89,11 +89,32 @@ def test_values(machine, sampler):
     machine.start(10, ticks=100)
     sampler.find(1.0)
     assert sampler.sample(1.0)[0].values == {
-        "memory": 40960.0, "threads": 3.0, "memory_share": 1.0, "open_files": 0.0,
+        "memory": 40960.0, "threads": 3.0, "memory_share": 1.0, "open_files": 0.0, "stopped": 0.0, "hung": 0.0,
     }  # fmt: skip
     machine.run(10, ticks=150, pages=20, threads=4)
     values = sampler.sample(3.0)[0].values
     assert (values["cpu"], values["memory"], values["threads"]) == (25.0, 81920.0, 4.0)
+
+
+@pytest.mark.parametrize("state", ["T", "t"])
+def test_how_long_a_process_has_been_stopped(machine, sampler, state):
+    machine.start(10)
+    sampler.find(1.0)
+    sampler.sample(1.0)
+    machine.run(10, state=state)
+    assert [sampler.sample(time)[0].values["stopped"] for time in (2.0, 3.0)] == [1.0, 2.0]
+    machine.run(10)
+    assert sampler.sample(4.0)[0].values["stopped"] == 0.0
+
+
+def test_a_moment_in_the_kernel_is_no_hang(machine, sampler):
+    machine.start(10, state="D")
+    sampler.find(1.0)
+    assert [sampler.sample(time)[0].values["hung"] for time in (1.0, 2.0, 3.0)] == [0.0, 1.0, 2.0]
+    machine.run(10)
+    assert sampler.sample(4.0)[0].values["hung"] == 0.0
+    machine.run(10, state="D")
+    assert sampler.sample(5.0)[0].values["hung"] == 0.0
 
 
 def test_dear_values_come_in_turn(machine, sampler):

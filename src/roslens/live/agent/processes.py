@@ -31,6 +31,9 @@ _FIELDS_AFTER_NAME = 22
 
 
 NEVER = float("-inf")
+NOT = float("inf")
+_STOPPED = (b"T", b"t")
+_HUNG = b"D"
 
 
 class _Watched(msgspec.Struct):
@@ -47,6 +50,8 @@ class _Watched(msgspec.Struct):
     slow_seen: float = NEVER
     slow: dict[str, int] = {}
     kept: dict[str, float] = {}
+    stopped: float = NOT
+    hung: float = NOT
 
 
 class ProcessSampler:
@@ -170,6 +175,10 @@ class ProcessSampler:
             values["memory_share"] = 100 * memory / self._memory
         if one.seen != NEVER and now > one.seen:
             values["cpu"] = 100 * max(ticks - one.ticks, 0) / self._hertz / (now - one.seen)
+        # Stopped since some time after the last look; waiting for the kernel is usual for a moment.
+        one.stopped = min(one.stopped, one.seen if one.seen != NEVER else now) if fields[0] in _STOPPED else NOT
+        one.hung = min(one.hung, now) if fields[0] == _HUNG else NOT
+        values["stopped"], values["hung"] = max(now - one.stopped, 0.0), max(now - one.hung, 0.0)
         one.seen, one.ticks = now, ticks
         return values
 

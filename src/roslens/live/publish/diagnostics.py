@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 
 from roslens.judge.amount import amount_text
+from roslens.live.node_faults import GONE, STOPPED
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
@@ -18,6 +19,7 @@ from roslens.model.outgoing import Status
 from roslens.model.verdict import State, Verdict
 
 OK, WARN, ERROR, STALE = range(4)
+_FACTS = frozenset({GONE.id, STOPPED.id})
 
 
 def own_host(entity: EntityId) -> str:
@@ -60,6 +62,8 @@ def sentence(verdict: Verdict) -> str:
     """Return what is wrong in one line: ``rate is low: 12.5 Hz, expected 25..35 Hz; check the cable``."""
     if verdict.entity.kind is EntityKind.OBSERVER:
         return f"{verdict.evidence}; {verdict.text}" if verdict.evidence else "is heard of again"
+    if verdict.expectation in _FACTS:
+        return f"{verdict.evidence} → {verdict.leads_to}" if verdict.leads_to else verdict.evidence
     signal = BY_KEY.get(verdict.quantity)
     subject = signal.title.lower() if signal else verdict.quantity
     if verdict.state is State.ABSENT:
@@ -68,6 +72,8 @@ def sentence(verdict: Verdict) -> str:
         said = f"{subject} is {verdict.state.value}: {_shown(verdict)}"
     if verdict.range:
         said += f", expected {verdict.range}"
+    if verdict.leads_to:
+        said += f" → {verdict.leads_to}"
     if verdict.cause:
         said += f" (because of {verdict.cause})"
     return f"{said}; {verdict.text}" if verdict.text else said

@@ -63,7 +63,7 @@ def test_a_file_takes_the_result(bag, tmp_path, capsys):
     [
         (["--bag", "none.bag"], "none.bag"),
         (["--bag", __file__], "begins with"),
-        (["--fail-on", "hihg", "--bag", "x"], "--fail-on 'hihg'; expected low, high, absent or never"),
+        (["--fail-on", "hihg", "--bag", "x"], "--fail-on 'hihg'; expected low, high, absent, unknown or never"),
         (["--bag", "x", "--for", "5 s"], "--for with --bag; expected one of them"),
         (["--bag", "x", "--prometheus", "1"], "--prometheus with --bag"),
         (["--reference", "none.yaml"], "none.yaml: cannot read it"),

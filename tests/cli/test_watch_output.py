@@ -8,10 +8,12 @@ import json
 import msgspec
 import pytest
 
+from roslens.cli.never_judged import JudgedOnce, summary_of
 from roslens.cli.watch_output import Teller
 from roslens.live.note import Note, NoteKind
 from roslens.live.session import Step
 from roslens.model.entity import EntityId, EntityKind
+from roslens.model.finding import Severity
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
 
@@ -84,6 +86,41 @@ def test_what_other_monitors_report_is_a_line_and_other_events_are_where_more_is
     assert out[1].endswith("parameter:/n/rate  appeared is 10")
     out, _, _ = tell(step, form="json")
     assert [json.loads(line)["entity"] for line in out] == ["node:/m", "parameter:/n/rate"]
+
+
+@pytest.mark.parametrize(
+    ("severity", "judged", "code", "said"),
+    [
+        (Severity.ERROR, True, 0, ""),
+        (Severity.WARNING, False, 0, ""),
+        (Severity.ERROR, False, 3, "1 verdict of severity error was never judged, such as topic:/map rate since"),
+    ],
+)
+def test_an_error_that_could_not_have_been_noticed_is_no_pass(capsys, severity, judged, code, said):
+    options = argparse.Namespace(output=None, format="text", verbose=False, quiet=False, no_color=True, color=False)
+    unknown = msgspec.structs.replace(MAP, state=State.UNKNOWN, severity=severity, evidence="nobody observes it")
+    ok, other = (
+        msgspec.structs.replace(MAP, state=State.OK, expectation=name) for name in (MAP.expectation, "r.other")
+    )
+    with Teller(options, str) as teller:
+        teller.tell(Step(1.0, changes=(other, ok) if judged else (other,)))
+        teller.tell_unjudged([unknown, other], 2.0)
+        assert teller.code(frozenset(), nothing_seen=False) == code
+        assert teller.code(frozenset({"unknown"}), nothing_seen=False) == 1
+    assert said in capsys.readouterr().err
+
+
+def test_what_was_never_judged_is_counted_with_what_to_do():
+    ok = [msgspec.structs.replace(MAP, state=State.OK, expectation=f"r.{place}") for place in range(10)]
+    never = [msgspec.structs.replace(MAP, state=State.UNKNOWN, expectation=f"r.n{place}") for place in range(12)]
+    seen = JudgedOnce()
+    seen.add(ok)
+    text = summary_of(seen.never([*ok, *never]), 22)
+    assert text.startswith("12 of 22 never judged, such as topic:/map rate")
+    assert "roslens run" in text
+    assert "--tap" in text
+    seen.add([msgspec.structs.replace(one, state=State.LOW) for one in never])
+    assert summary_of(seen.never([*ok, *never]), 22) == ""
 
 
 def test_a_watch_that_could_judge_nothing_is_not_clean(capsys):

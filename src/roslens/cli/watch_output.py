@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, TextIO
 
 from roslens.cli.about_nothing import lines_of
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.never_judged import JudgedOnce, failures_of, summary_of
 from roslens.cli.streams import wants_color, width_of
 from roslens.cli.watch_screen import alert_line, cause_text, event_text, screen
 from roslens.live.note import Note, NoteKind
 from roslens.live.publish.json_lines import cause_line, event_line, failure_line, note_line, verdict_line
 from roslens.live.reported_levels import is_reported
 from roslens.live.session import Step
-from roslens.model.failure import Failure
 from roslens.model.verdict import State, Verdict
 from roslens.report.terminal import Terminal
 
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 _ENDLESS = 10_000
 _KEPT = 20
-_HOW_TO_OBSERVE = "Start nodes through `roslens run`, or give --tap '**'; watch for longer than grace (5 s by default)"
 
 
 class Teller:
@@ -48,7 +47,7 @@ class Teller:
         self._states: set[str] = set()
         self._failed = 0
         self._old_reference = False
-        self._judged = False
+        self._judged = JudgedOnce()
         self.said: deque[str] = deque(maxlen=_KEPT)
         self._stream: TextIO = options.output.open("w", encoding="utf-8") if options.output else sys.stdout
 
@@ -65,8 +64,8 @@ class Teller:
 
     def count(self, step: Step) -> None:
         """Remember how a step went, without writing it."""
-        self._states.update(one.state.value for one in step.changes)
-        self._judged = self._judged or any(one.state.judged and not one.of_observer for one in step.changes)
+        self._states.update(one.state.value for one in step.changes if one.state.bad)
+        self._judged.add(step.changes)
         self._alarms += sum(one.state.bad for one in step.changes)
         self._failed += len(step.failures)
         self.said.extend(str(failure) for failure in step.failures)
@@ -121,14 +120,15 @@ class Teller:
         )
 
     def tell_unjudged(self, verdicts: Sequence[Verdict], time: float) -> None:
-        """Say so as a failure where there are verdicts and none of them was ever more than unknown."""
-        if self._judged or not verdicts:
-            return
-        one = verdicts[0]
-        said = f"nothing could be judged: every verdict stayed unknown, such as {one.entity} {one.quantity}"
-        why = f" since {one.evidence}" if one.evidence else ""
-        failure = Failure("watch", said + why, "values of what the reference is about", _HOW_TO_OBSERVE)
-        self.tell(Step(time, failures=(failure,)))
+        """Say so as a failure where nothing was ever more than unknown, or something of severity error was not.
+
+        ``verdicts`` are those that stand at the end, at ``time``.
+        """
+        about = [one for one in verdicts if not one.of_observer]
+        if any(one.state is State.UNKNOWN for one in about):
+            self._states.add(State.UNKNOWN.value)
+        if failures := failures_of(self._judged.never(about), len(about)):
+            self.tell(Step(time, failures=failures))
 
     def code(self, states: frozenset[str], *, nothing_seen: bool) -> int:
         """Return the exit code: 1 where one of ``states`` came up, 3 where something could not be observed."""
@@ -153,14 +153,18 @@ class Teller:
         if not session.monitor.standing():
             source = "--bag FILE" if self._options.bag else "--live 60s"
             return f"Nothing was judged. `roslens reference draft {source}` drafts what to hold it against."
-        if not self._alarms:
-            unknown = [one for one in session.monitor.standing() if one.state is State.UNKNOWN]
-            if not unknown:
-                return "Nothing was wrong."
-            one = unknown[0]
-            why = f" ({one.evidence})" if one.evidence else ""
-            return (
-                f"Nothing is known to be wrong; unknown are {len(unknown)}, such as {one.entity} {one.quantity}{why}."
+        standing = [one for one in session.monitor.standing() if not one.of_observer]
+        never = summary_of(self._judged.never(standing), len(standing))
+        if self._alarms:
+            times = "once" if self._alarms == 1 else f"{self._alarms} times"
+            said = (
+                f"Something became wrong {times}; `roslens reference explain FILE… ENTITY` says what is expected of it."
             )
-        times = "once" if self._alarms == 1 else f"{self._alarms} times"
-        return f"Something became wrong {times}; `roslens reference explain FILE… ENTITY` says what is expected of it."
+            return f"{said}\n{never}" if never else said
+        unknown = [one for one in standing if one.state is State.UNKNOWN]
+        if not unknown:
+            return "Nothing was wrong."
+        one = unknown[0]
+        why = f" ({one.evidence})" if one.evidence else ""
+        now = f"unknown are {len(unknown)}, such as {one.entity} {one.quantity}{why}."
+        return f"Nothing is known to be wrong; {never or now}"

@@ -23,7 +23,8 @@ TEXT = "Watch a running ROS system, or a recording, and say what is not as the r
 EXAMPLES = """\
   roslens watch --bag drive.bag --reference rover.yaml      a recording, as fast as it can be read
   roslens watch --reference rover.yaml                      what runs here, until Ctrl-C; read again when it changes
-  roslens watch --ros1 --for 60s --fail-on low,high,absent  a system test: exit code 1 when something is wrong
+  roslens watch --ros1 --for 60s                            a system test: exit code 1 when something is wrong
+  roslens watch --for 60s --fail-on low,high,absent,unknown what was not judged fails it too
   roslens watch --bag drive.mcap                            without a reference: what is there, how fast
   roslens watch --listen 0.0.0.0:7411 --key-file key        agents on other hosts report to this one
   roslens watch --prometheus 9411                           values and states for Prometheus
@@ -32,6 +33,7 @@ EXAMPLES = """\
   roslens watch --serve 8080                                a page that shows it: http://127.0.0.1:8080/"""
 
 _BAD = ("low", "high", "absent")
+_FAILING = (*_BAD, "unknown")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -44,7 +46,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--fail-on",
         default="low,high,absent",
         metavar="STATES",
-        help="states that make the exit code 1: low, high, absent, or never (default: low,high,absent)",
+        help="states that make the exit code 1: low, high, absent, unknown (at the end), or never "
+        "(default: low,high,absent)",
     )
     parser.add_argument("--format", choices=("text", "json"), default="text", help="json: a line for each change")
     parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the result there")
@@ -64,7 +67,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Watch, and return how it ended: 1 where a state of ``--fail-on`` came up, 3 where nothing could be observed.
+    """Watch, and return how it ended.
+
+    That is 1 where a state of ``--fail-on`` came up, and 3 where nothing could be observed, or a verdict of severity
+    error was never judged.
 
     Raises:
         UsageError: the options contradict each other or name something that is not there.
@@ -85,8 +91,8 @@ def _states(text: str) -> frozenset[str]:
     if text == "never":
         return frozenset()
     states = frozenset(part.strip() for part in text.split(",") if part.strip())
-    if unknown := sorted(states.difference(_BAD)):
-        raise UsageError(f"--fail-on {unknown[0]!r}", expected=f"{', '.join(_BAD)} or never")
+    if wrong := sorted(states.difference(_FAILING)):
+        raise UsageError(f"--fail-on {wrong[0]!r}", expected=f"{', '.join(_FAILING)} or never")
     return states
 
 

@@ -249,7 +249,9 @@ def test_a_recording_is_served_until_ctrl_c(tmp_path):
         assert watch.wait(20) == 1
     assert not found["live"]
     assert row(found, "topic:/scan")["shown"]["rate"] == "25 Hz"
-    assert [one["entity"] for one in found["alerts"]] == ["topic:/planner/status", "topic:/cmd_vel"]
+    assert [one["entity"] for one in found["alerts"]] == ["topic:/cmd_vel", "topic:/planner/status"], (
+        "errors come first"
+    )
     assert "topic:/cmd_vel" in (tmp_path / "out").read_text()
 
 

@@ -94,12 +94,16 @@ def test_a_draft_raises_nothing_on_what_is_steady_and_finds_the_faults(bag, tmp_
     draft = tmp_path / "draft.yaml"
     assert main(["reference", "draft", "--bag", bag, "-o", str(draft)]) == 0
     assert main(["reference", "draft", "--bag", bag, "-o", str(draft)]) == 2
+    _, _, listed = draft.read_text("utf-8").partition("# On what it was drafted from it raises:\n")
     capsys.readouterr()
     assert main(["reference", "test", str(draft), "--bag", bag]) == 1
     told = capsys.readouterr().out.splitlines()
     gaps = [line for line in told if "/odom" in line and "gap is high" in line]
     assert len(gaps) == 1
     assert 44.5 <= float(gaps[0].split()[0]) <= 46
+    # What the draft lists is what the test of it raises.
+    raised = [line.removeprefix("#").strip() for line in listed.splitlines() if line.startswith("#  ")]
+    assert [" ".join(line.split()) for line in raised] == [" ".join(line.split()) for line in told[:-1]]
 
 
 def test_a_test_with_expectations(bag, tmp_path, capsys):

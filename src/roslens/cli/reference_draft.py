@@ -14,6 +14,7 @@ from roslens.cli.observers import add_observer_arguments, given
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from roslens.live.adapters.bag.bag import Bag
     from roslens.live.draft_session import DraftSession
     from roslens.model.failure import Failure
 
@@ -24,6 +25,8 @@ EXAMPLES = """\
   roslens reference draft --live '5 min' --tap '/camera/**'  and of what was not, by a subscription
   roslens reference draft --graph graph.yaml                 what is there, as `roslens watch --graph-out` writes it
   roslens reference draft --graph 3:drive.launch.xml         what that launch file starts, of run 3 of `check`"""
+MOST_RAISED = 50
+"""Alarms that are listed in a draft."""
 _NAME = re.compile(r"[a-z][a-z0-9_-]*\Z")
 
 
@@ -89,7 +92,25 @@ def _of_bag(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]]:
     drafts = observed.drafted() if options.each else grouped(observed.drafted())
     names = ", ".join(path.name for path in options.bag)
     source = f"{names} ({bag.messages:,} messages in {bag.end - bag.start:.0f} s)"
-    return draft_text(options.name, drafts, observed.left_out(), source), bag.failures
+    parts = options.name, drafts, observed.left_out(), source
+    return draft_text(*parts, raised=_raised(draft_text(*parts), bag)), bag.failures
+
+
+def _raised(text: str, bag: Bag) -> list[str]:
+    """Return the alarms that a draft raises on the recording that it was drafted from."""
+    from roslens.cli.reference_test import line_of
+    from roslens.judge.read_reference import GivenText, load_reference
+    from roslens.live.alarms import AlarmLog
+    from roslens.live.replay import replay
+    from roslens.live.signals import BY_KEY
+
+    reference = load_reference([GivenText("draft", text.encode())], BY_KEY)
+    log = AlarmLog()
+    if bag.messages:
+        replay(bag, reference, told=lambda step: log.add(step.changes))
+    lines = [line_of(alarm, bag.start) for alarm in log.alarms()]
+    more = [f"and {len(lines) - MOST_RAISED} more"] if len(lines) > MOST_RAISED else []
+    return [*lines[:MOST_RAISED], *more]
 
 
 def _of_graph(options: argparse.Namespace) -> str:

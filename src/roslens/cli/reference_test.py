@@ -49,7 +49,7 @@ def test(options: argparse.Namespace) -> int:
     session = replay(bag, reference, told=lambda step: log.add(step.changes))
     alarms = log.alarms()
     for alarm in alarms:
-        print(_line(alarm, bag.start))
+        print(line_of(alarm, bag.start))
     outcome = compare(alarms, expected, bag.start)
     for note in about_nothing(session, reference, bag.end, RECORDED):
         print(f"roslens: {note.text}", file=sys.stderr)
@@ -59,7 +59,7 @@ def test(options: argparse.Namespace) -> int:
         print(f"roslens: {options.expect}:{missing.line}: not raised: {_words(missing)}", file=sys.stderr)
     if options.expect:
         for surplus in outcome.surplus:
-            print(f"roslens: not expected: {_line(surplus, bag.start)}", file=sys.stderr)
+            print(f"roslens: not expected: {line_of(surplus, bag.start)}", file=sys.stderr)
     count = "no alarm" if not alarms else "1 alarm" if len(alarms) == 1 else f"{len(alarms)} alarms"
     print(f"{count} in {bag.end - bag.start:.1f} s" + (", as expected" if options.expect and outcome.passed else ""))
     if not outcome.passed:
@@ -67,7 +67,8 @@ def test(options: argparse.Namespace) -> int:
     return NOT_ANALYSED if bag.failures else CLEAN
 
 
-def _line(alarm: Alarm, start: float) -> str:
+def line_of(alarm: Alarm, start: float) -> str:
+    """Return when an alarm began, counted from ``start``, how long it lasted, and what it says."""
     from roslens.live.publish.diagnostics import sentence
 
     length = "to the end" if alarm.until == float("inf") else f"for {max(alarm.until - alarm.since, 0):.1f} s"

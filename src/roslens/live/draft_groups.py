@@ -6,10 +6,11 @@ from collections import defaultdict
 from collections.abc import Iterable
 
 from roslens.judge.range import Range
-from roslens.live.draft import Drafted, Line
+from roslens.live.draft import Drafted
+from roslens.live.draft_lines import Line
 
-ALIKE = 1.25
-"""Ranges whose typical values differ by at most this factor are alike."""
+ALIKE = 1.05
+"""Topics whose typical rates differ by at most this factor are alike: the wider band still tells of a lost third."""
 
 
 def grouped(drafts: Iterable[Drafted]) -> tuple[Drafted, ...]:
@@ -18,6 +19,8 @@ def grouped(drafts: Iterable[Drafted]) -> tuple[Drafted, ...]:
     found: list[Drafted] = []
     buckets: dict[tuple[object, ...], list[Drafted]] = defaultdict(list)
     for one in waiting:
+        if not one.lines:
+            continue
         segments = one.names[0].split("/")
         for place in range(1, len(segments)):
             key = (one.type, len(segments), place, *segments[:place], "", *segments[place + 1 :])
@@ -26,7 +29,7 @@ def grouped(drafts: Iterable[Drafted]) -> tuple[Drafted, ...]:
     for members in sorted(buckets.values(), key=lambda group: (-len(group), group[0].names)):
         free = [one for one in members if one.names[0] not in taken]
         while free:
-            alike = [one for one in free if _alike(free[0], one)]
+            alike = [one for one in free if one is free[0] or _alike(free[0], one)]
             free = [one for one in free if one not in alike]
             if len(alike) > 1:
                 found.append(_joined(alike))
@@ -56,8 +59,7 @@ def escaped(name: str) -> str:
 
 
 def _alike(one: Drafted, other: Drafted) -> bool:
-    pairs = list(zip(one.lines, other.lines, strict=False))
-    return len(one.lines) == len(other.lines) and all(_near(mine.typical, theirs.typical) for mine, theirs in pairs)
+    return one.window == other.window and _near(one.lines[0].typical, other.lines[0].typical)
 
 
 def _near(one: float, other: float) -> bool:
@@ -69,7 +71,8 @@ def _joined(members: list[Drafted]) -> Drafted:
     lines = tuple(_widest(lines) for lines in zip(*(one.lines for one in members), strict=True))
     names = tuple(sorted(one.names[0] for one in members))
     seconds = max(one.seconds for one in members)
-    return Drafted(names, members[0].type, sum(one.messages for one in members), seconds, lines)
+    messages = sum(one.messages for one in members)
+    return Drafted(names, members[0].type, messages, seconds, lines, members[0].window)
 
 
 def _widest(lines: tuple[Line, ...]) -> Line:
@@ -81,7 +84,6 @@ def _widest(lines: tuple[Line, ...]) -> Line:
         lines[0].quantity,
         Range(least, greatest),
         sorted(line.typical for line in lines)[len(lines) // 2],
-        sum(line.windows for line in lines),
         sum(line.outside for line in lines),
         sum(line.hours for line in lines),
     )

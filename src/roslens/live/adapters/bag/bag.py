@@ -122,6 +122,15 @@ class Bag:
             pieces += [block.times for block in blocks() if block.channel in numbers[index]]
         return np.sort(np.concatenate(pieces))
 
+    def arrivals(self) -> dict[tuple[str, str], Ints]:
+        """Return when messages were received, by topic and publisher: nanoseconds, in order."""
+        pieces: dict[tuple[str, str], list[Ints]] = {}
+        for _, index, blocks in self._blocks([()] * len(self._parts)):
+            for block in blocks():
+                channel = self._parts[index].channels[block.channel]
+                pieces.setdefault((channel.topic, channel.publisher), []).append(block.times)
+        return {key: np.sort(np.concatenate(times)) for key, times in sorted(pieces.items())}
+
     def fields(self, wanted: Mapping[str, Collection[str]]) -> Iterator[tuple[float, str, dict[str, float]]]:
         """Yield fields of messages in order of receipt: seconds, topic, and values by path.
 

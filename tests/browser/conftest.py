@@ -12,6 +12,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 from urllib.parse import urlsplit
 from urllib.request import ProxyHandler, build_opener
@@ -256,3 +257,16 @@ def flagged_file(fetch: Callable[[str], str]) -> str:
 def visitor_class() -> type[Visitor]:
     """Return what opens pages, for tests that serve their own."""
     return Visitor
+
+
+@pytest.fixture(scope="session")
+def made_up() -> ModuleType:
+    """Return the configurations made up for the computation graph."""
+    spec = importlib.util.spec_from_file_location(
+        "made_up_configurations", ROOT / "tests/dashboard/made_up_configurations.py"
+    )
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
@@ -15,7 +13,6 @@ from playwright.sync_api import Browser, Locator, Page, expect
 from roslens.dashboard.computation.pages import computation_file
 
 Visit = Callable[..., Page]
-MADE_UP = Path(__file__).parents[1] / "dashboard/made_up_configurations.py"
 
 
 def element(page: Page, name: str) -> Locator:
@@ -29,16 +26,6 @@ def shown(page: Page) -> set[str]:
     """Return the names of the elements that can be seen."""
     found = page.locator(".nodes .node:not([hidden]) > title").all_text_contents()
     return set(found)
-
-
-@pytest.fixture(scope="session")
-def made_up() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("made_up_configurations", MADE_UP)
-    assert spec
-    assert spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def test_noise_is_left_out_and_comes_back(visit: Visit) -> None:

@@ -22,7 +22,8 @@ class Chips {
       "aria-controls": this.id,
       "aria-label": this.label,
     });
-    this.list = make("ul", { class: "options", role: "listbox", id: this.id, hidden: true, "aria-label": this.label });
+    // Browsers let the keyboard scroll what has too much in it, and the list is gone when it would get there.
+    this.list = make("ul", { class: "options", role: "listbox", id: this.id, hidden: true, "aria-label": this.label, tabindex: "-1" });
     this.hidden.type = "hidden";
     field.querySelector("label").setAttribute("for", this.input.id);
     this.hidden.after(this.box);

@@ -1,6 +1,6 @@
 // Lists of findings: filters that need no new page, and keys to walk through them.
 
-import { medium, parameters, setParameters } from "./address.js";
+import { enterParameters, medium, onReturn, parameters, setParameters } from "./address.js";
 import { figure, settled } from "./dom.js";
 import { onKey } from "./keys.js";
 
@@ -112,14 +112,20 @@ export function startFilters(root, replace) {
     } else {
       const now = parameters();
       for (const name of FIELDS) if (form.elements[name] && now.get(name)) form.elements[name].value = now.get(name);
-      const apply = () => {
+      const apply = (keep = enterParameters) => {
         const wanted = fieldsOf(form);
         hideOthers(root, { ...Object.fromEntries(parameters()), ...wanted });
-        setParameters(wanted);
+        keep(wanted);
       };
+      onReturn(() => {
+        if (!root.isConnected || !root.checkVisibility()) return;
+        const then = parameters();
+        for (const name of FIELDS) if (form.elements[name]) form.elements[name].value = then.get(name) || "";
+        hideOthers(root, Object.fromEntries(then));
+      });
       if (FIELDS.some((name) => now.get(name)) || now.get("rule")) hideOthers(root, Object.fromEntries(now));
-      form.addEventListener("change", apply);
-      form.addEventListener("input", settled(apply, 150));
+      form.addEventListener("change", () => apply());
+      form.addEventListener("input", settled(() => apply(setParameters), 150));
       form.addEventListener("submit", (event) => {
         event.preventDefault();
         apply();

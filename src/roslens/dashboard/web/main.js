@@ -1,6 +1,6 @@
 // Everything here improves pages that already work without it.
 
-import { medium } from "./address.js";
+import { medium, onReturn } from "./address.js";
 import { startChips } from "./chips.js";
 import { startFilters, startFindingKeys } from "./findings.js";
 import { startComputation } from "./graph/computation.js";
@@ -23,9 +23,10 @@ function improve(root) {
 }
 
 let awaited = "";
+let here = location.pathname + location.search;
 
-/** Load another address of this page in place, so that the reader stays where he is. */
-async function replace(address) {
+/** Load another address of this page in place, so that the reader stays where he is; "back" undoes it. */
+async function replace(address, enter = true) {
   // Enter in a field both changes it and submits; and a late answer must not undo a newer choice.
   if (address === awaited) return;
   awaited = address;
@@ -44,7 +45,8 @@ async function replace(address) {
   const main = document.adoptNode(page.querySelector("main"));
   document.querySelector("main").replaceWith(main);
   document.title = page.title;
-  history.replaceState(null, "", address);
+  if (enter && address !== here) history.pushState(null, "", address);
+  here = location.pathname + location.search;
   improve(main);
   if (focused) document.getElementById(focused)?.focus();
 }
@@ -58,5 +60,11 @@ onKey("Escape", () => {
   current?.classList.remove("current");
   return Boolean(current);
 });
+if (medium === "served" && document.querySelector("form[data-filters]")) {
+  onReturn(() => {
+    const address = location.pathname + location.search;
+    if (address !== here) replace(address, false);
+  });
+}
 if (medium === "file") startSections(improve);
 else improve(document.querySelector("main"));

@@ -25,8 +25,10 @@ export function startSections(improve) {
     const owner = place?.closest(".paged > section");
     // A place outside of the sections (the target of "Skip to content") leaves the section that is shown.
     if (place && !owner && shown) return;
-    shown = true;
     const name = sections.has(asked) ? asked : owner ? owner.id : sections.keys().next().value;
+    // Other parameters of the same section are for what is in it.
+    if (shown && !place && sections.get(name).classList.contains("current")) return;
+    shown = true;
     for (const [id, element] of sections) element.classList.toggle("current", id === name);
     const parent = parentOf(name);
     for (const link of document.querySelectorAll("[data-nav]")) {

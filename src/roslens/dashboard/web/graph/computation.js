@@ -1,6 +1,6 @@
 // The computation graph: nodes, and topics as marks of their own or as lines between nodes.
 
-import { setParameters } from "../address.js";
+import { enterParameters, setParameters } from "../address.js";
 import { draw, figure, settled } from "../dom.js";
 import { onKey } from "../keys.js";
 import { dependentsOf, around } from "./focus.js";
@@ -95,7 +95,7 @@ class ComputationView extends TellingStage {
   readForm() {
     const noise = [...this.form.querySelectorAll('[name="noise"]')].filter((box) => box.checked).map((box) => box.value);
     this.settings = { lines: this.form.elements.topics.value === "lines", noise: [...noise].sort(), hide: split(this.form.elements.hide.value) };
-    setParameters({
+    enterParameters({
       topics: this.settings.lines === this.graph.many ? "" : this.settings.lines ? "lines" : "marks",
       noise: same(this.settings.noise, this.graph.default) ? "" : noise.join(",") || "none",
       hide: this.settings.hide.join(","),
@@ -244,7 +244,7 @@ class ComputationView extends TellingStage {
     else if (one.by.length === 1) this.select(one.by[0]);
     else {
       this.select(-1);
-      this.part("selected").replaceChildren(...this.describeLine(one));
+      this.tell(this.describeLine(one));
     }
   }
 

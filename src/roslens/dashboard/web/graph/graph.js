@@ -1,6 +1,6 @@
 // The package graph: the picture that the server drew, with colours that follow the reader.
 
-import { parameters, setParameters } from "../address.js";
+import { enterParameters, parameters } from "../address.js";
 import { draw, figure, make } from "../dom.js";
 import { sortTable } from "../tables.js";
 import { colourOf, tagCounts, wantedRules } from "./counts.js";
@@ -41,7 +41,7 @@ class GraphView extends Stage {
   readForm() {
     const form = this.form.elements;
     this.settings = { colour: form.colour.value, include: split(form.include.value), exclude: split(form.exclude.value), own: form.own.checked };
-    setParameters({
+    enterParameters({
       colour: this.settings.colour === "findings" ? "" : this.settings.colour,
       include: this.settings.include.join(","),
       exclude: this.settings.exclude.join(","),

@@ -2,7 +2,7 @@
 // Everything that the reader chooses is in the address. A graph says by its own methods what it draws:
 // `recolour`, `placeNodes`, `linksOf`, `box`, `nameNodes`, `describe`.
 
-import { parameters, setParameters } from "../address.js";
+import { enterParameters, onReturn, parameters, setParameters } from "../address.js";
 import { figure, make } from "../dom.js";
 import { onKey } from "../keys.js";
 import { Camera } from "./camera.js";
@@ -57,6 +57,18 @@ export class Stage {
     if (now.get("select")) this.selected = number(now.get("select"));
     this.showTable(Boolean(now.get("table")), false);
     this.showPanel(now.get("panel") !== "0", false);
+  }
+
+  /** Show what the address says, after the reader went back or forth in it. */
+  restore() {
+    if (!this.root.checkVisibility() || !this.ready) return;
+    this.focus = -1;
+    this.selected = -1;
+    this.readAddress(parameters());
+    this.placeNodes();
+    this.recolour();
+    this.select(this.selected, false);
+    this.showStart();
   }
 
   showStart() {
@@ -117,6 +129,7 @@ export class Stage {
     onKey("f", here(() => this.focusKey()));
     onKey("Escape", here(() => this.escape()));
     onKey("o", here(() => this.openSelected()));
+    onReturn(() => this.restore());
   }
 
   openSelected() {
@@ -161,19 +174,30 @@ export class Stage {
       else element.removeAttribute("aria-current");
     });
     this.svg.querySelector(".links").replaceChildren(...(node ? this.linksOf(this.selected) : []));
-    this.part("selected").replaceChildren(...this.describe(this.selected).filter((part) => part !== null));
+    this.tell(this.describe(this.selected));
     this.nameNodes();
     if (!remember) return;
     this.active = this.selected >= 0 ? this.selected : this.active;
-    setParameters({ select: node ? node.id : "" });
+    enterParameters({ select: node ? node.id : "" });
     const place = node && this.places.get(this.selected);
     if (place) this.camera.reveal(place.x, place.y);
+  }
+
+  /** Fill the panel. Whoever chose something in it by keys goes on from there. */
+  tell(parts) {
+    const panel = this.part("selected");
+    const inside = panel.contains(document.activeElement);
+    panel.replaceChildren(...parts.filter((part) => part !== null));
+    const heading = panel.querySelector("h2");
+    if (!inside || !heading) return;
+    heading.tabIndex = -1;
+    heading.focus({ preventScroll: true });
   }
 
   focusOn(number, hops = 1) {
     this.focus = number;
     this.hops = hops;
-    setParameters({ focus: number < 0 ? "" : this.nodes[number].id, hops: number < 0 || hops === 1 ? "" : String(hops) });
+    enterParameters({ focus: number < 0 ? "" : this.nodes[number].id, hops: number < 0 || hops === 1 ? "" : String(hops) });
     this.placeNodes();
     this.recolour();
     this.select(number < 0 ? this.selected : number);
@@ -197,8 +221,12 @@ export class Stage {
 
   showCrumbs() {
     const crumbs = this.part("crumbs");
+    const pressed = crumbs.contains(document.activeElement) ? document.activeElement.getAttribute("aria-label") : "";
     crumbs.hidden = this.focus < 0;
-    if (this.focus < 0) return;
+    if (this.focus < 0) {
+      if (pressed) this.canvas.focus({ preventScroll: true });
+      return;
+    }
     const button = (text, label, action, off) => make("button", { type: "button", class: "plain", "aria-label": label, text, onclick: action, disabled: off });
     crumbs.replaceChildren(
       button(`All ${this.what}`, "Clear the focus", () => this.focusOn(-1)),
@@ -209,6 +237,7 @@ export class Stage {
       button("More", "One step more", () => this.focusOn(this.focus, this.hops + 1), this.hops === 9),
       button("Clear", "Clear the focus", () => this.focusOn(-1)),
     );
+    if (pressed) (crumbs.querySelector(`[aria-label="${pressed}"]:enabled`) || crumbs.querySelector("button")).focus({ preventScroll: true });
   }
 
   clicked(event) {
@@ -256,7 +285,11 @@ export class Stage {
   }
 
   showTable(shown, remember = true) {
+    const table = this.root.querySelector(".graph-table");
+    const held = (shown ? this.part("view") : table)?.contains(document.activeElement);
     this.root.classList.toggle("as-table", shown);
+    // What was hidden cannot keep the focus: it goes to what has come in its place.
+    if (held) (shown ? table?.querySelector(".scroll") : this.canvas)?.focus({ preventScroll: true });
     this.form.querySelector('[data-do="table"]').setAttribute("aria-pressed", String(shown));
     if (remember) setParameters({ table: shown ? "1" : "" });
   }

@@ -262,9 +262,8 @@ def visitor_class() -> type[Visitor]:
 @pytest.fixture(scope="session")
 def made_up() -> ModuleType:
     """Return the configurations made up for the computation graph."""
-    spec = importlib.util.spec_from_file_location(
-        "made_up_configurations", ROOT / "tests/dashboard/made_up_configurations.py"
-    )
+    path = ROOT / "tests/dashboard/made_up_configurations.py"
+    spec = importlib.util.spec_from_file_location("made_up_configurations", path)
     assert spec
     assert spec.loader
     module = importlib.util.module_from_spec(spec)

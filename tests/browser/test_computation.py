@@ -17,14 +17,12 @@ Visit = Callable[..., Page]
 
 def element(page: Page, name: str) -> Locator:
     """Return an element of the picture by its whole name."""
-    return page.locator("section.current .nodes .node, main:not(.paged) .nodes .node").filter(
-        has=page.locator(f"title:text-is('{name}')")
-    )
+    return page.locator(f'section.current .nodes [data-name="{name}"], main:not(.paged) .nodes [data-name="{name}"]')
 
 
 def shown(page: Page) -> set[str]:
     """Return the names of the elements that can be seen."""
-    found = page.locator(".nodes .node:not([hidden]) > title").all_text_contents()
+    found = page.locator(".nodes .node:not([hidden])").evaluate_all("all => all.map(one => one.dataset.name)")
     return set(found)
 
 
@@ -171,6 +169,22 @@ def test_narrow_pages_do_not_scroll_sideways(visit: Visit, path: str, width: int
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
 
 
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/computation/rover",
+        "/nodes/rover/rover_follower",
+        "/topics/rover/topic/scan",
+        "/graph",
+        "/",
+        "/packages/rover_base",
+    ],
+)
+def test_pages_of_long_names_do_not_scroll_sideways_on_a_phone(visit_example: Visit, path: str) -> None:
+    page = visit_example(path, viewport={"width": 420, "height": 860})
+    assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
+
+
 @pytest.fixture(scope="session")
 def one_file(made_up: Any, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("computation") / "large.html"
@@ -312,7 +326,7 @@ def test_the_panel_lists_the_nodes(visit: Visit) -> None:
     panel = page.locator("#graph-selected")
     expect(panel).to_contain_text("Nodes (8)")
     listed = set(panel.locator(".pick").all_text_contents())
-    nodes = set(page.locator(".nodes .node.node:not([hidden]) > title").all_text_contents())
+    nodes = set(page.locator(".nodes .node.node:not([hidden])").evaluate_all("all => all.map(one => one.dataset.name)"))
     assert {"/odometry", "/lidar"} <= listed & nodes
     panel.get_by_role("button", name="/odometry", exact=True).press("Enter")
     expect(page).to_have_url(re.compile("select=node%2Fodometry"))

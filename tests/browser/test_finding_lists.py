@@ -65,13 +65,13 @@ def test_keys_walk_open_and_lead_to_the_line(visit: Visit) -> None:
     expect(findings.nth(1)).to_have_class(re.compile("current"))
     expect(page.locator(".finding.current")).to_have_count(1)
     page.keyboard.press("Enter")
-    expect(findings.nth(1)).to_have_attribute("open", "")
+    expect(findings.nth(1).locator("details")).to_have_attribute("open", "")
     more = findings.nth(1).locator(".more")
     for word in ("Rule", "Place", "Package", "Tool", "Tags"):
         expect(more.get_by_text(word, exact=True)).to_be_visible()
     page.keyboard.press("e")
     page.keyboard.press("e")
-    assert page.locator(".finding[open]").count() in {0, findings.count()}
+    assert page.locator(".finding > details[open]").count() in {0, findings.count()}
     place = findings.nth(1).locator("a.place").first.get_attribute("href")
     assert place
     page.keyboard.press("o")

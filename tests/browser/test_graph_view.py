@@ -202,6 +202,23 @@ def test_table_twin_follows_filter_focus_and_sort(visit: Visit, facts: Any) -> N
     expect(table).to_be_hidden()
 
 
+def test_a_small_screen_begins_where_the_darkest_are(visit: Visit) -> None:
+    page = visit("/graph", viewport={"width": 420, "height": 860}, has_touch=True, is_mobile=True)
+    expect(page.locator(".scene[transform]")).to_be_visible()
+    canvas = page.locator("#graph-canvas").bounding_box() or {}
+    boxes = page.locator("#nodes .node.s5 circle").evaluate_all(
+        "found => found.map(one => one.getBoundingClientRect()).map(box => [box.left, box.top, box.right, box.bottom])"
+    )
+    assert any(
+        box[0] >= canvas["x"]
+        and box[2] <= canvas["x"] + canvas["width"]
+        and box[1] >= canvas["y"]
+        and box[3] <= canvas["y"] + canvas["height"]
+        for box in boxes
+    )
+    assert scale(page) >= 0.66
+
+
 def test_everything_at_once_is_restored(visit: Visit, facts: Any) -> None:
     name = busiest(facts)
     page = visit(f"/graph?colour=kloc&exclude=calls&focus={name}&hops=2&select={name}&panel=0&own=1&view=0.9,200,100")

@@ -39,7 +39,7 @@ def test_the_address_says_what_is_drawn(client: Any, query: str, shown: str, hid
     text = client.get("/computation/rover" + query).text
     elements = {
         match[2]: " hidden" in match[1]
-        for match in re.finditer(r'<a class="node [^"]*"([^>]*)><title>([^<]+)</title>', text)
+        for match in re.finditer(r'<a class="node [^"]*"([^>]*) data-name="([^"]+)"><title>', text)
     }
     assert elements[shown] is False
     assert not hidden or elements[hidden] is True

@@ -10,6 +10,8 @@ function visible() {
   return [...document.querySelectorAll("main .finding")].filter((finding) => finding.checkVisibility());
 }
 
+const foldable = () => visible().flatMap((finding) => [...finding.querySelectorAll(":scope > details")]);
+
 function go(step) {
   const all = visible();
   if (!all.length) return false;
@@ -23,16 +25,17 @@ function go(step) {
 }
 
 function toggleAll() {
-  const all = visible().filter((finding) => finding.tagName === "DETAILS");
+  const all = foldable();
   if (!all.length) return false;
-  const open = all.some((finding) => !finding.open);
-  for (const finding of all) finding.open = open;
+  const open = all.some((details) => !details.open);
+  for (const details of all) details.open = open;
   for (const button of document.querySelectorAll('[data-do="toggle-all"]')) button.textContent = open ? "Close all" : "Open all";
   return true;
 }
 
 function openPlace() {
-  const link = document.querySelector(".finding.current a.place, .finding.current .more a");
+  const current = document.querySelector(".finding.current");
+  const link = current?.querySelector(".where a.place, .where .line a") || current?.querySelector(".more a.place, a");
   if (!link) return false;
   link.click();
   return true;
@@ -48,7 +51,7 @@ export function startFindingKeys() {
     if (event.target.closest?.('[data-do="toggle-all"]')) toggleAll();
   });
   addEventListener("beforeprint", () => {
-    for (const finding of visible()) if (finding.tagName === "DETAILS") finding.open = true;
+    for (const details of foldable()) details.open = true;
   });
 }
 

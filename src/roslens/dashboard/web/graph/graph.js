@@ -56,6 +56,7 @@ class GraphView extends Stage {
     this.colour = colourOf(this.graph, this.settings);
     this.rules = wantedRules(this.graph, this.settings.include, this.settings.exclude);
     const ramp = rampOf([...this.visible].map((place) => this.colour.values[place]), this.colour.better, this.colour.decimals);
+    this.ramp = ramp;
     const counts = new Map();
     this.elements.forEach((element, place) => {
       const step = stepOf(ramp, this.colour.values[place]);
@@ -71,6 +72,11 @@ class GraphView extends Stage {
     const tags = tagCounts(this.graph, this.visible, this.settings.own);
     for (const chips of this.chips.values()) chips.counts = tags;
     this.nameNodes();
+  }
+
+  /** The darkest first, whatever stands around the others. */
+  weight(place) {
+    return 6 ** (Number(stepOf(this.ramp, this.colour.values[place])) || 0);
   }
 
   textOf(place) {

@@ -78,6 +78,11 @@ export class Stage {
     } else this.startView();
   }
 
+  /** How much it matters that a node is in sight at the start. */
+  weight(number) {
+    return 1 + this.neighbours(number).length;
+  }
+
   /** All of the picture; where the screen is too small for that, the part of it where most is. */
   startView() {
     this.fit();
@@ -85,7 +90,8 @@ export class Stage {
     if (width >= SMALL || this.camera.k >= READABLE || !this.places.size) return;
     const [across, down] = [width / LEGIBLE, height / LEGIBLE];
     const near = (a, b) => Math.abs(a.x - b.x) < 0.45 * across && Math.abs(a.y - b.y) < 0.45 * down;
-    const spots = [...this.places].map(([number, place]) => ({ ...place, weight: 1 + this.neighbours(number).length })).slice(0, MOST_WEIGHED);
+    const spots = [...this.places].map(([number, { x, y }]) => ({ x, y, weight: this.weight(number) }));
+    spots.sort((a, b) => b.weight - a.weight).splice(MOST_WEIGHED);
     const total = (spot) => spots.reduce((sum, other) => sum + (near(spot, other) ? other.weight : 0), 0);
     const best = spots.map((spot) => ({ spot, weight: total(spot) })).reduce((a, b) => (b.weight > a.weight ? b : a)).spot;
     const box = this.box();

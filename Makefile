@@ -99,9 +99,10 @@ lock-ros2:
 	$(BIN)/uv pip compile --group ros2 --universal --python-version 3.10 --generate-hashes \
 		--no-emit-index-url --no-header --no-annotate -o requirements-ros2.lock
 
-# docs/endpoint_sites.md; CORPUS is a folder with clones of the repositories in tests/fixtures/extract.
+# docs/endpoint_sites.md; CLONES is a folder with clones of any repositories, and CORPUS, which may be left out, one with
+# those in tests/fixtures/extract.
 sites: .venv/stamp
-	PYTHONPATH=tests $(BIN)/python -m endpoint_sites $(CORPUS) docs/endpoint_sites.md
+	PYTHONPATH=tests $(BIN)/python -m endpoint_sites $(CLONES) docs/endpoint_sites.md $(CORPUS)
 
 # Figures of the README; CORPUS is a folder with clones of ros_comm, navigation and navigation2.
 bench: .venv/stamp

@@ -1,28 +1,42 @@
-"""Measures checkouts and writes the page: ``python -m endpoint_sites CORPUS docs/endpoint_sites.md``."""
+"""Measures checkouts and writes the page: ``python -m endpoint_sites CLONES docs/endpoint_sites.md [LABELLED]``.
+
+CLONES is a folder with clones of any repositories, LABELLED one with those of ``tests/fixtures/extract``.
+"""
 
 from __future__ import annotations
 
-import subprocess
+import argparse
 import sys
 from pathlib import Path
 
-from endpoint_sites.measuring import REPOSITORIES, found_below, measured, rows_of
+from endpoint_sites.measuring import REPOSITORIES, found_by_command, measured, rows_of
+from endpoint_sites.of_command import asked, checkouts, commit_of, told_of
 from endpoint_sites.page import page
 
 
 def main() -> int:
-    """Measure the repositories below a folder that are there."""
-    corpus, target = Path(sys.argv[1]), Path(sys.argv[2])
-    results = {}
-    for name in REPOSITORIES:
-        root = corpus / name
+    """Measure the repositories below a folder, and the labelled ones where their folder is given."""
+    parser = argparse.ArgumentParser(prog="endpoint_sites", description=__doc__)
+    parser.add_argument("clones", type=Path)
+    parser.add_argument("target", type=Path)
+    parser.add_argument("labelled", type=Path, nargs="?")
+    parser.add_argument("-v", action="store_true", help="print the calls that are lost")
+    options = parser.parse_args()
+    told = {}
+    for name, root in checkouts(options.clones):
+        one = told[name] = told_of(root)
+        counts = f"{one.calls} calls, {one.shown} shown, {one.named} named, {len(one.lost)} lost"
+        lost = [f"    {call.path}:{call.line}: {call.text[:120]}" for call in one.lost] if options.v else []
+        sys.stdout.write("\n".join((f"{name} {one.commit}: {counts}", *lost, "")))
+        sys.stdout.flush()
+    labelled = {}
+    for name in REPOSITORIES if options.labelled else ():
+        root = options.labelled / name
         if not root.is_dir():
-            sys.stderr.write(f"{root} is not there: no page was written\n")
-            return 2
-        command = ["git", "-C", str(root), "rev-parse", "--short=7", "HEAD"]
-        commit = subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
-        results[name] = (commit, measured(rows_of(name), found_below(root)))
-    target.write_text(page(results), "utf-8")
+            sys.stderr.write(f"{root} is not there: its table is left out\n")
+            continue
+        labelled[name] = (commit_of(root), measured(rows_of(name), found_by_command(asked(root))))
+    options.target.write_text(page(told, labelled), "utf-8")
     return 0
 
 

@@ -1,4 +1,4 @@
-"""Call sites that make endpoints, as tables have them and as the evaluation of source tells them.
+"""Call sites that make endpoints, as tables have them and as the command shows them.
 
 A row of a table is a call site: file and line, what it makes, its type, its name as written below what its node handle
 puts in front, with ``*`` for what is unknown; and what decides the unknown part: a parameter, an argument, the port of
@@ -8,32 +8,40 @@ a behaviour tree, the ``caller`` of a helper, or a ``message`` that arrives. ``|
 from __future__ import annotations
 
 import csv
+import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
-from roslens.source.extract.cpp_program import program_of_cpp
-from roslens.source.extract.node_facts import EndpointFact, Sure
-from roslens.source.extract.program import Program
-from roslens.source.extract.python_program import program_of_python
-from roslens.source.extract.text import Hole, Text
-from roslens.source.extract.workspace_index import Index
-from roslens.source.extract.workspace_units import facts_of_workspace
-from roslens.source.syntax.macros import load_macros
-
 TABLES = Path(__file__).parents[1] / "fixtures" / "extract"
 REPOSITORIES = ("navigation2", "turtlebot3", "demos", "examples", "image_pipeline", "navigation", "ros_tutorials")
-LEFT_OUT = frozenset({"test", "tests", "nav2_system_tests", ".git"})
 CALLER = "caller"
 MESSAGE = "message"
-_CPP = frozenset({".cpp", ".hpp", ".h", ".cc", ".hh", ".cxx", ".hxx"})
 _NEAR = 2
 """Lines that a statement may lie away from the line in the table, as calls go over several lines."""
 
+_HOLE = re.compile(r"\{.*\}")
+_NAMESPACE = "{namespace of the node}/"
 Row = Mapping[str, str]
-Found = dict[tuple[str, str], list[tuple[int, EndpointFact]]]
+
+
+class Seen(msgspec.Struct, frozen=True):
+    """An endpoint as the command shows it: its name as the code gives it, with ``{reason}`` for what is unknown."""
+
+    given: str
+    type: str = ""
+    sure: str = "certain"
+
+    def __str__(self) -> str:
+        """Return name and type."""
+        return f"{self.given} {self.type}"
+
+
+Found = dict[tuple[str, str], list[tuple[int, Seen]]]
+"""By file and role, with lines."""
 
 
 class Measured(msgspec.Struct):
@@ -60,26 +68,16 @@ def rows_of(repository: str) -> list[Row]:
         return list(csv.DictReader(file))
 
 
-def programs_below(root: Path) -> Iterator[tuple[str, Program]]:
-    """Yield the programs of a checkout, tests left out."""
-    macros = load_macros()
-    for path in sorted(root.rglob("*")):
-        name = path.relative_to(root).as_posix()
-        if LEFT_OUT & set(name.split("/")) or not path.is_file():
-            continue
-        if path.suffix in _CPP:
-            yield name, program_of_cpp(path.read_bytes(), macros)
-        elif path.suffix == ".py" or (not path.suffix and path.read_bytes()[:40].startswith(b"#!/usr/bin/env python")):
-            yield name, program_of_python(path.read_bytes())
-
-
-def found_below(root: Path) -> Found:
-    """Return the endpoints that a checkout makes by file and role, with the lines of their evidence."""
+def found_by_command(answer: Mapping[str, Any]) -> Found:
+    """Return the endpoints that the command shows by file and role, with the lines where they are made."""
     found: Found = {}
-    for facts in facts_of_workspace(Index(dict(programs_below(root)))):
-        for one in facts.endpoints:
-            for place in (one.evidence, *one.through):
-                found.setdefault((place.path, one.role.value), []).append((place.line, one))
+    for configuration in answer.get("configurations", ()):
+        for node in configuration["nodes"]:
+            for one in node.get("endpoints", ()):
+                end, proof = one["endpoint"], one["proof"]
+                seen = Seen(one.get("given", end["name"]), end.get("type", ""), proof.get("sure", "certain"))
+                for place in (proof, *one.get("through", ())):
+                    found.setdefault((place["path"], end["role"]), []).append((place["line"], seen))
     return found
 
 
@@ -89,54 +87,49 @@ def measured(rows: list[Row], found: Found) -> Measured:
     for row in rows:
         near = _nearest(row, found)
         typed = [one for one in near if is_typed(row, one.type)]
-        named = [one for one in near if is_named(row, one.name)]
+        named = [one for one in near if is_named(row, one.given)]
         for what, given in (("sites", True), ("found", near), ("typed", typed), ("named", named)):
             result.counts[row["role"], what] += bool(given)
             result.counts["all", what] += bool(given)
         place = f"{row['path']}:{row['line']}"
         if not typed or not named:
-            told = [f"{one.name} {one.type}" for one in near][:3]
+            told = [str(one) for one in near][:3]
             result.missed.append(f"{place} {row['name']} {row['type']} {row['decides']}: {told}")
-        result.wrong += [f"{place} is not {one.name} {one.type} for sure" for one in near if _is_wrong(row, one)]
+        result.wrong += [f"{place} is not {one} for sure" for one in near if _is_wrong(row, one)]
     result.counts["all", "message"] = sum(row["decides"] == MESSAGE for row in rows)
     return result
 
 
-def _nearest(row: Row, found: Found) -> list[EndpointFact]:
+def _nearest(row: Row, found: Found) -> list[Seen]:
     near = found.get((row["path"], row["role"]), [])
     least = min((abs(line - int(row["line"])) for line, _ in near), default=_NEAR + 1)
     return [one for line, one in near if abs(line - int(row["line"])) == least <= _NEAR]
 
 
-def _is_wrong(row: Row, one: EndpointFact) -> bool:
+def _is_wrong(row: Row, one: Seen) -> bool:
     """Whether something is told for certain that is not as the table says, however much else is missed."""
-    if one.evidence.sure is not Sure.CERTAIN:
+    if one.sure != "certain":
         return False
-    name = CALLER not in row["decides"].split("|") and not is_named(row, one.name)
-    return name or (one.type.known is not None and not is_typed(row, one.type))
+    name = CALLER not in row["decides"].split("|") and not is_named(row, one.given)
+    return name or (bool(one.type) and not is_typed(row, one.type))
 
 
-def is_typed(row: Row, kind: Text) -> bool:
+def is_typed(row: Row, kind: str) -> bool:
     """Whether a type is the one in the table."""
-    return bool(kind.known) if row["type"] == "*" else kind.known in row["type"].split("|")
+    return bool(kind) if row["type"] == "*" else kind in row["type"].split("|")
 
 
-def is_named(row: Row, name: Text) -> bool:
+def is_named(row: Row, given: str) -> bool:
     """Whether a name is the one in the table, or tells what decides it."""
-    name = relative(name)
+    given = relative(given)
     decides = row["decides"].split("|")
     if not row["decides"]:
-        return name.known in row["name"].split("|")
-    if CALLER in decides and (name.usual is not None or any(hole.parameter for hole in name.holes)):
+        return given in row["name"].split("|")
+    if CALLER in decides and ("{" not in given or "{parameter" in given):
         return True
-    told = [text for hole in name.holes for text in (hole.parameter, hole.reason)]
-    return any(one in text for one in decides for text in told)
+    return any(one in hole for one in decides for hole in _HOLE.findall(given))
 
 
-def relative(name: Text) -> Text:
+def relative(given: str) -> str:
     """Return a name without the namespace of its node in front: code that resolves names itself says no more by it."""
-    if len(name.parts) != 2:
-        return name
-    first, rest = name.parts
-    own = isinstance(first, Hole) and first.reason == "namespace of the node" and isinstance(rest, str)
-    return Text.of(rest.removeprefix("/")) if own and isinstance(rest, str) else name
+    return given.removeprefix(_NAMESPACE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from endpoint_sites.measuring import Measured
+from endpoint_sites.of_command import Told
 
 RIVAL = (
     ("publishers", ("publisher",), 26),
@@ -14,19 +15,33 @@ RIVAL = (
 )
 """What ros2inspector 0.1.5 finds of the rows of navigation2."""
 _MOST_TOLD = 160
-_HEAD = """# Call sites of real code that are understood
+_HEAD = """# Call sites of real code that are shown
 
-Written by `make sites`; do not edit. Each call outside of tests that makes a publisher, subscription, service, action
-or client of one was labelled by reading the source: file and line, what it makes, its type, its name as written or what
-decides it (a parameter, an argument of a helper, the port of a behaviour tree). The tables are in
-[`tests/fixtures/extract`](../tests/fixtures/extract); this page tells what `roslens` says of the same places, from
-source alone.
+Written by `make sites CLONES=folder`; do not edit. `roslens graph` is asked about each repository, for all its packages
+and as a user asks it. Beside it, calls that look as if they made a publisher, subscription, service, action or a client
+of one are counted by text alone, outside of tests and comments
+([`text_calls.py`](../tests/endpoint_sites/text_calls.py)). A few per cent of these are something else, as a function of
+another library that is called `subscribe`.
 
 | word | means |
 | --- | --- |
-| found | something of that kind is told for that line |
+| calls | lines that look like such a call |
+| shown | an endpoint of the answer is made within three lines of it, or a helper that makes it is called there |
+| named | it is not shown, and is named there as unresolved, with the reason |
+| lost | neither |
+"""
+_LABELLED = """## Endpoints with their names and types
+
+Each call outside of tests that makes an endpoint was labelled by reading the source: file and line, what it makes, its
+type, its name as written or what decides it (a parameter, an argument of a helper, the port of a behaviour tree). The
+tables are in [`tests/fixtures/extract`](../tests/fixtures/extract); here is what the same answers of the command say of
+these places.
+
+| word | means |
+| --- | --- |
+| found | something of that kind is shown for that line |
 | type | its type is the one of the table |
-| name | its name is the one of the table, or it is told by the parameter, argument or port that decides it |
+| name | its name is the one of the table, or the parameter, argument or port that decides it is told |
 | messages | what a message that arrives decides, which source cannot tell; they count as missed |
 | wrong | said to be certain, and not so |
 
@@ -39,17 +54,38 @@ The evaluation was mended until the goals were met on these tables (type 95 %, n
 """
 
 
-def page(results: Mapping[str, tuple[str, Measured]]) -> str:
-    """Return the page for repositories with their commits."""
-    lines = [_HEAD.rstrip("\n")]
-    for name, (commit, one) in results.items():
+def page(told: Mapping[str, Told], labelled: Mapping[str, tuple[str, Measured]]) -> str:
+    """Return the page for repositories, and for labelled ones with their commits."""
+    lines = [_HEAD.rstrip("\n"), "", *_told(told)]
+    if labelled:
+        lines += ["", _LABELLED.rstrip("\n")]
+    for name, (commit, one) in labelled.items():
         shares = " | ".join(_percent(one.share(what)) for what in ("found", "typed", "named"))
         counts = one.counts["all", "sites"], one.counts["all", "message"]
         lines.append(f"| {name} | `{commit}` | {counts[0]} | {shares} | {counts[1]} | {len(one.wrong)} |")
-    if "navigation2" in results:
-        lines += _rival(results["navigation2"][1])
-    lines += _missed(results)
+    if "navigation2" in labelled:
+        lines += _rival(labelled["navigation2"][1])
+    if labelled:
+        lines += _missed(labelled)
     return "\n".join(lines) + "\n"
+
+
+def _told(told: Mapping[str, Told]) -> list[str]:
+    lines = [
+        "| repository | at | calls | shown | named | lost | shown | shown or named |",
+        "| --- | --- | --: | --: | --: | --: | --: | --: |",
+    ]
+    for name, one in sorted(told.items()):
+        commit = f"`{one.commit}`" if one.commit else ""
+        lines.append(f"| {name} | {commit} | {_row(one.calls, one.shown, one.named)} |")
+    calls, shown, named = (sum(getattr(one, what) for one in told.values()) for what in ("calls", "shown", "named"))
+    lines.append(f"| all {len(told)} | | {_row(calls, shown, named)} |")
+    return lines
+
+
+def _row(calls: int, shown: int, named: int) -> str:
+    shares = (f"{_percent(one / calls)}" if calls else "" for one in (shown, shown + named))
+    return " | ".join((str(calls), str(shown), str(named), str(calls - shown - named), *shares))
 
 
 def _percent(share: float) -> str:

@@ -71,6 +71,7 @@ class ConfiguredEndpoint(msgspec.Struct, frozen=True, omit_defaults=True):
         callback: what is called.
         group: callback group.
         sites: where it publishes or calls.
+        through: calls in helper functions and classes that pass its name on, the one that makes it last.
     """
 
     endpoint: Endpoint
@@ -85,6 +86,7 @@ class ConfiguredEndpoint(msgspec.Struct, frozen=True, omit_defaults=True):
     callback: str = ""
     group: str = ""
     sites: tuple[Proof, ...] = ()
+    through: tuple[Proof, ...] = ()
 
     @property
     def implicit(self) -> bool:

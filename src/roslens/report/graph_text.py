@@ -29,6 +29,7 @@ _HEADS = (
 _OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that every node of ROS 2 takes, whatever its own code says."""
 
+_NAMED_ALIKE = "this calls a function of the workspace that is named as what makes an endpoint"
 _OF_NODE = "the node's name depends on "
 _LONGEST = 60
 _LONGEST_REASON = 120
@@ -56,7 +57,11 @@ def unresolved_lines(missed: Sequence[Unresolved]) -> Iterator[str]:
         return
     yield ""
     yield f"unresolved: {len(missed)}"
-    yield from _unresolved(folded_by_file([one for one in missed if not one.role]))
+    own = [one for one in missed if not one.role]
+    yield from _unresolved(folded_by_file([one for one in own if not one.reason.startswith(_NAMED_ALIKE)]))
+    alike = sum(one.reason.startswith(_NAMED_ALIKE) for one in own)
+    if alike:
+        yield f"  and {alike} calls of functions of the workspace named as what makes an endpoint, which make none"
     for role in ("test", "generated", "vendored"):
         count = sum(one.role == role for one in missed)
         if count:

@@ -295,6 +295,7 @@ class _Node:
             proof, given, not resolved.holes, fact.conditions, None if by is None else launch_proof(by.evidence),
             fact.qos_unknown, fact.queue, fact.latched, fact.callback, fact.group,
             tuple(proof_of(one, self.origin) for one in fact.sites),
+            tuple(proof_of(one, self.origin) for one in fact.through),
         )  # fmt: skip
 
     def _note(self, name: Text, by: Rule | None) -> None:

@@ -19,6 +19,7 @@ from roslens.source.extract.workspace_index import Index
 NEVER_FOLLOWED = "this call looks as if it made an endpoint, but nothing that was followed comes to it"
 NOT_KNOWN = "this call looks as if it made an endpoint, but what it is called on is not known to be a node"
 _TIMERS = frozenset({"create_wall_timer"})
+NAMED_ALIKE = "this calls a function of the workspace that is named as what makes an endpoint, and makes none"
 _LONGEST = 160
 
 
@@ -30,7 +31,9 @@ def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached)
         facts: of all its units.
         reached: what evaluating them reached.
     """
-    made = {place for one in facts for place in places_of(one)} | reached.passed_on
+    made = {place for one in facts for place in places_of(one)} | {
+        site for site, makes in reached.passed_on.items() if makes
+    }
     for path in sorted(index.programs):
         program = index.programs[path]
         parts: list[tuple[Function | None, tuple[object, ...]]] = [(None, (program.body,))]
@@ -42,7 +45,9 @@ def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached)
                 if (path, call.line) not in made and call.line not in told and not _is_timer(call):
                     told.add(call.line)
                     place = Evidence(path, call.line, call.column)
-                    yield Unresolved(_shown(call), place, NOT_KNOWN if known else NEVER_FOLLOWED)
+                    reason = NOT_KNOWN if known else NEVER_FOLLOWED
+                    reason = NAMED_ALIKE if (path, call.line) in reached.passed_on else reason
+                    yield Unresolved(_shown(call), place, reason)
 
 
 def places_of(facts: NodeFacts) -> Iterator[tuple[str, int]]:

@@ -30,7 +30,7 @@ from roslens.source.extract.evaluated_statements import assign, block, initialis
 from roslens.source.extract.evaluation_bounds import MOST_DEPTH, MOST_OF_PLUGIN, MOST_STEPS, SpentError
 from roslens.source.extract.evaluation_frame import Frame, bind_rest, join
 from roslens.source.extract.lookups import Found
-from roslens.source.extract.makes_endpoints import makes_endpoints
+from roslens.source.extract.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.overload_choice import overload, taking
@@ -198,13 +198,28 @@ class Evaluation(Objects):
         templates: tuple[str, ...] = (),
     ) -> Any:
         """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
+        if function.function.name not in MAKE:
+            return self._call(function, arguments, keywords, written, templates)
+        site, made = (self.site.path, self.site.line), self._made_so_far()
+        result = self._call(function, arguments, keywords, written, templates)
+        self.reached.pass_on(site, makes=self._made_so_far() > made)
+        return result
+
+    def _call(
+        self,
+        function: Callable,
+        arguments: list[Any],
+        keywords: dict[str, Any],
+        written: tuple[Expression, ...],
+        templates: tuple[str, ...],
+    ) -> Any:
         what = function.function
         key = (function.path, what.line)
         if key in self._stack or len(self._stack) >= MOST_DEPTH:
             if key in self._stack:
                 self._again.cuts.add(key)
             return Unknown(f"result of {what.name}()")
-        self.reached.follow(key, what.name, (self.site.path, self.site.line))
+        self.reached.add(key)
         if not what.body and not what.initialisers and self.index.programs[function.path].language == "cpp":
             lose_unseen(self, function, written)
             return self._computed_by(what, [*function.arguments, *arguments])
@@ -229,6 +244,9 @@ class Evaluation(Objects):
         if self.refined:
             changed_by_call(self)
         return result
+
+    def _made_so_far(self) -> int:
+        return sum(len(one.endpoints) for one in (self.first, *self.others))
 
     def _given_back(self, parameter: Parameter, written: Expression, value: Any) -> None:
         # A pointer to anything else is the same object, or may point elsewhere by now.

@@ -14,6 +14,7 @@ from roslens.model.source import Language, Role, SourceFile
 from roslens.source.extract.program import Program
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.settings import MacroSettings
+from roslens.source.workspace.roles import in_folder_of_tests
 
 _FASTEST = 1
 _SMALL = 4000
@@ -26,8 +27,11 @@ _decode = msgspec.msgpack.Decoder(Program).decode
 
 
 def becomes_nodes(file: SourceFile) -> bool:
-    """Return whether the code of a file may be that of nodes: not that of tests and of launch files."""
-    return file.language in _CODE and file.role is not Role.TEST
+    """Return whether the code of a file may be that of nodes: not that in folders of tests, and of launch files.
+
+    By its name alone a program that tries a robot out is like one that tests code.
+    """
+    return file.language in _CODE and (file.role is not Role.TEST or not in_folder_of_tests(file.path))
 
 
 def program_keys(files: Iterable[SourceFile], macros: MacroSettings) -> dict[str, str]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import msgspec
 from msgspec.structs import astuple
 
-from roslens.source.extract.program import Call, Function, Lambda, Literal, Member, Name, Opaque
+from roslens.source.extract.program import Call, Expression, Function, Lambda, Literal, Member, Name, Opaque
 
 MAKE = frozenset(
     {"create_publisher", "create_subscription", "create_generic_publisher", "create_generic_subscription",
@@ -20,6 +20,7 @@ _LEAVES = frozenset({str, int, float, bool, type(None), Literal, Name, Opaque, L
 """What holds no call."""
 STEMS = (b"create_", b"dvertise", b"ubscribe", b"Publisher", b"ervice", b"Client", b"Server")
 """Some of these letters are in each name of :data:`MAKE`: to find them takes a tenth of looking at each call."""
+_ROSPY = Name("rospy")
 _encode = msgspec.msgpack.Encoder().encode
 
 
@@ -39,7 +40,13 @@ def calls_that_make(*parts: object) -> Iterator[Call]:
         if isinstance(one, tuple):
             waiting += [part for part in one if type(part) not in _LEAVES]
         elif isinstance(one, msgspec.Struct):
-            called = one.function if isinstance(one, Call) else None
-            if isinstance(one, Call) and isinstance(called, Name | Member) and called.name.rpartition(".")[2] in MAKE:
+            if isinstance(one, Call) and _is_named(one.function):
                 yield one
             waiting += [part for part in astuple(one) if type(part) not in _LEAVES]
+
+
+def _is_named(called: Expression) -> bool:
+    if not isinstance(called, Name | Member):
+        return False
+    name = called.name.rpartition(".")[2]
+    return name in MAKE or (name == "Service" and isinstance(called, Member) and called.of == _ROSPY)

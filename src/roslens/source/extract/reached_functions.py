@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-from roslens.source.extract.makes_endpoints import MAKE
-
 
 class Reached(set[tuple[str, int]]):
     """Functions that were evaluated, by file and line.
 
     Attributes:
-        passed_on: places of calls that are named as what makes an endpoint and call a function of the workspace: what
-            they make stands there.
+        passed_on: places of calls that are named as what makes an endpoint and call a function of the workspace, and
+            whether that was seen to make one.
     """
 
     def __init__(self) -> None:
         """Begin with nothing."""
         super().__init__()
-        self.passed_on: set[tuple[str, int]] = set()
+        self.passed_on: dict[tuple[str, int], bool] = {}
 
-    def follow(self, function: tuple[str, int], name: str, site: tuple[str, int]) -> None:
-        """Add a function by its place and name, and the place of the call that leads to it."""
-        self.add(function)
-        if name in MAKE:
-            self.passed_on.add(site)
+    def pass_on(self, site: tuple[str, int], *, makes: bool) -> None:
+        """Note a call that is named as what makes an endpoint and calls a function of the workspace."""
+        self.passed_on[site] = makes or self.passed_on.get(site, False)
 
     def add_all(self, other: Reached) -> None:
         """Add what another evaluation reached."""
         self |= other
-        self.passed_on |= other.passed_on
+        for site, makes in other.passed_on.items():
+            self.pass_on(site, makes=makes)

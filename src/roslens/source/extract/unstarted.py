@@ -83,7 +83,7 @@ def _kind(facts: NodeFacts, loaded: Mapping[str, Target]) -> str:
 
 
 def places_shown(configurations: Iterable[Configuration]) -> set[tuple[str, int]]:
-    """Return where the endpoints of configurations are made: path and line."""
+    """Return where the endpoints of configurations are made, helpers that pass names on included: path and line."""
     return {(end.proof.path, end.proof.line) for one in configurations for node in one.nodes for end in node.endpoints}
 
 

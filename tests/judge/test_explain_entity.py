@@ -5,6 +5,7 @@ from __future__ import annotations
 from roslens.judge.explain_entity import combined, explain_entity
 from roslens.judge.merge_references import merge_references
 from roslens.judge.read_reference import GivenText, read_references
+from roslens.judge.sentence_words import expected_words
 from roslens.judge.unmatched import Subject
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityKind
@@ -63,3 +64,18 @@ def test_other_entities_take_part_in_other_ways():
 
 def test_what_is_left_of_several_ranges():
     assert combined(explain_entity(MERGED, Subject(EntityKind.TOPIC, "/scan")), BY_KEY) == {"rate": "25..30 Hz"}
+
+
+def test_a_field_check_of_a_pattern_is_about_what_matches_and_names_what_it_is_compared_with():
+    text = """kind: reference
+name: r
+fields:
+  - {topic: "/front/*", without: /front/spare, field: ticks, difference: -1..1, to: {topic: /rear, field: ticks}}
+"""
+    merged = merge_references(read_references([GivenText("r.yaml", text.encode())], BY_KEY))
+    roles = {
+        name: [one.role for one in explain_entity(merged, Subject(EntityKind.TOPIC, name))]
+        for name in ("/front/left", "/front/spare", "/rear", "/other")
+    }
+    assert roles == {"/front/left": [""], "/front/spare": [], "/rear": ["it is compared with"], "/other": []}
+    assert expected_words(merged.standing[0].sentence) == "difference to /rear ticks -1..1"

@@ -90,3 +90,19 @@ def test_connections_are_where_their_publisher_is():
 
 def test_what_cannot_be_seen_is_not_missed():
     assert told("{host: base, cpu: <= 5 %}", kinds=(EntityKind.TOPIC,)) == []
+
+
+def test_patterns_of_field_checks_and_what_they_compare_with_are_looked_for():
+    text = """kind: reference
+name: r
+fields:
+  - {topic: "/sc*", field: range_min, change: 0..1}
+  - {topic: "/wheel_*", field: ticks, change: 0..1}
+  - {id: pair, topic: /scan, field: a, difference: 0..1, to: {topic: /skan, field: a}}
+"""
+    found = unmatched(load_reference([GivenText("r.yaml", text.encode())], BY_KEY), subjects_of(GRAPH))
+    assert [str(one).partition(" is there.")[0] for one in found] == [
+        "r.yaml:5: r.field.wheel_*.ticks.change is about nothing: no topic /wheel_* is there",
+        "r.yaml:6: r.pair.difference is about nothing: no topic /skan",
+    ]
+    assert "Did you mean '/scan'?" in str(found[1])

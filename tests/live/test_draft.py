@@ -13,6 +13,7 @@ from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.draft import Observed
 from roslens.live.draft_groups import grouped, pattern_of
 from roslens.live.draft_lines import rounded
+from roslens.live.draft_presence import There
 from roslens.live.draft_text import draft_text
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY
@@ -107,6 +108,16 @@ def test_events_are_no_rate():
     assert reference.expectations == ()
     assert [one.selector.name for one in reference.presences] == ["/clicked", "/joy"]
     assert "no steady rate: 0 to" in text
+
+
+def test_events_that_were_not_always_there_are_listed():
+    joystick = [at + step / 10 for at in range(10, 300, 40) for step in range(20 + at)]
+    found = observed(tallies("/joy", joystick), tallies("/key", joystick))
+    there = [There("topic", "/joy", "", 60, 60, 0, 0.1)]
+    text = draft_text("mine", found.drafted(), (), "a watch", there)
+    reference = load_reference([GivenText("draft.yaml", text.encode())], BY_KEY)
+    assert [one.selector.name for one in reference.presences] == ["/joy"]
+    assert "not always there:\n#   /key: " in text
 
 
 def test_a_topic_that_ended_says_no_rate():

@@ -6,6 +6,7 @@ import pytest
 
 from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.monitor import Monitor
+from roslens.live.replay import wanted_fields
 from roslens.live.signals import BY_KEY
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.verdict import State
@@ -141,3 +142,26 @@ def test_what_is_the_same_in_another_reference_keeps_its_state():
         ("/wheel_1", "r.field.wheel_*.ticks.change"): State.OK,
         ("/wheel_1", "r.field.wheel_1.ticks.value"): State.OK,
     }
+
+
+def test_of_a_recording_only_the_fields_that_are_asked_for_are_read():
+    asked = reference(
+        '{topic: "/wheel_*", type: my/Encoder, field: ticks, change: -5..5}',
+        "{topic: /wheel_1, field: ticks, difference: -9..9, to: {topic: /wheel_2, field: ticks}, "
+        "when: {topic: /cmd_vel, field: linear.x, range: '>= 0.1'}}",
+        '{topic: "/arm_*", field: left, difference: -1..1, to: {field: right}}',
+    )
+    topics = [
+        ("/wheel_1", "my/Encoder"),
+        ("/wheel_2", "other/Type"),
+        ("/cmd_vel", "t/T"),
+        ("/arm_1", "t/T"),
+        ("/x", ""),
+    ]
+    assert wanted_fields(asked, topics) == {
+        "/arm_1": ["left", "right"],
+        "/cmd_vel": ["linear.x"],
+        "/wheel_1": ["ticks"],
+        "/wheel_2": ["ticks"],
+    }
+    assert wanted_fields(asked, [("/wheel_3", "my/Encoder")]) == {"/wheel_3": ["ticks"]}

@@ -63,13 +63,18 @@ def draft_text(
         lines += _events(one)
     for present in always:
         lines += _presence(present)
+    present_topics = {one.name for one in always if one.kind == "topic"}
+    absent = [one for one in drafts if not one.lines and one not in eventful and one.names[0] not in present_topics]
+    if absent:
+        lines.append("# Topics that come with events and were not always there:")
+        lines += [f"#   {_in_comment(one.names[0])}: {one.unsteady}" for one in absent]
     if unsteady:
         lines.append("# Nodes that came or went, or whose names another start would not make again:")
         lines += [f"#   {_in_comment(node)}" for node in unsteady]
     if raised:
         lines.append("# On what it was drafted from it raises:")
         lines += [f"#   {_in_comment(alarm)}" for alarm in raised]
-    ignored = sorted({*left_out} - {one.name for one in always if one.kind == "topic"} - PLUMBING)
+    ignored = sorted({*left_out} - present_topics - PLUMBING)
     if ignored:
         lines.append("# Too few messages to say anything of:")
         lines += [f"#   {_in_comment(topic)}" for topic in ignored]

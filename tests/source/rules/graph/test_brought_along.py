@@ -1,5 +1,5 @@
 from roslens.model.source import Dependency, Location, Package
-from roslens.source.rules.graph.brought_along import brought_by
+from roslens.source.rules.graph.brought_along import brought_by, may_be_brought_by
 
 HERE = Location("package.xml", 1)
 
@@ -23,3 +23,10 @@ def test_packages_of_the_workspace_hand_on_what_they_export():
 
 def test_packages_that_depend_on_each_other_end():
     assert brought_by(package("a", "b"), "x", (package("a", "b"), package("b", "c"), package("c", "b", "a"))) == ""
+
+
+def test_interfaces_of_which_nothing_is_known_may_have_those_that_many_use():
+    assert may_be_brought_by(package("a", "duckietown_msgs"), "sensor_msgs", ()) == "duckietown_msgs"
+    assert may_be_brought_by(package("a", "duckietown_msgs"), "grasping_msgs", ()) == ""
+    assert may_be_brought_by(package("a", "duckietown_msgs"), "sensor_msgs", (package("duckietown_msgs"),)) == ""
+    assert may_be_brought_by(package("a", "nav_msgs", "rclcpp"), "sensor_msgs", ()) == ""

@@ -14,9 +14,13 @@ _KNOWN: Mapping[str, tuple[str, ...]] = {
     "ackermann_msgs": ("std_msgs",),
     "actionlib": ("actionlib_msgs", "std_msgs"),
     "actionlib_msgs": ("std_msgs",),
+    "amcl": ("geometry_msgs", "nav_msgs", "sensor_msgs", "std_srvs"),
+    "base_local_planner": ("geometry_msgs", "nav_msgs", "sensor_msgs", "std_msgs", "visualization_msgs"),
     "common_interfaces": _STANDARD,
     "common_msgs": _STANDARD,
     "control_msgs": ("actionlib_msgs", "geometry_msgs", "sensor_msgs", "std_msgs", "trajectory_msgs"),
+    "controller_manager": ("controller_manager_msgs",),
+    "costmap_2d": ("geometry_msgs", "map_msgs", "nav_msgs", "sensor_msgs", "std_msgs", "visualization_msgs"),
     "cv_bridge": ("sensor_msgs",),
     "diagnostic_updater": ("diagnostic_msgs", "std_msgs"),
     "gazebo_msgs": ("geometry_msgs", "sensor_msgs", "std_msgs", "std_srvs", "trajectory_msgs"),
@@ -24,13 +28,18 @@ _KNOWN: Mapping[str, tuple[str, ...]] = {
     "geometry_msgs": ("std_msgs",),
     "image_transport": ("sensor_msgs",),
     "laser_geometry": ("sensor_msgs",),
+    "map_server": ("nav_msgs",),
+    "move_base": ("geometry_msgs", "move_base_msgs", "nav_msgs", "std_srvs", "visualization_msgs"),
     "move_base_msgs": ("actionlib_msgs", "geometry_msgs"),
+    "nav2_msgs": ("action_msgs", "geographic_msgs", "geometry_msgs", "nav_msgs", "std_msgs"),
+    "nav_core": ("geometry_msgs", "std_msgs"),
     "nav_msgs": ("actionlib_msgs", "geometry_msgs", "std_msgs"),
     "pcl_conversions": ("sensor_msgs", "std_msgs"),
     "pcl_ros": ("geometry_msgs", "sensor_msgs", "std_msgs"),
     "roscpp": ("rosgraph_msgs", "std_msgs"),
     "rospy": ("rosgraph_msgs", "std_msgs"),
     "sensor_msgs": ("geometry_msgs", "std_msgs"),
+    "simple_grasping": ("geometry_msgs", "grasping_msgs", "moveit_msgs", "sensor_msgs", "shape_msgs"),
     "tf": ("geometry_msgs", "sensor_msgs", "std_msgs"),
     "tf2_geometry_msgs": ("geometry_msgs",),
     "tf2_ros": ("geometry_msgs", "sensor_msgs", "std_msgs"),
@@ -64,3 +73,18 @@ def brought_by(package: Package, wanted: str, packages: tuple[Package, ...]) -> 
             waiting += _KNOWN.get(name, ())
             waiting += [one.name for one in own[name].dependencies if one.kind in _HANDED_ON] if name in own else []
     return ""
+
+
+def may_be_brought_by(package: Package, wanted: str, packages: tuple[Package, ...]) -> str:
+    """Return a declared interface package of which nothing is known, and which may have another one among its own.
+
+    Args:
+        package: whose manifest does not name the other one.
+        wanted: name of the other one; of those that few use nothing is said.
+        packages: of the workspace, whose own dependencies are known.
+    """
+    if wanted not in _STANDARD:
+        return ""
+    known = {*_KNOWN, *_STANDARD, *(one.name for one in packages)}
+    declared = (one.name for one in package.dependencies if one.kind in _DECLARED)
+    return next((name for name in declared if name.endswith(("_msgs", "_interfaces")) and name not in known), "")

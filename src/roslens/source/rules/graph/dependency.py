@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, Origin
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.source import Package
-from roslens.source.rules.graph.brought_along import brought_by
+from roslens.source.rules.graph.brought_along import brought_by, may_be_brought_by
 from roslens.source.rules.graph.doubt import weighed
 from roslens.source.rules.graph.ends import WORDS, End
 from roslens.source.rules.graph.surroundings import Surroundings
@@ -43,8 +43,7 @@ def found(configuration: Configuration, surroundings: Surroundings) -> Iterator[
                 lacking.setdefault((package.id, owner), []).append(End(node, one))
     for (package_id, owner), used in sorted(lacking.items()):
         package = packages[package_id]
-        along = brought_by(package, owner, surroundings.packages)
-        yield _told(package, owner, min(used, key=lambda end: end.order), along)
+        yield _told(package, owner, min(used, key=lambda end: end.order), surroundings.packages)
 
 
 def _is_written(one: ConfiguredEndpoint, owner: str) -> bool:
@@ -62,8 +61,14 @@ def _depends(package: Package, owner: str) -> bool:
     return owner == package.name or any(one.name == owner and one.kind in _COUNT for one in package.dependencies)
 
 
-def _told(package: Package, owner: str, end: End, along: str) -> Finding:
-    severity, doubt = weighed(Severity.NOTE if along else RULE.severity, (end.one.proof,))
+def _told(package: Package, owner: str, end: End, packages: tuple[Package, ...]) -> Finding:
+    along = brought_by(package, owner, packages)
+    perhaps = "" if along else may_be_brought_by(package, owner, packages)
+    severity, doubt = weighed(
+        Severity.NOTE if along else RULE.severity,
+        (end.one.proof,),
+        more=f"`{perhaps}` may bring it along" if perhaps else "",
+    )
     only = f" It is there because `{along}` brings it along." if along else ""
     message = (
         f"{end.told} {WORDS[end.role]} {end.name} as {end.type}, but {package.manifest.path} does not depend on "

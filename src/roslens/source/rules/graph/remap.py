@@ -17,8 +17,8 @@ RULE = RuleInfo(
     "Remapping that matches nothing",
     "A remapping names what none of the nodes that it holds for uses. Nodes whose code is unknown, or not understood "
     "everywhere, are taken to use it, except where a node outside of a remapping for several nodes has the name: it "
-    "holds only for what follows it in its group or file. It is a warning where a name was meant that a node has, or "
-    "where somebody is alone at the other name, and a note where it does no harm that is known; what every node has, "
+    "holds only for what follows it in its group or file. It is a warning where a name was meant that a node has, "
+    "and a note where it may be left over; what every node has, "
     "as /tf, is left out. Correct the name, or move or remove the remapping.",
     Severity.WARNING,
     ("ros", "graph", "names", "launch"),
@@ -131,8 +131,8 @@ def _told(one: ConfiguredRemap, nodes: list[ConfiguredNode], waiting: list[str],
     names += [end.endpoint.name for node in nodes for end in node.endpoints if not end.implicit]
     near = _meant(one.source, names)
     advice = f"Did you mean `{near}`?" if near else "Correct the name or remove the remapping."
-    # Many are left over from a name that was changed, and do no harm: that something is missing has to show.
-    usual = RULE.severity if alone and (near or waiting) else Severity.NOTE
+    # Many are left over from a name that was changed, and do no harm: what was meant has to show.
+    usual = RULE.severity if alone and near else Severity.NOTE
     severity, doubt = weighed(usual, (one.proof,), nodes[0].conditions)
     if waiting:
         advice = f"{listed(waiting)} {'waits' if len(waiting) == 1 else 'wait'} for it at `{one.target}`. {advice}"

@@ -1,32 +1,26 @@
-"""What counting inside a Python node costs a message.
+"""What counting in Python costs a message, where the preloaded library is not there to do it.
 
-    python benchmarks/inside_python.py [PYTHON WITH RCLPY]
+    python benchmarks/inside_python.py
 
-First the hook alone: a taken and a published message through functions shaped like those of rclpy, with
-and without the hook, in turn, the least of many short rounds: what another process takes of the machine is in the
-longer ones. Beside it stands what that is on a machine that takes 10.5 ns for a turn of an empty loop. At 10 Hz every
-message opens a bank of extremes, and latency, period and age are extremes each time: the dearest case.
-
-Then, where a Python with rclpy is given or found in build/ros2, the CPU time a message of a 500 Hz relay node, with
-and without, in turn in one process.
+The hook alone: a taken and a published message through functions shaped like those of rclpy, with and without the hook,
+in turn, the least of many short rounds: what another process takes of the machine is in the longer ones. Beside it
+stands what that is on a machine that takes 10.5 ns for a turn of an empty loop. At 10 Hz every message opens a bank of
+extremes, and latency, period and age are extremes each time: the dearest case. What a node feels is more, since its
+caches are cold: ``relay.py``.
 """
 
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Callable
 from functools import partial
 from itertools import count
-from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
 from roslens.live.inside import rclpy_hook, slots
-from roslens.live.inside.environment import environment
 
 ROUNDS = 300
 CALLS = 500
@@ -34,38 +28,6 @@ QUIET_NS = 10.5
 START_NS = 1_700_000_000_000_000_000
 SLOW_NS = 100_000_000
 GID = bytes(range(16))
-
-RELAY = """
-import rclpy, statistics, time
-from std_msgs.msg import Header
-from roslens_inside.rclpy_hook import HOOK
-rclpy.init()
-node = rclpy.create_node('relay')
-out = node.create_publisher(Header, 'out', 100)
-first = node.create_publisher(Header, 'in', 100)
-taken = 0
-def relay(message):
-    global taken
-    taken += 1
-    out.publish(message)
-node.create_subscription(Header, 'in', relay, 100)
-message = Header()
-node.create_timer(0.002, lambda: first.publish(message))
-hooked = [(owner, name, getattr(owner, name)) for owner, name, _ in HOOK.undo]
-def stretch(functions):
-    global taken
-    for owner, name, function in functions:
-        setattr(owner, name, function)
-    taken, begun, end = 0, time.process_time(), time.monotonic() + 0.5
-    while time.monotonic() < end:
-        rclpy.spin_once(node, timeout_sec=1)
-    return (time.process_time() - begun) / taken * 1e6
-stretch(hooked)
-pairs = [(stretch(HOOK.undo), stretch(hooked)) for _ in range(20)]
-without, counting = zip(*pairs)
-added = sorted(b - a for a, b in pairs)
-print(statistics.median(without), statistics.median(counting), statistics.median(added), added[5], added[14])
-"""
 
 
 class Stamp:
@@ -261,22 +223,5 @@ def alone() -> None:
         print(f"{kind:20} {fast} a message, {dear} at 10 Hz")
 
 
-def relay(python: str) -> None:
-    """Print the CPU time of a relay node with and without the hook, in turn in one process."""
-    with tempfile.TemporaryDirectory() as folder:
-        plain = {name: text for name, text in os.environ.items() if name not in (slots.VARIABLE, "PYTHONPATH")}
-        plain.update(ROS_AUTOMATIC_DISCOVERY_RANGE="LOCALHOST", ROS_DOMAIN_ID="87")
-        counting = plain | environment(plain | {slots.VARIABLE: folder})
-        ended = subprocess.run([python, "-c", RELAY], env=counting, capture_output=True, text=True, check=True)
-    off, on, added, low, high = (float(word) for word in ended.stdout.split())
-    print(f"relay at 500 Hz: {off:.0f} us CPU a message without the hook, {on:.0f} with it")
-    print(f"added to one taken and two published: {added:.0f} us (middle half of 20 pairs {low:.0f} to {high:.0f})")
-
-
 if __name__ == "__main__":
     alone()
-    given = sys.argv[1] if len(sys.argv) > 1 else "build/ros2/bin/python"
-    if Path(given).exists():
-        relay(given)
-    else:
-        print(f"no {given}: the relay was not run")

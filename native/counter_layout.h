@@ -23,6 +23,7 @@ enum {
 enum {
   KIND_TAKEN = 1,
   KIND_PUBLISHED = 2,
+  KIND_ANSWERED = 3,   // published in answer to what was taken of another topic
   KIND_REQUESTED = 4,  // requests that a client sent
   KIND_HEARD = 5,      // responses that a client took; processing is the time since the request
   KIND_ASKED = 6,      // requests that a server took
@@ -45,6 +46,7 @@ enum {
   WORD_BANK = 13,
   WORD_PERIOD = 14,
   WORD_LATENCY = 17,
+  WORD_AGE = 20,
   WORD_PROCESSING = 23,
   WORD_BANKS = 32,
   WORD_TOPIC = 288,
@@ -54,7 +56,7 @@ enum {
 };
 
 // Words of a bank: least and greatest of each series.
-enum { BANKS = 32, BANK_WORDS = 8, BANK_PERIOD = 0, BANK_LATENCY = 2, BANK_PROCESSING = 6, BANK_SHIFT = 28 };
+enum { BANKS = 32, BANK_WORDS = 8, BANK_PERIOD = 0, BANK_LATENCY = 2, BANK_AGE = 4, BANK_PROCESSING = 6, BANK_SHIFT = 28 };
 
 enum { GID_BYTES = 24, NAME_BYTES = 256 };
 

@@ -1,5 +1,6 @@
 #include "counting.h"
 
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,6 +33,39 @@ int64_t now_ns(void)
 
 // Below rclpy, where the hook in Python does not see it.
 #define LOG_TOPIC "/rosout"
+
+// Nobody asks for a size longer than this for each message; a type that takes a hundred times as long is asked for each
+// hundredth.
+#define DEAR_NS 2000
+
+typedef struct {
+  endpoint * of;
+  uint64_t born;
+  int64_t since;
+} taken_message;
+
+// What this thread took last, and has not been seen to do something else since.
+static __thread taken_message given __attribute__((tls_model("initial-exec")));
+
+// Whether somebody tells when a thread does something else; without, nobody knows what a message answers.
+static atomic_bool answers_counted;
+
+__attribute__((visibility("default"))) void roslens_count_answers(void);
+__attribute__((visibility("default"))) void roslens_count_answers(void)
+{
+  atomic_store(&answers_counted, true);
+}
+
+__attribute__((visibility("default"))) void roslens_forget_taken(void);
+__attribute__((visibility("default"))) void roslens_forget_taken(void)
+{
+  given.of = NULL;
+}
+
+void forget_taken(void)
+{
+  given.of = NULL;
+}
 
 static bool python_counts(const char * direction)
 {
@@ -72,6 +106,37 @@ void begin_counting(const void * handle, const rmw_node_t * node, const char * n
     state, sizeof(state), "preload: counting %s%s", real_rmw.implementation_identifier,
     python_counts("") ? " beside Python" : "");
   say(state);
+}
+
+void learn_type(endpoint * of, const void * support, bool stamps)
+{
+  const message_type found = look_at_type(support, stamps);
+  pthread_mutex_lock(&of->lock);
+  of->type = found;
+  pthread_mutex_unlock(&of->lock);
+}
+
+static int64_t steady_ns(void)
+{
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+// Ask a message for its size; where that takes long, take the next ones to be as long.
+static int64_t asked_size(endpoint * of, const void * content)
+{
+  if (of->type.length == NULL || content == NULL) {
+    return -1;
+  }
+  if (of->unasked > 0) {
+    of->unasked--;
+  } else {
+    const int64_t begun = steady_ns();
+    of->size = size_of(&of->type, content);
+    of->unasked = (steady_ns() - begun) / DEAR_NS;
+  }
+  return of->size;
 }
 
 void expect_gaps(endpoint * of)
@@ -134,7 +199,7 @@ static counter * stale_counter(endpoint * taker, int64_t now)
   return stale ? oldest : NULL;
 }
 
-static counter * claim(endpoint * of, int kind, const uint8_t gid[GID_BYTES], int64_t now)
+static counter * claim(endpoint * of, int kind, const uint8_t gid[GID_BYTES], int64_t now, const char * other)
 {
   static int fresh;
   pthread_mutex_lock(&endpoints_lock);
@@ -152,7 +217,8 @@ static counter * claim(endpoint * of, int kind, const uint8_t gid[GID_BYTES], in
     memcpy(one->gid, gid, GID_BYTES);
     memset(&one->numbers, 0, offsetof(sequence, gap));
     const bool own = kind == KIND_PUBLISHED;
-    slot_begin(&one->slot, kind, own ? of->gid : gid, of->name, of->node, "");
+    const uint8_t * const shown = own ? of->gid : kind == KIND_ANSWERED ? nobody : gid;
+    slot_begin(&one->slot, kind, shown, of->name, of->node, other);
     counter ** const chain = of->chain + chain_of(gid);
     one->next = *chain;
     *chain = one;
@@ -167,10 +233,10 @@ static counter * claim(endpoint * of, int kind, const uint8_t gid[GID_BYTES], in
   return one;
 }
 
-// Return the counter of a kind and a publisher; NULL where there is no slot for it.
-static counter * counter_of(endpoint * of, int kind, const uint8_t gid[GID_BYTES], int64_t now)
+// Return the counter of a kind and a publisher, of answers that of the topic that is answered; NULL where there is no slot.
+static counter * counter_for(endpoint * of, int kind, const uint8_t gid[GID_BYTES], int64_t now, const char * other)
 {
-  counter ** const recent = of->recent + (kind == KIND_HEARD || kind == KIND_REPLIED);
+  counter ** const recent = of->recent + (kind == KIND_HEARD || kind == KIND_REPLIED || kind == KIND_ANSWERED);
   counter * one = *recent;
   if (one != NULL && memcmp(one->gid, gid, GID_BYTES) == 0) {
     return one;
@@ -183,11 +249,28 @@ static counter * counter_of(endpoint * of, int kind, const uint8_t gid[GID_BYTES
     if (left_to_python(of, kind)) {
       of->tried = now;
     } else {
-      one = claim(of, kind, gid, now);
+      one = claim(of, kind, gid, now, other);
     }
   }
   *recent = one;
   return one;
+}
+
+static counter * counter_of(endpoint * of, int kind, const uint8_t gid[GID_BYTES], int64_t now)
+{
+  return counter_for(of, kind, gid, now, "");
+}
+
+// Count for a publisher what its message answers; whoever looks for the counter finds it by who took what is answered.
+static void count_answer(endpoint * of, int64_t now)
+{
+  uint8_t key[GID_BYTES] = {0};
+  memcpy(key, &given.of, sizeof(given.of));
+  memcpy(key + sizeof(given.of), &given.born, sizeof(given.born));
+  counter * const one = counter_for(of, KIND_ANSWERED, key, now, given.of->name);
+  if (one != NULL) {
+    slot_answered(&one->slot, now, now - given.since);
+  }
 }
 
 static int64_t latency_of(int64_t sent, int64_t received)
@@ -199,21 +282,26 @@ static int64_t latency_of(int64_t sent, int64_t received)
   return latency > -LONGEST_NS && latency < LONGEST_NS ? latency : UNKNOWN_NS;
 }
 
-void count_published(endpoint * of, int64_t now, int64_t size)
+void count_published(endpoint * of, int64_t now, int64_t size, const void * content)
 {
   pthread_mutex_lock(&of->lock);
   counter * const one = counter_of(of, KIND_PUBLISHED, nobody, now);
   if (one != NULL) {
-    const message what = {now, now, UNKNOWN_NS, UNKNOWN_NS, size, NULL};
+    const int64_t length = size < 0 ? asked_size(of, content) : size;
+    const message what = {now, now, UNKNOWN_NS, UNKNOWN_NS, UNKNOWN_NS, length, NULL};
     slot_count(&one->slot, &what);
+  }
+  if (given.of != NULL && given.of->born == given.born && now >= given.since) {
+    count_answer(of, now);
   }
   pthread_mutex_unlock(&of->lock);
 }
 
-void count_taken(endpoint * of, const rmw_message_info_t * info, int64_t now, int64_t size)
+void count_taken(
+  endpoint * of, const rmw_message_info_t * info, int64_t now, int64_t size, const void * content)
 {
   uint8_t gid[GID_BYTES] = {0};
-  message what = {now, now, UNKNOWN_NS, UNKNOWN_NS, size, NULL};
+  message what = {now, now, UNKNOWN_NS, UNKNOWN_NS, UNKNOWN_NS, size, NULL};
   const bool believed = info != NULL && info->implementation_identifier == real_rmw.implementation_identifier;
   if (believed) {
     memcpy(gid, (const uint8_t *)info + offsetof(rmw_message_info_t, gid), real_rmw.gid_bytes);
@@ -222,8 +310,18 @@ void count_taken(endpoint * of, const rmw_message_info_t * info, int64_t now, in
     what.latency = latency_of(info->source_timestamp, received);
   }
   pthread_mutex_lock(&of->lock);
+  if (atomic_load_explicit(&answers_counted, memory_order_relaxed)) {
+    given = (taken_message){of, of->born, now};
+  }
   counter * const one = counter_of(of, KIND_TAKEN, gid, now);
   if (one != NULL) {
+    const int64_t stamp = stamp_of(&of->type, content);
+    if (stamp != 0) {
+      what.age = what.when - stamp;
+    }
+    if (size < 0) {
+      what.size = asked_size(of, content);
+    }
     const bool numbered =
       believed && real_rmw.numbers && !of->filtered && info->publication_sequence_number != SEQUENCE_NUMBER_UNSUPPORTED;
     // Without an identifier the numbers of several publishers cannot be told apart.
@@ -251,7 +349,7 @@ static void count_begun(
   begun->since = now;
   counter * const one = counter_of(of, kind, nobody, now);
   if (one != NULL) {
-    const message what = {now, received, latency, UNKNOWN_NS, -1, NULL};
+    const message what = {now, received, latency, UNKNOWN_NS, UNKNOWN_NS, -1, NULL};
     slot_count(&one->slot, &what);
   }
   pthread_mutex_unlock(&of->lock);
@@ -271,7 +369,7 @@ static void count_ended(
   }
   counter * const one = counter_of(of, kind, nobody, now);
   if (one != NULL) {
-    const message what = {now, received, latency, processing, -1, NULL};
+    const message what = {now, received, latency, UNKNOWN_NS, processing, -1, NULL};
     slot_count(&one->slot, &what);
   }
   pthread_mutex_unlock(&of->lock);
@@ -284,6 +382,7 @@ void count_requested(endpoint * of, int64_t number, int64_t now)
 
 void count_heard(endpoint * of, const rmw_service_info_t * info, int64_t now)
 {
+  forget_taken();
   const int64_t received = info->received_timestamp > 0 ? info->received_timestamp : now;
   const int64_t latency = latency_of(info->source_timestamp, received);
   count_ended(of, KIND_HEARD, nobody, info->request_id.sequence_number, now, received, latency);
@@ -291,6 +390,7 @@ void count_heard(endpoint * of, const rmw_service_info_t * info, int64_t now)
 
 void count_asked(endpoint * of, const rmw_service_info_t * info, int64_t now)
 {
+  forget_taken();
   const int64_t received = info->received_timestamp > 0 ? info->received_timestamp : now;
   const int64_t latency = latency_of(info->source_timestamp, received);
   const rmw_request_id_t * const request = &info->request_id;

@@ -9,14 +9,21 @@
 // Begin to count for a handle that was just made.
 void begin_counting(const void * handle, const rmw_node_t * node, const char * name);
 
+// Learn what is to be known of the messages of a publisher or a subscription by their type.
+void learn_type(endpoint * of, const void * support, bool stamps);
+
 // Count no losses of a subscription any more: its middleware leaves messages out on purpose.
 void expect_gaps(endpoint * of);
 
-// Count a message published at `now`, of `size` bytes or -1.
-void count_published(endpoint * of, int64_t now, int64_t size);
+// Count a message published at `now`, of `size` bytes or -1; `content` is the message where its type tells its size.
+void count_published(endpoint * of, int64_t now, int64_t size, const void * content);
 
-// Count a message that was taken; `info` is NULL where nothing is known of it.
-void count_taken(endpoint * of, const rmw_message_info_t * info, int64_t now, int64_t size);
+// Count a message that was taken; `info` is NULL where nothing is known of it, `content` where it is serialised.
+void count_taken(
+  endpoint * of, const rmw_message_info_t * info, int64_t now, int64_t size, const void * content);
+
+// Note that this thread does something else than to answer the message that it took last.
+void forget_taken(void);
 
 // Count a call at the client: its request, then its response.
 void count_requested(endpoint * of, int64_t number, int64_t now);

@@ -23,6 +23,7 @@ static endpoint * memory;
 static counter * counters;
 static int used;
 static endpoint * free_ones;
+static uint64_t made;
 
 static unsigned hash(const void * handle)
 {
@@ -91,6 +92,9 @@ endpoint * add_endpoint(const void * handle)
     found->handle = handle;
     found->filtered = false;
     found->tried = 0;
+    found->type = (message_type){NULL, false};
+    found->unasked = 0;
+    found->born = ++made;
     unsigned at = hash(handle);
     for (;; at = (at + 1) % PLACES) {
       const void * const here = atomic_load(&places[at].handle);
@@ -135,6 +139,7 @@ void remove_endpoint(const void * handle)
       gone->chain[chain] = NULL;
     }
     gone->recent[0] = gone->recent[1] = NULL;
+    gone->born = 0;
     memset(gone->calls, 0, sizeof(gone->calls));
     gone->free = free_ones;
     free_ones = gone;

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 
 #include "counter_layout.h"
+#include "message_type.h"
 #include "sequence.h"
 #include "slot.h"
 
@@ -42,6 +43,10 @@ struct endpoint {
   char name[NAME_BYTES];
   char node[NAME_BYTES];
   uint8_t gid[GID_BYTES];
+  message_type type;
+  int64_t size;    // of the last message that was asked for its size
+  int64_t unasked;  // how many messages are taken to be as long, because to ask takes long
+  uint64_t born;   // the number of its making, by which who remembers an endpoint knows that it is still the same
   bool filtered;  // whether messages are left out on purpose, so that missing numbers tell nothing
   int64_t tried;  // when it was last left without a slot, or to the hook in Python; 0 is never
   counter * chain[CHAINS];

@@ -84,6 +84,7 @@ void find_real_rmw(const void * caller)
       find(where, "rmw_get_implementation_identifier", &identifier);
       find(where, "rmw_feature_supported", &supports);
       find(where, "rmw_get_gid_for_publisher", &real_rmw.get_gid_for_publisher);
+      find(where, "rcutils_reset_error", &real_rmw.reset_error);
       real_rmw.gid_bytes = later != NULL ? LATER_GID_BYTES : HUMBLE_GID_BYTES;
       real_rmw.info_bytes = later != NULL ? LATER_INFO_BYTES : HUMBLE_INFO_BYTES;
       // Both came with Humble, and so did the layout of the message information.

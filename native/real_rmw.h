@@ -40,6 +40,7 @@ typedef struct {
   WRAPPED_FUNCTIONS(FIELD)
 #undef FIELD
   rmw_ret_t (*get_gid_for_publisher)(const void *, rmw_gid_t *);
+  void (*reset_error)(void);  // of rcutils; NULL where that is not found
   const char * implementation_identifier;  // as the middleware writes it into what it hands out
   size_t gid_bytes;
   size_t info_bytes;

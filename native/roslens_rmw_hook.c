@@ -54,10 +54,13 @@ static void made(const void * handle, const rmw_node_t * node, const char * name
   }
 }
 
-static void learn_gid(const void * publisher)
+static void learn_publisher(const void * publisher, const void * type)
 {
   endpoint * const of = counted(publisher);
   rmw_gid_t gid = {0};
+  if (of != NULL) {
+    COUNT(learn_type(of, type, false));
+  }
   if (of != NULL && CALL(get_gid_for_publisher, publisher, &gid) == RMW_RET_OK) {
     __builtin_memcpy(of->gid, gid.data, GID_BYTES);
   }
@@ -77,7 +80,15 @@ static void learn_gid(const void * publisher)
 EXPORT void * rmw_create_publisher(
   const rmw_node_t * node, const void * type, const char * name, const void * qos, const void * options)
 {
-  CREATE(create_publisher, node, name, learn_gid(handle), node, type, name, qos, options);
+  CREATE(create_publisher, node, name, learn_publisher(handle, type), node, type, name, qos, options);
+}
+
+static void learn_subscription(const void * subscription, const void * type)
+{
+  endpoint * const of = counted(subscription);
+  if (of != NULL) {
+    COUNT(learn_type(of, type, true));
+  }
 }
 
 static void learn_filter(const void * subscription, bool filtered)
@@ -93,7 +104,8 @@ EXPORT void * rmw_create_subscription(
   const rmw_subscription_options_t * options)
 {
   const bool filtered = options != NULL && options->content_filter_options != NULL;
-  CREATE(create_subscription, node, name, learn_filter(handle, filtered), node, type, name, qos, options);
+  CREATE(
+    create_subscription, node, name, (learn_subscription(handle, type), learn_filter(handle, filtered)), node, type, name, qos, options);
 }
 
 EXPORT rmw_ret_t rmw_subscription_set_content_filter(void * subscription, const void * options)
@@ -142,60 +154,63 @@ EXPORT rmw_ret_t rmw_destroy_service(rmw_node_t * node, void * handle)
 }
 
 // Publish, and count what was published when the call began.
-#define PUBLISH(name, size, publisher, ...)                         \
+#define PUBLISH(name, size, content, publisher, ...)                \
   ready(__builtin_return_address(0));                               \
   endpoint * const of = counted(publisher);                         \
   const int64_t now = of != NULL ? now_ns() : 0;                    \
   const rmw_ret_t result = CALL(name, publisher, __VA_ARGS__);      \
   if (result == RMW_RET_OK && of != NULL) {                         \
-    COUNT(count_published(of, now, size));                          \
+    COUNT(count_published(of, now, size, content));                 \
   }                                                                 \
   return result
 
 EXPORT rmw_ret_t rmw_publish(const void * publisher, const void * message, void * allocation)
 {
-  PUBLISH(publish, -1, publisher, message, allocation);
+  PUBLISH(publish, -1, message, publisher, message, allocation);
 }
 
 EXPORT rmw_ret_t rmw_publish_serialized_message(
   const void * publisher, const rmw_serialized_message_t * message, void * allocation)
 {
-  PUBLISH(publish_serialized_message, (int64_t)message->buffer_length, publisher, message, allocation);
+  PUBLISH(publish_serialized_message, (int64_t)message->buffer_length, NULL, publisher, message, allocation);
 }
 
 EXPORT rmw_ret_t rmw_publish_loaned_message(const void * publisher, void * message, void * allocation)
 {
-  PUBLISH(publish_loaned_message, -1, publisher, message, allocation);
+  // Once it is published it is the middleware's. What can be lent has a fixed size, which is quick to ask for.
+  const endpoint * const lent = counted(publisher);
+  const int64_t size = lent != NULL ? size_of(&lent->type, message) : -1;
+  PUBLISH(publish_loaned_message, size, NULL, publisher, message, allocation);
 }
 
 // Take, and count what was taken.
-#define TAKE(name, size, info, subscription, ...)                       \
+#define TAKE(name, size, content, info, subscription, ...)              \
   ready(__builtin_return_address(0));                                   \
   const rmw_ret_t result = CALL(name, subscription, __VA_ARGS__);       \
   if (result == RMW_RET_OK && *taken) {                                 \
     endpoint * const of = counted(subscription);                        \
     if (of != NULL) {                                                   \
-      COUNT(count_taken(of, info, now_ns(), size));                     \
+      COUNT(count_taken(of, info, now_ns(), size, content));            \
     }                                                                   \
   }                                                                     \
   return result
 
 EXPORT rmw_ret_t rmw_take(const void * subscription, void * message, bool * taken, void * allocation)
 {
-  TAKE(take, -1, NULL, subscription, message, taken, allocation);
+  TAKE(take, -1, message, NULL, subscription, message, taken, allocation);
 }
 
 EXPORT rmw_ret_t rmw_take_with_info(
   const void * subscription, void * message, bool * taken, rmw_message_info_t * info, void * allocation)
 {
-  TAKE(take_with_info, -1, info, subscription, message, taken, info, allocation);
+  TAKE(take_with_info, -1, message, info, subscription, message, taken, info, allocation);
 }
 
 EXPORT rmw_ret_t rmw_take_serialized_message(
   const void * subscription, rmw_serialized_message_t * message, bool * taken, void * allocation)
 {
   TAKE(
-    take_serialized_message, (int64_t)message->buffer_length, NULL, subscription, message, taken, allocation);
+    take_serialized_message, (int64_t)message->buffer_length, NULL, NULL, subscription, message, taken, allocation);
 }
 
 EXPORT rmw_ret_t rmw_take_serialized_message_with_info(
@@ -203,19 +218,19 @@ EXPORT rmw_ret_t rmw_take_serialized_message_with_info(
   void * allocation)
 {
   TAKE(
-    take_serialized_message_with_info, (int64_t)message->buffer_length, info, subscription, message, taken, info,
+    take_serialized_message_with_info, (int64_t)message->buffer_length, NULL, info, subscription, message, taken, info,
     allocation);
 }
 
 EXPORT rmw_ret_t rmw_take_loaned_message(const void * subscription, void ** message, bool * taken, void * allocation)
 {
-  TAKE(take_loaned_message, -1, NULL, subscription, message, taken, allocation);
+  TAKE(take_loaned_message, -1, *message, NULL, subscription, message, taken, allocation);
 }
 
 EXPORT rmw_ret_t rmw_take_loaned_message_with_info(
   const void * subscription, void ** message, bool * taken, rmw_message_info_t * info, void * allocation)
 {
-  TAKE(take_loaned_message_with_info, -1, info, subscription, message, taken, info, allocation);
+  TAKE(take_loaned_message_with_info, -1, *message, info, subscription, message, taken, info, allocation);
 }
 
 EXPORT rmw_ret_t rmw_take_sequence(
@@ -229,7 +244,7 @@ EXPORT rmw_ret_t rmw_take_sequence(
     const int64_t now = now_ns();
     const char * const first = (const char *)infos->data;
     for (size_t at = 0; at < *taken; at++) {
-      COUNT(count_taken(of, (const rmw_message_info_t *)(first + at * real_rmw.info_bytes), now, -1));
+      COUNT(count_taken(of, (const rmw_message_info_t *)(first + at * real_rmw.info_bytes), now, -1, NULL));
     }
   }
   return result;

@@ -106,6 +106,9 @@ void slot_count(slot * in, const message * what)
   if (what->latency != UNKNOWN_NS) {
     moment(words, WORD_LATENCY, bank + BANK_LATENCY, what->latency);
   }
+  if (what->age != UNKNOWN_NS) {
+    moment(words, WORD_AGE, bank + BANK_AGE, what->age);
+  }
   if (what->processing != UNKNOWN_NS) {
     moment(words, WORD_PROCESSING, bank + BANK_PROCESSING, what->processing);
   }
@@ -114,5 +117,18 @@ void slot_count(slot * in, const message * what)
     words[WORD_PENDING].number = what->numbers->pending;
     words[WORD_PENDING_SINCE].number = what->numbers->pending_since;
   }
+  close_slot(words, token);
+}
+
+void slot_answered(slot * in, int64_t now, int64_t processing)
+{
+  slot_word * const words = in->words;
+  const int64_t token = open_slot(words);
+  if (now >> BANK_SHIFT != in->bank_time) {
+    next_bank(in, now);
+  }
+  words[WORD_COUNT].number++;
+  words[WORD_LAST].number = now;
+  moment(words, WORD_PROCESSING, words + in->bank_at + BANK_PROCESSING, processing);
   close_slot(words, token);
 }

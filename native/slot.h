@@ -24,6 +24,7 @@ typedef struct {
   int64_t now;             // when it is counted
   int64_t when;            // of its receipt, or of its publishing
   int64_t latency;         // from its publishing to its receipt
+  int64_t age;             // from its stamp to its receipt
   int64_t processing;      // from what it answers to it
   int64_t size;            // serialised, in bytes; -1 where unknown
   const sequence * numbers;  // what knows the losses of the connection; NULL where nothing does
@@ -34,5 +35,8 @@ void slot_begin(
   slot * in, int kind, const uint8_t gid[GID_BYTES], const char * topic, const char * node, const char * other);
 
 void slot_count(slot * in, const message * what);
+
+// Count a message that answers another, in a slot for these alone: when, and how long after the other one was taken.
+void slot_answered(slot * in, int64_t now, int64_t processing);
 
 #endif

@@ -48,6 +48,12 @@ EXPORT bool rmw_feature_supported(int feature)
 }
 #endif
 
+EXPORT void rcutils_reset_error(void);
+EXPORT void rcutils_reset_error(void)
+{
+  fake.errors = 0;
+}
+
 EXPORT const char * rmw_get_implementation_identifier(void);
 EXPORT const char * rmw_get_implementation_identifier(void)
 {

@@ -15,7 +15,10 @@ typedef struct {
   bool fail;     // whether calls fail
   bool empty;    // whether nothing is there to be taken
   bool nested;   // whether functions are implemented by one another, through their exported names
-  size_t size;   // of serialised messages
+  size_t size;   // of serialised messages; of others as their type support tells it
+  int32_t stamp;  // seconds in the header of messages
+  int errors;    // that were set and not taken back
+  int asked;     // how often a size was asked for
   rmw_request_id_t call;
 } fake_script;
 

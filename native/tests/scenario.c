@@ -4,7 +4,9 @@
 // say what must be counted.
 
 #include "fake_rmw.h"
+#include "fake_type.h"
 
+#include <dlfcn.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,14 +28,17 @@ static int count;
 
 static const char * const KINDS[] = {"publisher", "subscription", "client", "service"};
 
-static void * create(const char * kind, const rmw_node_t * node, const char * name, bool filtered)
+static fake_message in_flight;
+
+static void * create(const char * kind, const rmw_node_t * node, const char * name, const char * how)
 {
+  const bool filtered = strcmp(how, "filtered") == 0;
   if (strcmp(kind, "publisher") == 0) {
-    return rmw_create_publisher(node, NULL, name, NULL, NULL);
+    return rmw_create_publisher(node, fake_type(how), name, NULL, NULL);
   }
   if (strcmp(kind, "subscription") == 0) {
     const rmw_subscription_options_t options = {.content_filter_options = filtered ? "x > 1" : NULL};
-    return rmw_create_subscription(node, NULL, name, NULL, &options);
+    return rmw_create_subscription(node, fake_type(how), name, NULL, &options);
   }
   if (strcmp(kind, "client") == 0) {
     return rmw_create_client(node, NULL, name, NULL);
@@ -58,8 +63,8 @@ static rmw_ret_t publish(const void * publisher, const char * how)
   if (strcmp(how, "serialized") == 0) {
     return rmw_publish_serialized_message(publisher, &bytes, NULL);
   }
-  return strcmp(how, "loaned") == 0 ? rmw_publish_loaned_message(publisher, NULL, NULL)
-                                    : rmw_publish(publisher, NULL, NULL);
+  return strcmp(how, "loaned") == 0 ? rmw_publish_loaned_message(publisher, &in_flight, NULL)
+                                    : rmw_publish(publisher, &in_flight, NULL);
 }
 
 static rmw_ret_t take_sequence(const void * subscription, bool * taken)
@@ -79,9 +84,10 @@ static rmw_ret_t take(const void * subscription, const char * how, bool * taken)
     uint8_t all[HUMBLE_INFO_BYTES];
   } info;
   rmw_serialized_message_t bytes = {NULL, 0};
-  void * loan;
+  void * loan = &in_flight;
+  in_flight = (fake_message){fake.stamp, 250};
   if (strcmp(how, "info") == 0) {
-    return rmw_take_with_info(subscription, NULL, taken, &info.read, NULL);
+    return rmw_take_with_info(subscription, &in_flight, taken, &info.read, NULL);
   }
   if (strcmp(how, "serialized") == 0) {
     return rmw_take_serialized_message(subscription, &bytes, taken, NULL);
@@ -95,7 +101,7 @@ static rmw_ret_t take(const void * subscription, const char * how, bool * taken)
   if (strcmp(how, "loaned_info") == 0) {
     return rmw_take_loaned_message_with_info(subscription, &loan, taken, &info.read, NULL);
   }
-  return strcmp(how, "sequence") == 0 ? take_sequence(subscription, taken) : rmw_take(subscription, NULL, taken, NULL);
+  return strcmp(how, "sequence") == 0 ? take_sequence(subscription, taken) : rmw_take(subscription, &in_flight, taken, NULL);
 }
 
 static rmw_ret_t serve(void * handle, const char * how, bool * taken)
@@ -177,6 +183,18 @@ static void read_bytes(uint8_t * into, size_t most, const char * hexadecimal)
   }
 }
 
+// Call a function of the library as the hook in Python does.
+static int tell_library(const char * name)
+{
+  void (*call)(void) = NULL;
+  void * const found = dlsym(RTLD_DEFAULT, name);
+  memcpy(&call, &found, sizeof(found));
+  if (call != NULL) {
+    call();
+  }
+  return call == NULL;
+}
+
 static void set(const char * what, long value)
 {
   if (strcmp(what, "fail") == 0) {
@@ -187,6 +205,8 @@ static void set(const char * what, long value)
     fake.nested = value;
   } else if (strcmp(what, "foreign") == 0) {
     fake.foreign = value;
+  } else if (strcmp(what, "stamp") == 0) {
+    fake.stamp = (int32_t)value;
   } else if (strcmp(what, "size") == 0) {
     fake.size = (size_t)value;
   }
@@ -209,7 +229,7 @@ __attribute__((visibility("default"))) int scenario(void (*set_time)(int64_t))
     for (int at = 0; at < 4; at++) {
       if (strcmp(verb, KINDS[at]) == 0) {
         const rmw_node_t node = {NULL, NULL, three, two};
-        void * const handle = create(KINDS[at], &node, one, strcmp(four, "filtered") == 0);
+        void * const handle = create(KINDS[at], &node, one, four);
         answer = handle != NULL ? count : -1;
         entities[count].kind = KINDS[at];
         entities[count++].handle = handle;
@@ -242,6 +262,10 @@ __attribute__((visibility("default"))) int scenario(void (*set_time)(int64_t))
       answer = two[0] != '\0' ? setenv(one, value, 1) : unsetenv(one);
     } else if (strcmp(verb, "threads") == 0) {
       threads(id, (work){entities[atoi(two)].handle, entities[atoi(three)].handle, atoi(four)});
+    } else if (strcmp(verb, "library") == 0) {
+      answer = tell_library(one);
+    } else if (strcmp(verb, "asked") == 0) {
+      answer = fake.asked * 10 + fake.errors;
     } else if (strcmp(verb, "filter") == 0) {
       answer = rmw_subscription_set_content_filter(entities[id].handle, NULL);
     } else if (strcmp(verb, "fork") == 0) {

@@ -46,7 +46,7 @@ class Built:
         folder.mkdir(exist_ok=True)
         self._run("-shared", *flags, "-o", folder / "librmw_fake.so", self._test("fake_rmw.c"))
         self._run(
-            "-shared", "-o", folder / "libscenario.so", self._test("scenario.c"),
+            "-shared", "-o", folder / "libscenario.so", self._test("scenario.c"), self._test("fake_type.c"),
             f"-L{folder}", "-lrmw_fake", "-Wl,-rpath,$ORIGIN",
         )  # fmt: skip
 

@@ -38,12 +38,13 @@ def talk(node):
         if time.monotonic() - begin > PATIENCE:
             raise SystemExit("nobody listens")
         rclpy.spin_once(node, timeout_sec=0.05)
-    size = 0
+    size = typed_size = 0
     before = cpu()
     for number in range(MESSAGES):
         message = Header(frame_id=str(number))
         message.stamp = node.get_clock().now().to_msg()
         typed.publish(message)
+        typed_size += len(serialize_message(message))
         if number % 2:
             whole = serialize_message(message)
             size += len(whole)
@@ -54,7 +55,7 @@ def talk(node):
     served = node.count_clients(f"{node.get_name()}/get_parameters")
     while served and node.count_clients(f"{node.get_name()}/get_parameters") and time.monotonic() - begin < PATIENCE:
         rclpy.spin_once(node, timeout_sec=0.05)
-    told(typed=MESSAGES, raw=MESSAGES // 2, size=size, cpu=used)
+    told(typed=MESSAGES, raw=MESSAGES // 2, size=size, typed_size=typed_size, cpu=used)
 
 
 def listen(node):

@@ -73,7 +73,7 @@ def run(tmp_path: Path, code: str, fake=FAKE, **variables: str) -> tuple[subproc
     # The folder is read before the process, which waits for it, may take its file away.
     waiting = code + "\nprint('done', flush=True); import sys; sys.stdin.read()"
     with subprocess.Popen(
-        [sys.executable, "-c", waiting], env=base | environment(base), text=True,
+        [sys.executable, "-c", waiting], env=base | environment(base) | {"LD_PRELOAD": ""}, text=True,
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
     ) as process:  # fmt: skip
         said = process.stdout.readline()
@@ -222,3 +222,37 @@ for sub in (other, again, again, other):
     assert failures == []
     assert tallies["/out", ""].count == 8
     assert (tallies["/out", "/in"].processing.count, tallies["/out", "/scan"].processing.count) == (5, 2)
+
+
+def test_beside_the_library_python_counts_nothing_and_tells_what_the_library_does_not_see(tmp_path):
+    """Timers, guard conditions and waitables; messages and services it sees itself."""
+    fake = FAKE | {
+        "executors.py": FAKE["executors.py"]
+        + """
+    def _take_guard_condition(self, one): return 'guard'
+    def _take_waitable(self, one): return 'waitable'
+"""
+    }
+    code = """
+import ctypes, sys
+calls = []
+class Library:
+    class Function:
+        def __init__(self, name): self.name = name
+        def __call__(self): calls.append(self.name)
+    def __init__(self, name): assert name is None
+    roslens_count_answers, roslens_forget_taken = Function('answers'), Function('forget')
+ctypes.PyDLL = Library
+import os
+os.environ['LD_PRELOAD'] = 'library'
+from rclpy.executors import Executor
+from rclpy.publisher import Publisher
+assert Executor._take_subscription.__name__ == '_take_subscription' and not hasattr(Publisher.publish, '__wrapped__')
+assert calls == ['answers'], calls
+executor = Executor()
+executor._take_timer(None)
+assert (executor._take_guard_condition(1), executor._take_waitable(1)) == ('guard', 'waitable')
+assert calls == ['answers'] + ['forget'] * 3, calls
+"""
+    tallies, failures = run(tmp_path, code, fake)
+    assert (tallies, failures) == ({}, [])

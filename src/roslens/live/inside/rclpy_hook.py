@@ -1,5 +1,8 @@
 """Counts what the nodes of this process publish and take with rclpy; their code stays as it is.
 
+Where the preloaded library is in the process, it counts all that, and this only tells it when a thread turns to what it
+does not see (``beside_library``). The rest is for where there was no compiler to build the library.
+
 ``Executor._take_subscription`` and ``Publisher.publish`` are replaced by functions that call them and count. Both are
 looked at first; where they are not as expected nothing is replaced, and the header of the counter file says why. An
 error in the counting ends it for the whole process, never the node.
@@ -20,6 +23,7 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
+from .beside_library import UNSEEN, forgets, forgetting
 from .sequence import Sequence
 from .slots import ANSWERED, PUBLISHED, TAKEN, CounterFile, Slot, folder_of
 
@@ -44,6 +48,7 @@ class _Hook:
     def __init__(self) -> None:
         self.counters: CounterFile | None = None
         self.begun = False
+        self.below = False
         self.claimed = ""
         self.undo: list[tuple[Any, str, Any]] = []
 
@@ -270,6 +275,13 @@ def _stand_in(subscription: Any) -> Any:
 def hook_executor(module: ModuleType) -> None:
     """Count what the executors of ``rclpy.executors`` take."""
     executor = module.Executor
+    forget = forgets()
+    if forget is not None:
+        for name in UNSEEN:
+            if callable(getattr(executor, name, None)):
+                HOOK.replace(executor, name, forgetting(getattr(executor, name), forget))
+        HOOK.below = True
+        return
     take = _replaceable(executor, "_take_subscription", "handle", "take_message")
     if take is None:
         return
@@ -331,6 +343,8 @@ def _departures(publisher: Any, now: int) -> Callable[[int, int], None]:
 
 def hook_publisher(module: ModuleType) -> None:
     """Count what the publishers of ``rclpy.publisher`` publish."""
+    if HOOK.below or forgets() is not None:
+        return
     publisher_class = module.Publisher
     publish = _replaceable(publisher_class, "publish", "handle", "publish")
     if publish is None:

@@ -44,7 +44,8 @@ class MacroSettings(msgspec.Struct, frozen=True, omit_defaults=True):
 class NodeHint(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
     """What code cannot tell of a node: endpoints, a line each (``name package/msg/Type``), and names at places.
 
-    ``names`` maps ``path:line`` of an endpoint whose name is unresolved to that name.
+    ``names`` maps ``path:line`` of an endpoint whose name is unresolved to that name. ``loads`` names code that is in
+    it: plug-ins, classes or functions with their namespaces, or files.
     """
 
     publishes: tuple[str, ...] = ()
@@ -54,6 +55,7 @@ class NodeHint(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_f
     serves_actions: tuple[str, ...] = ()
     calls_actions: tuple[str, ...] = ()
     names: dict[str, str] = {}
+    loads: tuple[str, ...] = ()
 
 
 class DeclaredConfiguration(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):

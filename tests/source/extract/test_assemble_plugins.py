@@ -31,6 +31,12 @@ class Units:
         self.asked.append(None if chosen is None else chosen.values)
         return self.again(chosen)
 
+    def plugins(self):
+        return frozenset()
+
+    def parts(self, name):
+        return ()
+
     def scripts(self, package, name):
         return ()
 

@@ -69,6 +69,42 @@ int main(int argc, char ** argv) { ros::init(argc, argv, "factory"); auto node =
 )
 
 
+LAUNCH = """<launch>
+  <node pkg="outer" type="host" name="host"><rosparam>{layers: [{name: a, type: p/People}]}</rosparam></node>
+  <node pkg="outer" type="other" name="other"/>
+</launch>"""
+
+
+def launched(root, capsys, *words):
+    """Return the endpoints of each node that a launch file starts, with how they came to be known."""
+    main(["graph", str(root), "--no-cache", "-q", "--format", "json", "--launch", "p/a.launch", *words])
+    (answer,) = json.loads(capsys.readouterr().out)["configurations"]
+    return {
+        node["name"]: [(end["endpoint"]["name"], end["proof"]) for end in node.get("endpoints", ())]
+        for node in answer["nodes"]
+    }
+
+
+def test_a_plug_in_is_joined_where_a_parameter_of_a_launch_file_names_it(told, tmp_path, capsys):
+    files = {"src/layer.cpp": PLUGIN, "layer.xml": DESCRIPTION, "launch/a.launch": LAUNCH}
+    told(files, "add_library(layer src/layer.cpp)", '<outer plugin="${prefix}/layer.xml"/>')
+    found = launched(tmp_path, capsys)
+    ((name, proof),) = found["/host"]
+    assert (name, proof["path"], proof["sure"]) == ("/people", "p/src/layer.cpp", "likely")
+    assert "parameter /host/layers names the plug-in p/People" in proof["how"]
+    assert found["/other"] == []
+
+
+@pytest.mark.parametrize("code", ["Eye", "p/src/eye.cpp"])
+def test_code_is_joined_where_a_hint_says_so(told, tmp_path, capsys, code):
+    (tmp_path / "roslens.toml").write_text(f'[graph.hints."/host"]\nloads = ["{code}"]\n')
+    told({"src/eye.cpp": EYE, "launch/a.launch": LAUNCH}, "add_library(eye src/eye.cpp)")
+    found = launched(tmp_path, capsys, "--config", str(tmp_path / "roslens.toml"))
+    assert [name for name, _ in found["/host"]] == ["/seen", "/host/light"]
+    assert {proof["sure"] for _, proof in found["/host"]} == {"likely"}
+    assert all("says that" in proof["how"] for _, proof in found["/host"])
+
+
 @pytest.fixture
 def told(tmp_path, capsys):
     """Return what the command says of a package with these files, as JSON and as text."""

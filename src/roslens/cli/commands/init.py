@@ -73,6 +73,7 @@ statement = []
 # [graph.hints."/driver"]
 # publishes = ["odom nav_msgs/msg/Odometry 10"]
 # names = { "src/driver/src/driver.cpp:31" = "cmd_vel" }
+# loads = ["driver_plugins/Filter"]    # code of the workspace that is in it: plug-ins, classes, functions, files
 [graph.hints]
 """
 

@@ -18,9 +18,11 @@ from roslens.source.extract.assemble_doubt import doubted
 from roslens.source.extract.assemble_loads import loaded_by, with_used
 from roslens.source.extract.assemble_node import Given, assembled, container_name, place_of, values_of
 from roslens.source.extract.assemble_parameters import Values, set_outside
+from roslens.source.extract.assemble_parts import parts_of
 from roslens.source.extract.assemble_plugins import with_plugins
 from roslens.source.extract.assemble_proof import launch_proof
 from roslens.source.extract.assemble_units import Meant, Units, as_script, meant_by
+from roslens.source.extract.call_sites import places_of
 from roslens.source.extract.command_words import words_of
 from roslens.source.extract.environment_defaults import supposed_name, with_defaults
 from roslens.source.extract.files import Files, joined
@@ -163,6 +165,9 @@ class _Whole:
         if has_bond(launched):
             name = place_of(given, meant.facts[0] if meant.facts else _nothing(launched, generation)).node.pattern
             self.bonds.append(Bond(name, given.container, launched.conditions))
+        first = meant.facts[0] if meant.facts else _nothing(launched, generation)
+        known = {place for one in meant.facts for place in places_of(one)}
+        given = msgspec.structs.replace(given, parts=parts_of(given, first, self.units, known, self.hints))
         if not meant.facts:
             if not self.by_launch:
                 # A program that makes no node is no node; nobody said that it is one.
@@ -177,6 +182,8 @@ class _Whole:
             if number and generation == "ros2":
                 facts = values_of(given, meant.facts[0]).filled_by_maker(facts)
                 held = self._further(given, facts)
+            elif number:
+                held = msgspec.structs.replace(given, parts=())
             node, missing = assembled(held, facts, meant)
             place = len(self.nodes)
             self.nodes.append(with_checksums(node, self.units))
@@ -210,7 +217,7 @@ class _Whole:
         if loaded.kind == "component" and facts.inherits in (Inherits.ALL, Inherits.PARAMETERS):
             settings = (*settings, *loaded.settings)
         launched = msgspec.structs.replace(loaded, name=name, namespace=namespace, remaps=remaps, settings=settings)
-        return msgspec.structs.replace(given, launched=launched, line=line)
+        return msgspec.structs.replace(given, launched=launched, line=line, parts=())
 
     def _meant(self, launched: Launched, line: CommandLine) -> Meant:
         words = words_of(launched, self.launch.generation) if self.by_launch else None

@@ -64,6 +64,7 @@ class Given(msgspec.Struct, frozen=True):
         by_launch: whether a launch file starts it; else its target does.
         hints: of the user, by name of a node or ``package/executable``.
         hinted_in: the file that has the hints.
+        parts: endpoints of code that is loaded into it though its own code was not seen to do so.
     """
 
     launched: Launched
@@ -74,6 +75,7 @@ class Given(msgspec.Struct, frozen=True):
     by_launch: bool = True
     hints: dict[str, NodeHint] = {}
     hinted_in: str = ""
+    parts: tuple[EndpointFact, ...] = ()
 
 
 def place_of(given: Given, facts: NodeFacts) -> Place:
@@ -178,6 +180,7 @@ class _Node:
             for names in (self.values.each(chosen.text),)
             for name in names
         ]
+        endpoints += [self._endpoint(one, Origin.CODE) for one in self.given.parts]
         if self.hint:
             told = hinted(self.hint, self.given.generation, self.given.hinted_in, self.hint_key)
             endpoints += [self._endpoint(one, Origin.HINT) for one in told]

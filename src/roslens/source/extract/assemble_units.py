@@ -42,6 +42,12 @@ class Units(Protocol):
         decides which plug-ins it loads.
         """
 
+    def plugins(self) -> frozenset[str]:
+        """Return the names under which descriptions have plug-ins of the workspace."""
+
+    def parts(self, name: str) -> Sequence[NodeFacts]:
+        """Return what code makes, wherever it runs: by the name of a plug-in, a class, a function or a file."""
+
     def scripts(self, package: str, name: str) -> Sequence[str]:
         """Return the scripts of a package that have a name as their file name."""
 
@@ -96,6 +102,15 @@ class KnownUnits:
         """Return the nodes that an object of a class becomes."""
         del sources, chosen
         return self._classes.get(name, ())
+
+    def plugins(self) -> frozenset[str]:
+        """Return the names of the targets that are plug-ins."""
+        targets = (one for group in self._targets.values() for one in group)
+        return frozenset(one.name for one in targets if one.kind is TargetKind.PLUGIN)
+
+    def parts(self, name: str) -> Sequence[NodeFacts]:
+        """Return what a class or function makes."""
+        return self._classes.get(name.replace("::", "."), ())
 
     def scripts(self, package: str, name: str) -> Sequence[str]:
         """Return the scripts whose facts are there, in the folder of the package's name."""

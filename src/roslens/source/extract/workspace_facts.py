@@ -180,6 +180,22 @@ class WorkspaceFacts:
         plugins = (one for build in builds for one in build.targets if one.kind is TargetKind.PLUGIN)
         return {one.name: one.entry for one in plugins if one.entry and one.entry != one.name}
 
+    @cached_property
+    def _described(self) -> dict[str, str]:
+        """Return the class of each plug-in by the name under which a description has it."""
+        builds = self._parts.builds.builds.values()
+        plugins = (one for build in builds for one in build.targets if one.kind is TargetKind.PLUGIN)
+        return {one.name: (one.entry or one.name).replace("::", ".") for one in plugins}
+
+    def plugins(self) -> frozenset[str]:
+        """Return the names under which descriptions have plug-ins of the workspace."""
+        return frozenset(self._described)
+
+    def parts(self, name: str) -> Sequence[NodeFacts]:
+        """Return what code makes, wherever it runs: by the name of a plug-in, a class, a function or a file."""
+        meant = self._described.get(name, name.replace("::", "."))
+        return [one for one in self.made() if one.endpoints and (one.unit == meant or one.path == name)]
+
     def scripts(self, package: str, name: str) -> Sequence[str]:
         """Return the scripts in Python of a package that have a name as their file name, sorted."""
         found = self._parts.found.get(package)

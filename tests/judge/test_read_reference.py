@@ -101,7 +101,7 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
     [
         (
             "topc: /scan\nrate: 1..2",
-            "r.yaml:4:5: unknown key 'topc' of a constraint; expected one of its 69 keys. Did you mean 'topic'?",
+            "r.yaml:4:5: unknown key 'topc' of a constraint; expected one of its 75 keys. Did you mean 'topic'?",
         ),
         ("zzzz: /scan\nrate: 1..2", "r.yaml:4:5: unknown key 'zzzz' of a constraint; expected one of host, node"),
         ("topic: /scan\nrate: 30 Hz", "r.yaml:5:11: rate: '30 Hz' is a single value, which nothing measured ever has"),
@@ -121,7 +121,10 @@ def test_a_document_included_into_two_namespaces_holds_in_both():
         ("topic: **/x\nrate: 1..2", "Put the value in quotes"),
         ("topic: /x\nrate: >= 5 Hz", "Put the value in quotes"),
         ("node: /n\nsubscriber: /a\ncpu: <= 5 %", "'subscriber' of a node; expected it with a connection only"),
-        ("topic: /n\non: h\nrate: 1..2", "'on' of a topic; expected it with a node or process or connection only"),
+        (
+            "topic: /n\non: h\nrate: 1..2",
+            "'on' of a topic; expected it with a node or process or connection or parameter only",
+        ),
         ('topic: /n\nloss: ">= 120 %"', "loss: no value can be in '>= 120 %'; expected a part of 0..100"),
         ("topic: /n\nrate: any", "r.yaml:5:5: rate: 'any' expects nothing".replace("5:5", "5:11")),
         (

@@ -51,7 +51,8 @@ def test_the_page_names_every_key():
 def test_the_example_of_the_page_is_a_reference(tmp_path: Path):
     (tmp_path / "drive.yaml").write_bytes(DRIVE)
     reference = load_reference([GivenText("example.yaml", EXAMPLE.encode(), str(tmp_path))], BY_KEY)
-    assert len(reference.expectations) == 7
+    assert len(reference.expectations) == 10
+    assert len(reference.states) == 3
     assert accepted(EXAMPLE)
 
 

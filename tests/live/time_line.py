@@ -14,6 +14,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import yaml
 
 from roslens.judge.expectation import (
@@ -25,6 +26,8 @@ from roslens.judge.expectation import (
     PresenceMode,
     Reference,
     Selector,
+    StateCheck,
+    StateOf,
     Timing,
     Told,
 )
@@ -87,6 +90,17 @@ def reference(line: dict[str, Any]) -> Reference:
             )
             for row in line.get("fields", ())
         ),
+        states=tuple(
+            StateCheck(
+                told(row),
+                selector(row),
+                StateOf(row["of"]),
+                tuple(row.get("allowed", ())),
+                Range.parse(row["range"]) if "range" in row else None,
+                row.get("written", ""),
+            )
+            for row in line.get("states", ())
+        ),
         chains=tuple(
             AgeChain(told(row), tuple(row["topics"]), Range.parse(row["range"])) for row in line.get("chains", ())
         ),
@@ -144,9 +158,18 @@ def tallies(row: dict[str, Any]) -> list[tuple[float, Tally]]:
 def graph(row: dict[str, Any]) -> Graph:
     ends = [Endpoint(node, Role.PUBLISHER, t) for node, topics in row.get("publish", {}).items() for t in topics]
     ends += [Endpoint(node, Role.SUBSCRIPTION, t) for node, topics in row.get("subscribe", {}).items() for t in topics]
-    nodes = tuple(Node(name, host or "") for name, host in sorted(row.get("nodes", {}).items()))
+    managed = row.get("lifecycle", {})
+    nodes = tuple(
+        Node(name, host or "", lifecycle=managed.get(name, "")) for name, host in sorted(row.get("nodes", {}).items())
+    )
+    types = row.get("types", {})
+    ends = [msgspec.structs.replace(end, type=types.get(f"{end.node} {end.name}", "")) for end in ends]
     return Graph(
-        "ros2", nodes, tuple(sorted(ends, key=lambda e: (e.node, e.role.value, e.name))), tuple(row.get("hosts", ()))
+        "ros2",
+        nodes,
+        tuple(sorted(ends, key=lambda e: (e.node, e.role.value, e.name))),
+        tuple(row.get("hosts", ())),
+        parameters=row.get("parameters", {}),
     )
 
 

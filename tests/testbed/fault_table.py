@@ -16,7 +16,7 @@ from testbed.facts import Fact
 from testbed.faults import Fault, in_force
 from testbed.machine import BedError
 from testbed.robot_ros1 import Ros1Robot
-from testbed.watched import STEP, Told, Watched
+from testbed.watched import PORT, STEP, Told, Watched
 
 Key = tuple[str, str]
 BOTH = ("ros1", "ros2")
@@ -29,6 +29,7 @@ LATE = 0.2
 
 SCAN = "connection:/lidar > /scan > /planner"
 RESENT, OF_SCAN = ("host:sensor", "resent"), ("topic:/scan", "rate")
+MISFITS = frozenset({("topic:/scan", "misfits")})
 NODES = ("/odometry", "/lidar", "/camera", "/planner")
 
 
@@ -46,6 +47,8 @@ class Case:
         says: A failure with these words has to be told, where no verdict is about such a fault.
         fact: Finds out when the fault is there for anybody to see; None where that is when it begins.
         also: Entity and quantity of what it may break too, also when its cause has gone.
+        lasts: Seconds for which who observes is struck, so that nothing bad may be told; 0 of faults of the robot.
+        observer: Of which has to be told that nothing is heard of it, and nothing else; empty of none.
     """
 
     name: str
@@ -56,6 +59,8 @@ class Case:
     says: str = ""
     fact: Callable[[Watched, Fault], Fact] | None = None
     also: frozenset[Key] = frozenset()
+    lasts: float = 0.0
+    observer: str = ""
 
     def window_of(self, generation: str) -> float:
         """Return the window of a generation."""
@@ -83,14 +88,17 @@ class Row:
     window: float = 0.0
     over: float | None = None
     load: float = 0.0
+    quiet: bool = False
 
     @property
     def right(self) -> bool:
         """Whether it was told, in time, and nothing else was."""
+        if self.quiet:
+            return not self.others and self.ok is not None and (self.alarm is None or self.alarm <= self.allowed)
         if self.over is None or self.alarm is None or self.ok is None or self.others:
             return False
         # How long the middleware takes to tell of a subscription is not ours to say.
-        return self.alarm <= self.allowed and (self.over <= LATE or MISFIT in self.told)
+        return self.alarm <= self.allowed and (self.over <= LATE or MISFIT in self.told or "misfits" in self.told)
 
 
 def _both(*keys: Key) -> dict[str, frozenset[Key]]:
@@ -171,20 +179,80 @@ CASES = (
          fact=facts.camera_grown),
     Case("disk of the sensor host is full", lambda w: faults.full_disk(w.bed["sensor"]),
          _both(("host:sensor", "disk_free")), 1.2),
-    Case("lidar freezes", lambda w: faults.frozen(w.robot.processes["lidar"]), _both(("topic:/scan", "rate")), 2.2),
+    Case("lidar freezes", lambda w: faults.frozen(w.robot.processes["lidar"]), _both(("topic:/scan", "rate")), 2.2,
+         also=frozenset({("node:/lidar", "stopped")})),
     # Told when it happens.
     Case("lidar crashes", lambda w: faults.killed(w.robot.processes["lidar"]),
          _both(("node:/lidar", "presence")), 0.5, 0.0, also=frozenset({OF_SCAN})),
     Case("lidar crashes and restarts", _crash_and_restart, _both(("node:/lidar", "presence")), 0.5, 0.0,
          also=frozenset({OF_SCAN})),
     Case("subscription asks for more than is offered", lambda w: _misfit(w, "reliable"),
-         {"ros2": frozenset()}, 5.0, 0.0, MISFIT, facts.subscribed("misfit-reliable")),
-    Case("subscription of another type", lambda w: _misfit(w, "type"), {"ros2": frozenset()}, 5.0, 0.0, MISFIT,
+         {"ros2": MISFITS}, 5.0, 0.0, MISFIT, facts.subscribed("misfit-reliable")),
+    Case("subscription of another type", lambda w: _misfit(w, "type"), {"ros2": MISFITS}, 5.0, 0.0, MISFIT,
          facts.subscribed("misfit-type")),
     # Counted from before it is asked to end, which takes it seconds; looked at every second.
     Case("ROS master restarts", _master_restart,
          {"ros1": frozenset((f"node:{node}", "presence") for node in NODES)}, 6.0, fact=facts.master_answers),
 )  # fmt: skip
+
+
+def _observing(name: str, begin: Callable[[Watched], AbstractContextManager[Fault]], lasts: float, of: str) -> Case:
+    """Return a fault of who observes; after a second and a half, or three turns of a second, it is silent."""
+    # That TCP sends again what was not answered meanwhile is true.
+    also = frozenset({RESENT})
+    return Case(name, begin, _both(*OBSERVED_KEYS), 4.0, SILENT, also=also, lasts=lasts, observer=of)
+
+
+OBSERVED_KEYS = (OF_SCAN, ("topic:/odom", "rate"), ("topic:/cmd_vel", "rate"), ("host:sensor", "disk_free"))
+"""What the agents and the observer of ROS tell of a robot that is fine."""
+SILENT = 3.0
+"""Seconds after which an observer that speaks once a second is silent."""
+OBSERVED = (
+    _observing("line to the agent of sensor is cut for 2 s", lambda w: faults.silent_line(w.bed["sensor"], PORT), 2.0,
+               "observer:sensor/agent"),
+    _observing("line to the agent of sensor is cut for 10 s", lambda w: faults.silent_line(w.bed["sensor"], PORT), 10.0,
+               "observer:sensor/agent"),
+    _observing("agent of sensor is stopped for 10 s", lambda w: faults.frozen(w.agents["sensor"]), 10.0,
+               "observer:sensor/agent"),
+    _observing("observer of ROS is stopped for 4 s", lambda w: faults.frozen_children(w.monitor), 4.0,
+               "observer:base/ros"),
+    _observing("observer of ROS is stopped for 10 s", lambda w: faults.frozen_children(w.monitor), 10.0,
+               "observer:base/ros"),
+    _observing("monitor is stopped for 8 s", lambda w: faults.frozen(w.monitor), 8.0, ""),
+)  # fmt: skip
+"""Faults of who observes, of which the robot knows nothing."""
+EVERY = (*CASES, *OBSERVED)
+
+
+def run_quiet(watched: Watched, case: Case, needed: set[Key]) -> Row:
+    """Strikes who observes, and notes what was told: the robot is fine all the time."""
+    watched.wait_until_ok(needed)
+    first, began = len(watched.told), time.time()
+    with case.begin(watched) as fault:
+        time.sleep(case.lasts)
+        load = os.getloadavg()[0]
+    assert fault.ended is not None
+    ok: float | None = None
+    with contextlib.suppress(BedError):
+        watched.wait_until_ok(needed)
+        after = [one.time for one in watched.told[first:] if one.state == "ok" and one.time > fault.ended]
+        ok = max(after, default=fault.ended) - fault.ended
+    time.sleep(HELD)
+    watched.read()
+    fresh = watched.told[first:]
+    silent = [one for one in fresh if one.entity.startswith("observer:") and one.state == "unknown"]
+    named = [one for one in silent if case.observer and one.entity.startswith(case.observer)]
+    following = [one for one in fresh if one.bad and one.key in case.also]
+    others = [one for one in fresh if one.bad and one not in following] + [one for one in silent if one not in named]
+    alarm = named[0].time - began if named else None
+    told = f"{named[0].entity} {named[0].state}" if named else ""
+    if case.observer and not named and case.lasts > SILENT + LATE:
+        ok = None
+    over = max(alarm - case.window_of(watched.generation), 0.0) if alarm is not None else 0.0
+    return Row(
+        case.name, watched.generation, told, alarm, ok, _texts(following, began), _texts(others, began), case.allowed,
+        case.window_of(watched.generation), over, load, quiet=True,
+    )  # fmt: skip
 
 
 def ready(generation: str, cases: Iterable[Case] = CASES) -> set[Key]:
@@ -254,7 +322,7 @@ def _texts(told: Iterable[Told], began: float) -> tuple[str, ...]:
 def run_all(generation: str, names: Iterable[str] = (), *, exactly: bool = False) -> Iterator[Row]:
     """Yields a row for each fault of a generation, or for those whose names have one of the words, or are they."""
     wanted = list(names)
-    cases = [case for case in CASES if generation in case.right]
+    cases = [case for case in EVERY if generation in case.right]
     cases = [
         case
         for case in cases
@@ -264,14 +332,14 @@ def run_all(generation: str, names: Iterable[str] = (), *, exactly: bool = False
     cases = [case for case in cases if faked or "clock" not in case.name]
     with Watched(generation, faked_clock=faked) as watched:
         for case in cases:
-            yield run_case(watched, case, ready(generation, cases))
+            yield (run_quiet if case.lasts else run_case)(watched, case, ready(generation, cases))
 
 
 def line(row: Row) -> str:
     """The row in Markdown."""
-    alarm = "missed" if row.alarm is None else f"{row.alarm:.1f}"
+    alarm = f"{row.alarm:.1f}" if row.alarm is not None else "-" if row.quiet else "missed"
     ok = "not" if row.ok is None else f"{row.ok:.1f}"
-    if row.alarm is None or MISFIT in row.told:
+    if not row.quiet and (row.alarm is None or MISFIT in row.told):
         ok = "-"  # nothing was bad that could become ok
     told = f"`{row.told}`" if row.told else ""
     late = "" if row.over is None else f"{row.over:.1f}"

@@ -9,6 +9,7 @@ offset.
 """
 
 import contextlib
+import os
 import signal
 import sys
 import time
@@ -193,6 +194,43 @@ def frozen(process: Process) -> Iterator[Fault]:
     with in_force(
         "frozen", process.name, lambda: process.send(signal.SIGSTOP), lambda: process.send(signal.SIGCONT)
     ) as fault:
+        yield fault
+
+
+@contextlib.contextmanager
+def frozen_children(process: Process) -> Iterator[Fault]:
+    """The process goes on, and those that it started stand still: SIGSTOP, SIGCONT."""
+    stopped: list[int] = []
+
+    def stop() -> None:
+        stopped.extend(map(int, Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()))
+        if not stopped:
+            raise BedError(f"{process.name} has no children that could be stopped")
+        for pid in stopped:
+            os.kill(pid, signal.SIGSTOP)
+
+    def go_on() -> None:
+        for pid in stopped:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGCONT)
+
+    with in_force("children frozen", process.name, stop, go_on) as fault:
+        yield fault
+
+
+@contextlib.contextmanager
+def silent_line(host: Host, port: int) -> Iterator[Fault]:
+    """Nothing passes between `host` and TCP port `port` of others; whatever else it sends arrives."""
+    rules = (
+        "add table inet line\n"
+        "add chain inet line out { type filter hook output priority 0; }\n"
+        "add chain inet line in { type filter hook input priority 0; }\n"
+        f"add rule inet line out tcp dport {port} drop\n"
+        f"add rule inet line in tcp sport {port} drop\n"
+    )
+    nft = ["ip", "netns", "exec", host.namespace, "nft"]
+    begin, end = (lambda: system(*nft, rules)), (lambda: system(*nft, "delete", "table", "inet", "line"))
+    with in_force("silent line", host.name, begin, end) as fault:
         yield fault
 
 

@@ -163,6 +163,11 @@ class Watched:
             raise BedError(f"not ok after {limit} s: {missing}; {error}") from None
 
     @property
+    def silent(self) -> list[Told]:
+        """When it was told that nothing is heard of an observer."""
+        return [one for one in self.told if one.entity.startswith("observer:") and one.state == "unknown"]
+
+    @property
     def alarmed(self) -> set[tuple[str, str]]:
         """What was bad at any time."""
         return {one.key for one in self.told if one.bad}

@@ -11,9 +11,18 @@ import msgspec
 
 from roslens.judge.alternatives import each
 from roslens.judge.common_name import common_name
-from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, PresenceMode, Selector
+from roslens.judge.expectation import (
+    AgeChain,
+    Expectation,
+    FieldCheck,
+    Presence,
+    PresenceMode,
+    Selector,
+    StateCheck,
+)
 from roslens.judge.pattern import Pattern
 from roslens.judge.reference_document import Declared, Sentence
+from roslens.judge.same_value import number_of, same_value
 from roslens.judge.sentence_words import expected_words, subject_words
 from roslens.model.errors import DocumentError
 
@@ -109,6 +118,8 @@ def _theme(sentence: Sentence) -> tuple[object, ...]:
         return ("presence", sentence.selector.kind)
     if isinstance(sentence, AgeChain):
         return ("chain", sentence.topics)
+    if isinstance(sentence, StateCheck):
+        return ("state", sentence.selector.kind, sentence.of)
     return ("field", sentence.field, sentence.condition, sentence.measure, sentence.other)
 
 
@@ -122,6 +133,8 @@ def _clash(one: Sentence, other: Sentence) -> str | None:
             return None
         banned = (_forbidden(single.selector, never.selector) for single in each(needed))
         return next((name for name in banned if name is not None), None)
+    if isinstance(one, StateCheck) and isinstance(other, StateCheck):
+        return None if _states_meet(one, other) else meeting_name(one.selector, other.selector)
     if isinstance(one, FieldCheck | AgeChain) and isinstance(other, FieldCheck | AgeChain):
         if one.range.overlaps(other.range):
             return None
@@ -129,6 +142,17 @@ def _clash(one: Sentence, other: Sentence) -> str | None:
             return meeting_name(one.selector, other.selector)
         return one.topics[-1] if isinstance(one, AgeChain) else None
     return None
+
+
+def _states_meet(one: StateCheck, other: StateCheck) -> bool:
+    """Whether a text or number can be fine for both."""
+    if one.range is not None and other.range is not None:
+        return one.range.overlaps(other.range)
+    if one.range is None and other.range is None:
+        return any(same_value(mine, theirs) for mine in one.allowed for theirs in other.allowed)
+    ranged, listed = (one, other) if one.range is not None else (other, one)
+    numbers = [number for text in listed.allowed if (number := number_of(text)) is not None]
+    return ranged.range is not None and any(number in ranged.range for number in numbers)
 
 
 def _apart(one: Expectation, other: Expectation) -> bool:

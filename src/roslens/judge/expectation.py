@@ -183,6 +183,33 @@ class AgeChain(msgspec.Struct, frozen=True, omit_defaults=True):
     written: str = ""
 
 
+class StateOf(str, Enum):
+    """What of an entity is told as a text."""
+
+    LIFECYCLE = "lifecycle"
+    VALUE = "value"
+
+
+class StateCheck(msgspec.Struct, frozen=True, omit_defaults=True):
+    """The lifecycle state of managed nodes, or the value of parameters, is one of those allowed, or in a range.
+
+    Attributes:
+        told: what goes with the sentence.
+        selector: nodes of a lifecycle, parameters of a value.
+        of: which of the two.
+        allowed: texts that are fine; numbers are compared as numbers.
+        range: of numbers that are fine; None where ``allowed`` says it.
+        written: both as the document has them.
+    """
+
+    told: Told
+    selector: Selector
+    of: StateOf
+    allowed: tuple[str, ...] = ()
+    range: Range | None = None
+    written: str = ""
+
+
 class Reference(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that is expected of a system, merged from its documents; sorted by id within each part."""
 
@@ -193,9 +220,10 @@ class Reference(msgspec.Struct, frozen=True, omit_defaults=True):
     presences: tuple[Presence, ...] = ()
     field_checks: tuple[FieldCheck, ...] = ()
     chains: tuple[AgeChain, ...] = ()
+    states: tuple[StateCheck, ...] = ()
 
 
-AnySentence = TypeVar("AnySentence", Expectation, Presence, FieldCheck, AgeChain)
+AnySentence = TypeVar("AnySentence", Expectation, Presence, FieldCheck, AgeChain, StateCheck)
 
 
 def essence(sentence: AnySentence) -> AnySentence:

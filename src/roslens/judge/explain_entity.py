@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import msgspec
 
 from roslens.judge.amount import Limits, limits_text
-from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, Selector
+from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, Selector, StateCheck
 from roslens.judge.merge_references import Merged
 from roslens.judge.pattern import Pattern
 from roslens.judge.range import Range
@@ -66,7 +66,7 @@ def combined(applied: tuple[Applied, ...], known: Mapping[str, Quantity]) -> dic
 
 def _applied(declared: Declared, subject: Subject) -> Iterator[Applied]:
     sentence = declared.sentence
-    if isinstance(sentence, Expectation | Presence):
+    if isinstance(sentence, Expectation | Presence | StateCheck):
         provided = _provided(sentence.selector, subject)
         if provided is not None:
             yield Applied(declared, provided)
@@ -100,7 +100,7 @@ def _role(sentence: Sentence, subject: Subject) -> str | None:
     if isinstance(sentence, Presence):
         condition = sentence.condition
         return "it is the condition" if condition and _provided(condition, subject) == "" else None
-    if subject.kind is not EntityKind.TOPIC or isinstance(sentence, Expectation):
+    if subject.kind is not EntityKind.TOPIC or isinstance(sentence, Expectation | StateCheck):
         return None
     if isinstance(sentence, AgeChain):
         if subject.name not in sentence.topics:

@@ -8,12 +8,12 @@ from typing import TypeVar
 import msgspec
 
 from roslens.judge.contradiction import Contradiction, contradictions
-from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, Reference
+from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, Reference, StateCheck
 from roslens.judge.reference_document import Declared, ReferenceDocument, Sentence
 from roslens.model.errors import DocumentError
 from roslens.plugins.nearest import did_you_mean
 
-Kind = TypeVar("Kind", Expectation, Presence, FieldCheck, AgeChain)
+Kind = TypeVar("Kind", Expectation, Presence, FieldCheck, AgeChain, StateCheck)
 
 
 class Merged(msgspec.Struct, frozen=True):
@@ -65,6 +65,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
         presences=_sorted(standing, Presence),
         field_checks=_sorted(standing, FieldCheck),
         chains=_sorted(standing, AgeChain),
+        states=_sorted(standing, StateCheck),
     )
     return Merged(reference, tuple(contradictions(standing)), standing, tuple(replaced))
 
@@ -76,6 +77,7 @@ def sentences_of(reference: Reference) -> tuple[Sentence, ...]:
         *reference.presences,
         *reference.field_checks,
         *reference.chains,
+        *reference.states,
     ]
     return tuple(sorted(everything, key=lambda sentence: sentence.told.id))
 

@@ -18,6 +18,7 @@ from roslens.judge.expectation import (
 from roslens.judge.range import Range
 from roslens.judge.read_field_check import read_field_checks
 from roslens.judge.read_selector import read_condition, read_name, read_selector
+from roslens.judge.read_state_check import has_states, read_state_checks
 from roslens.judge.read_told import declared, plain_range, prefixed, reading, slug, squeezed, told_of
 from roslens.judge.reference_document import Declared, Scope
 from roslens.judge.reference_keys import CHAIN_KEYS, FIELD_KEYS, KINDS, constraint_keys
@@ -43,7 +44,7 @@ def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
     selector = read_selector(section, scope)
     name = prefixed(scope, section, _default_name(selector))
     signals = [quantity for key, quantity in scope.known.items() if key in section]
-    if not signals and "expected" not in section:
+    if not signals and "expected" not in section and not has_states(section):
         example = next((key for key, quantity in scope.known.items() if selector.kind in quantity.kinds), "")
         raise section.fault(
             "",
@@ -53,6 +54,7 @@ def _constraint(section: Section, scope: Scope) -> Iterator[Declared]:
     if "expected" in section:
         sentence = _presence(section, scope, selector, name)
         yield declared(section, scope, sentence, name, "expected")
+    yield from read_state_checks(section, scope, selector, name)
     for quantity in signals:
         limits = _limits(section, quantity, selector)
         expectation = Expectation(

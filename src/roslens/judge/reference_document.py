@@ -6,11 +6,11 @@ from collections.abc import Mapping
 
 import msgspec
 
-from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, Timing
+from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, StateCheck, Timing
 from roslens.model.finding import Severity
 from roslens.model.quantity import Quantity
 
-Sentence = Expectation | Presence | FieldCheck | AgeChain
+Sentence = Expectation | Presence | FieldCheck | AgeChain | StateCheck
 
 
 class Defaults(msgspec.Struct, frozen=True):

@@ -17,7 +17,7 @@ REFERENCE_KEYS = {
     "include": "other reference documents whose sentences hold too, as paths relative to this file",
     "namespace": "put before names that do not begin with `/`, here and in what is included; may have wildcards",
     "defaults": "what holds for every sentence of this document that does not say otherwise",
-    "constraints": "what is expected of hosts, nodes, processes, topics, connections and services",
+    "constraints": "what is expected of hosts, nodes, processes, topics, connections, services and parameters",
     "fields": "what is expected of fields of messages",
     "chains": "how old data may be at the end of a path over topics",
 }
@@ -50,6 +50,7 @@ KINDS = (
     EntityKind.TOPIC,
     EntityKind.CONNECTION,
     EntityKind.SERVICE,
+    EntityKind.PARAMETER,
 )
 
 SELECTOR_KEYS = {
@@ -59,10 +60,11 @@ SELECTOR_KEYS = {
     "topic": "topics with such a name",
     "connection": "connections over topics with such a name",
     "service": "services with such a name",
+    "parameter": "parameters with such a name (`/node/name`)",
     "type": "only topics and connections with such a message type",
     "publisher": "only topics and connections on which such a node publishes",
     "subscriber": "only connections to such a node",
-    "on": "only nodes, processes and connections on such a host",
+    "on": "only nodes, processes, connections and parameters on such a host",
     "without": "names to leave out",
 }
 
@@ -70,13 +72,18 @@ NARROWING: Mapping[str, tuple[EntityKind, ...]] = {
     "type": (EntityKind.TOPIC, EntityKind.CONNECTION),
     "publisher": (EntityKind.TOPIC, EntityKind.CONNECTION),
     "subscriber": (EntityKind.CONNECTION,),
-    "on": (EntityKind.NODE, EntityKind.PROCESS, EntityKind.CONNECTION),
+    "on": (EntityKind.NODE, EntityKind.PROCESS, EntityKind.CONNECTION, EntityKind.PARAMETER),
 }
 """Of which kinds a key can narrow the choice."""
 
 EXPECTED_KEY = {
     "expected": "being there: `always` or `while KIND NAME` is there, each name that `{a,b}` lists; `any` or "
     "`any while KIND NAME`, one that matches is enough; `at most one`; `never`"
+}
+
+STATE_KEYS = {
+    "lifecycle": "state that a managed node has to be in, such as `active`, or a list of those that are fine",
+    "value": "what a parameter has to be: a value (`true`), a list of those that are fine, or a range (`0.2..0.5`)",
 }
 
 FIELD_KEYS = {
@@ -116,4 +123,4 @@ def constraint_keys(known: Mapping[str, Quantity]) -> dict[str, str]:
         key: f"{quantity.title}{f' ({quantity.unit})' if quantity.unit else ''}: {quantity.text}"
         for key, quantity in known.items()
     }
-    return {**SELECTOR_KEYS, **EXPECTED_KEY, **signals, **TOLD_KEYS}
+    return {**SELECTOR_KEYS, **EXPECTED_KEY, **STATE_KEYS, **signals, **TOLD_KEYS}

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from roslens.judge.amount import UNITS
 from roslens.judge.expectation import CONDITIONAL, PresenceMode
+from roslens.judge.read_state_check import LIFECYCLE
 from roslens.judge.reference_keys import (
     CHAIN_KEYS,
     DEFAULT_KEYS,
@@ -16,6 +17,7 @@ from roslens.judge.reference_keys import (
     NARROWING,
     REFERENCE_KEYS,
     SELECTOR_KEYS,
+    STATE_KEYS,
     TO_KEYS,
     TOLD_KEYS,
     WHEN_KEYS,
@@ -61,6 +63,15 @@ constraints:
   - node: /joy
     expected: while node /teleop
 
+  # In the configuration it was tested with, and up.
+  - {parameter: /base/max_speed, value: 0.2..0.5}
+  - {parameter: "/*/use_sim_time", value: false}
+  - {node: /map_server, lifecycle: active}
+
+  # What joins nothing, and what stands still.
+  - {topic: "/**", misfits: 0}
+  - {node: "/*", stopped: <= 0 s, hung: <= 5 s}
+
   # Takes the place of the sentence `rate` of constraint `wheels` in drive.yaml.
   - id: wheels
     override: true
@@ -90,8 +101,8 @@ _HEAD = """\
 # References
 
 A reference is a YAML document that says how a running robot should behave: which values of which signals of which
-hosts, nodes, processes, topics, connections and services are fine. `roslens reference check FILE…` says what is wrong
-with documents and what they expect together; `roslens reference explain FILE… topic:/scan` tells what is expected of
+hosts, nodes, processes, topics, connections, services and parameters are fine. `roslens reference check FILE…` says
+what is wrong with documents and what they expect together; `roslens reference explain FILE… topic:/scan` tells what is expected of
 one entity, and where that stands; `roslens reference import FILE` makes a reference of a specification of ARNI. This
 page is made from `src/roslens/judge/`; `make docs` writes it anew. [`reference.schema.json`](reference.schema.json)
 lets editors check and complete such documents.
@@ -178,7 +189,7 @@ def references_page(known: Mapping[str, Quantity]) -> str:
             "",
             _MERGING,
             _keys("## Keys of a reference", REFERENCE_KEYS),
-            _keys("## Keys of a constraint", {**SELECTOR_KEYS, **EXPECTED_KEY}),
+            _keys("## Keys of a constraint", {**SELECTOR_KEYS, **EXPECTED_KEY, **STATE_KEYS}),
             _ALSO,
             _keys("## Keys of every sentence", TOLD_KEYS),
             _keys("## Keys of a field check", _without(FIELD_KEYS)),
@@ -197,6 +208,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
     amount = {"type": ["string", "number"]}
     texts = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
     word = {"type": ["string", "number", "boolean"]}
+    state = {"enum": list(LIFECYCLE)}
     told: dict[str, dict[str, object]] = {
         "severity": dict(severity),
         "override": {"enum": [True, False, "true", "false"]},
@@ -215,13 +227,15 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
             **{kind.value: dict(word) for kind in KINDS},
             **{key: dict(word) for key in NARROWING},
             **{key: dict(amount) for key in known},
+            "lifecycle": {"anyOf": [state, {"type": "array", "minItems": 1, "items": state}]},
+            "value": {"anyOf": [dict(word), {"type": "array", "minItems": 1, "items": dict(word)}]},
             "expected": {
                 "anyOf": [{"enum": modes}, {"type": "string", "pattern": f"^(any\\s+)?while\\s+({kinds})\\s+\\S"}]
             },
         },
     )
     constraint["oneOf"] = [{"required": [kind.value]} for kind in KINDS]
-    constraint["anyOf"] = [{"required": [key]} for key in ("expected", *known)]
+    constraint["anyOf"] = [{"required": [key]} for key in ("expected", *STATE_KEYS, *known)]
     constraint["dependentRequired"] = {"override": ["id"]}
     when = _described(WHEN_KEYS, {"range": amount}, "field", "range")
     to = _described(TO_KEYS, {}, "field")

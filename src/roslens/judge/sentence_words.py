@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from roslens.judge.alternatives import EACH, alternatives
-from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, PresenceMode, Selector
+from roslens.judge.expectation import (
+    AgeChain,
+    Expectation,
+    FieldCheck,
+    Presence,
+    PresenceMode,
+    Selector,
+    StateCheck,
+)
 from roslens.judge.reference_document import Sentence
 from roslens.model.entity import EntityKind
 
@@ -48,6 +56,8 @@ def expected_words(sentence: Sentence) -> str:
         }.get(sentence.mode, sentence.mode.value)
     if isinstance(sentence, AgeChain):
         return f"age {sentence.written}"
+    if isinstance(sentence, StateCheck):
+        return f"{sentence.of.value} {sentence.written}"
     words = f"{sentence.measure.value} {sentence.written}"
     if (other := sentence.other) is not None:
         words = f"difference to {other.topic + ' ' if other.topic else ''}{other.field} {sentence.written}"

@@ -16,7 +16,7 @@ from roslens.live.bucket import Bucket, Series
 from roslens.live.connection import Connection
 from roslens.live.measured import Group
 from roslens.live.round import Round
-from roslens.live.topic import SUMMED, Topic
+from roslens.live.topic import ENDS, SUMMED, Topic
 from roslens.live.traffic import bandwidth, message_size, period, rate
 from roslens.live.window import EPSILON_S, Window
 from roslens.model.tally_columns import Row
@@ -226,7 +226,7 @@ def envelope_of(connection: Connection, topic: Topic) -> Envelope | None:
     groups: Iterable[tuple[Group, float]] = [(group, 1.0) for group in connection.groups]
     shares: dict[str, float | None] = {}
     for group in topic.groups:
-        if group.key in ("publishers", "subscribers"):
+        if group.key in ENDS:
             continue
         if group.key in SUMMED and group.key not in shares:
             shares[group.key] = _share(connection, topic, group)

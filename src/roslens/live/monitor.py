@@ -6,13 +6,14 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 
-from roslens.judge.expectation import Presence, Reference
+from roslens.judge.expectation import Reference
 from roslens.live.age_chain import AgeChains
 from roslens.live.clock_watch import ClockWatch, Course
 from roslens.live.connection import Connection
 from roslens.live.existence import Existence
 from roslens.live.explained import Explained
 from roslens.live.field_check import FieldChecks
+from roslens.live.hearing import Hearing
 from roslens.live.host_clocks import USUAL_TOLERANCE_S
 from roslens.live.lookout import Lookout
 from roslens.live.measured import Measured
@@ -22,9 +23,9 @@ from roslens.live.presence import Presences
 from roslens.live.rulebook import NOTHING_KNOWN, Rulebook
 from roslens.live.sampled import Sampled, finite
 from roslens.live.standing import Standing
+from roslens.live.state_checks import StateChecks
 from roslens.live.tree import SystemView, view_of
-from roslens.live.unheard import Silence, waits_for
-from roslens.live.voice import Voice, Voices
+from roslens.live.voice import Voice
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
@@ -63,12 +64,12 @@ class Monitor:
         self._rules = Rulebook(reference)
         self._presences = Presences(self._rules, start)
         self._existence = Existence(self._world, self._presences)
-        self._voices = Voices(start)
-        self._silences: dict[str, Silence] = {}
         self._fields = FieldChecks(reference.field_checks, start)
         self._chains = AgeChains(reference.chains, start)
+        self._states = StateChecks(reference.states, start)
         self._explained = Explained(self._world, self._gone_nodes)
         self._lookout = Lookout(self._world, self._existence, self._plan)
+        self._hearing = Hearing(self._world, self._lookout, start)
         self._moved: list[Standing] = []
         self._retired: list[Verdict] = []
         self._chains_due = self._sweep_due = start
@@ -96,10 +97,7 @@ class Monitor:
             looked: up to when it has looked, on its own clock; 0 where it does not say.
             of_graph: whether it tells who is there.
         """
-        voice = self._voices.of(sender, self._clock.now)
-        voice.hear(looked)
-        voice.of_graph = voice.of_graph or of_graph
-        return voice
+        return self._hearing.hear(sender, looked, self._clock.now, of_graph=of_graph)
 
     def add_tally(self, tally: Tally, voice: Voice | None = None) -> None:
         """Take the traffic of a connection; what cannot be true of it is unknown.
@@ -178,6 +176,7 @@ class Monitor:
             entity.planless = True
             self._lookout.wait(entity)
         self._existence.take_graph(graph, time, now)
+        self._states.take(graph, now)
         self._explained.stale = True
 
     def add_event(self, event: Event) -> None:
@@ -256,12 +255,13 @@ class Monitor:
         """
         rules = Rulebook(reference, self._rules)
         now = self._clock.now
-        before = {*self._presences.standing, *self._fields.standing, *self._chains.standing}
+        before = self._asked()
         self._rules = rules
         self._presences = self._existence.presences = Presences(rules, now, self._presences)
         self._fields = FieldChecks(reference.field_checks, now, self._fields)
         self._chains = AgeChains(reference.chains, now, self._chains)
-        self._retire(before - {*self._presences.standing, *self._fields.standing, *self._chains.standing}, now)
+        self._states = StateChecks(reference.states, now, self._states)
+        self._retire(before - self._asked(), now)
         for one in self._entities():
             one.planless = True
             self._lookout.wait(one)
@@ -273,7 +273,10 @@ class Monitor:
         self._follow_clock(now)
         now = self._clock.now
         moved, self._moved = self._moved, []
-        moved += self._listen(now)
+        if turned := self._hearing.settle(now):
+            moved += turned
+            self._presences.look_again()
+            self._states.look_again()
         moved += self._judge(now)
         changed = {one: None for one in moved if one.state.state is not one.reported}
         for one in changed:
@@ -303,7 +306,7 @@ class Monitor:
         """Return when a tick could change something if nothing comes; infinity where only news can."""
         if self._moved or self._retired:
             return now
-        due = min(self._lookout.due, self._presences.due, self._fields.due)
+        due = min(self._lookout.due, self._presences.due, self._fields.due, self._states.due)
         return max(min(due, self._chains_due) if self._chains.standing else due, now)
 
     def tree(self, now: float) -> SystemView:
@@ -319,7 +322,8 @@ class Monitor:
             self._presences.standing,
             self._fields.standing,
             self._chains.standing,
-            (one for one in self._silences.values() if one.voice.silent),
+            self._states.standing,
+            self._hearing.standing(),
             self._explained.faults,
             chain.from_iterable(one.judged for one in self._entities()),
         )
@@ -359,6 +363,11 @@ class Monitor:
         elif self._lookout.suspended and not self._held:
             self._resume(now)
 
+    def _asked(self) -> set[Standing]:
+        """Return what the reference asks for by itself, not of what an entity was measured."""
+        every = (self._presences, self._fields, self._chains, self._states)
+        return {standing for part in every for standing in part.standing}
+
     def _traffic(self) -> Iterator[Standing]:
         return chain(
             self._fields.standing,
@@ -396,7 +405,7 @@ class Monitor:
         self._held = False
         self._suspend(time)
         self._began = time
-        self._voices.shift(time)
+        self._hearing.shift(time)
         self._presences.look_again()
         self._lookout.forget_due()
         self._chains_due = self._sweep_due = time
@@ -413,36 +422,12 @@ class Monitor:
             if self._chains.standing and now >= self._chains_due:
                 changed += self._chains.judge(now, self._look, self._silence, self._began)
                 self._chains_due = now + _CHAINS_S
-        changed += self._presences.judge(now, self._began, self._existence.vanished, self._waits_for)
+        changed += self._states.judge(now, self._began, self._hearing.silent_of_graph)
+        changed += self._presences.judge(now, self._began, self._existence.vanished, self._hearing.waits_for)
         if now >= self._sweep_due:
             self._sweep_due = now + _SWEEP_S
             self._sweep(now)
         return changed
-
-    def _listen(self, now: float) -> list[Standing]:
-        """Find out which observers are silent, and look again at what they observe where that changed."""
-        turned = self._voices.settle(now)
-        if not turned:
-            return []
-        self._lookout.silent = self._voices.silent()
-        self._presences.look_again()
-        told: list[Standing] = []
-        for voice in turned:
-            silence = self._silences.get(voice.name) or self._silences.setdefault(voice.name, Silence(voice, now))
-            silence.follow(now)
-            told.append(silence)
-            for one in self._entities():
-                if isinstance(one, Connection) and one.told_by(voice):
-                    one.wake()
-                elif not (isinstance(one, Sampled) and one.voice is voice):
-                    continue
-                self._lookout.wait(one)
-            for topic in self._world.topics.values() if voice.of_graph else ():
-                self._lookout.wait(topic)
-        return told
-
-    def _waits_for(self, presence: Presence) -> Voice | None:
-        return waits_for(presence, self._lookout.silent) if self._lookout.silent else None
 
     def _plan(self, entities: Iterable[Measured], now: float) -> None:
         for one in entities:

@@ -43,6 +43,9 @@ SIGNALS: tuple[Quantity, ...] = (
              Better.NEITHER),
     Quantity("subscribers", "Subscribers", "", (EntityKind.TOPIC,), "How many nodes subscribe to the topic.", (),
              Better.NEITHER),
+    Quantity("misfits", "Misfits", "", (EntityKind.TOPIC,),
+             "How many pairs of a publisher and a subscriber exchange nothing, because their type, its definition or "
+             "their quality of service does not fit.", (), limits="Of ROS 2 alone."),
     Quantity("cpu", "CPU", "%", _BOTH, "Share of one core; of a host the share of all cores.", (Fold.SUM,),
              limits="Nodes that share a process share its value.", decimals=1),
     Quantity("cpu_core_max", "Busiest core", "%", _MACHINE, "CPU of the busiest core.", maximum=100, decimals=1),

@@ -14,7 +14,7 @@ SUMMED = frozenset({"rate", "bandwidth"})
 _WIDEST = frozenset({"jitter", "largest_gap"})
 _OF_PUBLISHERS = SUMMED | _WIDEST | {"period", "message_size"}
 _MEANS = frozenset({"latency", "age"})
-ENDS = frozenset({"publishers", "subscribers"})
+ENDS = frozenset({"publishers", "subscribers", "misfits"})
 """Signals that the graph tells."""
 
 
@@ -29,6 +29,7 @@ class Topic(Measured):
         subscribers: nodes that subscribe to it, by the graph.
         types: of its messages.
         known: whether the graph has it.
+        misfits: pairs of nodes that exchange nothing over it; None where that is not known.
         lengths: of the windows that its sentences need.
         most: buckets that these keep.
     """
@@ -39,6 +40,7 @@ class Topic(Measured):
         "former",
         "known",
         "lengths",
+        "misfits",
         "most",
         "name",
         "publishers",
@@ -55,6 +57,7 @@ class Topic(Measured):
         self.subscribers: frozenset[str] = frozenset()
         self.types: frozenset[str] = frozenset()
         self.known = False
+        self.misfits: int | None = None
         self.most = MAX_BUCKETS
         self.lengths: tuple[float, ...] = ()
         self._ordered: list[Connection] = []
@@ -109,6 +112,8 @@ class Topic(Measured):
             return self._count(self.publishers, "publisher")
         if key == "subscribers":
             return self._count(self.subscribers, "subscriber")
+        if key == "misfits":
+            return (None if self.misfits is None else float(self.misfits)), None
         if key in _OF_PUBLISHERS:
             seen = [one.value(key, at, percentile) for one, _ in (self.views(at) if views is None else views)]
         else:

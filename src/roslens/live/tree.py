@@ -10,7 +10,7 @@ from roslens.live.command_name import command_name
 from roslens.live.connection import Connection
 from roslens.live.sampled import Sampled
 from roslens.live.standing import Standing
-from roslens.live.topic import Topic
+from roslens.live.topic import ENDS, Topic
 from roslens.live.traffic import MEASURES
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
@@ -165,7 +165,7 @@ class _Tree:
             topic = self._world.topics[entity.name]
             for one in topic.all_connections():
                 one.settle(self._now)
-            return _of_traffic(topic, (*MEASURES, "publishers", "subscribers"))
+            return _of_traffic(topic, (*MEASURES, *sorted(ENDS)))
         if entity.kind is EntityKind.CONNECTION:
             connection = self._world.connection_of(entity)
             if connection is not None:

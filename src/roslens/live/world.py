@@ -8,6 +8,7 @@ from itertools import chain
 from roslens.live.connection import Connection
 from roslens.live.connection_name import connection_ends
 from roslens.live.measured import Measured
+from roslens.live.misfit import misfits_by_topic
 from roslens.live.presence import Key
 from roslens.live.rulebook import Facts
 from roslens.live.sampled import Sampled
@@ -166,6 +167,7 @@ class World:
         self.graph = graph
         self._take_servers(graph)
         moved = self._take_hosts(graph)
+        misfits = misfits_by_topic(graph.endpoints) if graph.generation != "ros1" else {}
         for name in sorted({*publishers, *subscribers} - self.topics.keys()):
             if self.full:
                 self.refused += 1
@@ -173,7 +175,12 @@ class World:
             self.topic(name, now)
         for topic in self.topics.values():
             ends = frozenset(publishers.get(topic.name, ())), frozenset(subscribers.get(topic.name, ()))
-            if _take_ends(topic, *ends, frozenset(types.get(topic.name, ()))) or moved & ends[0]:
+            before, topic.misfits = topic.misfits, misfits.get(topic.name)
+            if (
+                _take_ends(topic, *ends, frozenset(types.get(topic.name, ())))
+                or moved & ends[0]
+                or before != topic.misfits
+            ):
                 yield topic
                 yield from chain.from_iterable(topic.connections.values())
         for sampled in self.sampled.values():

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 
 from roslens.judge.amount import amount_text
+from roslens.judge.expectation import StateOf
 from roslens.live.node_faults import GONE, STOPPED
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
@@ -19,6 +20,7 @@ from roslens.model.outgoing import Status
 from roslens.model.verdict import State, Verdict
 
 OK, WARN, ERROR, STALE = range(4)
+_STATES = frozenset(of.value for of in StateOf)
 _FACTS = frozenset({GONE.id, STOPPED.id})
 
 
@@ -64,6 +66,9 @@ def sentence(verdict: Verdict) -> str:
         return f"{verdict.evidence}; {verdict.text}" if verdict.evidence else "is heard of again"
     if verdict.expectation in _FACTS:
         return f"{verdict.evidence} → {verdict.leads_to}" if verdict.leads_to else verdict.evidence
+    if verdict.quantity in _STATES and verdict.state is State.ABSENT:
+        said = f"{verdict.quantity} {verdict.evidence}, expected {verdict.range}"
+        return f"{said}; {verdict.text}" if verdict.text else said
     signal = BY_KEY.get(verdict.quantity)
     subject = signal.title.lower() if signal else verdict.quantity
     if verdict.state is State.ABSENT:

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from itertools import islice, product
 
 from roslens.judge.qos_match import mismatches
-from roslens.live.adapters.ros2 import TOOL
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
 
+TOOL = "ros2"
 MOST_PAIRS = 100
 """Of one topic and one reason, which are told."""
 
@@ -39,6 +39,16 @@ def misfits(endpoints: Iterable[Endpoint]) -> Iterator[Failure]:
                 if failure is not None and failure not in told:
                     told.add(failure)
                     yield failure
+
+
+def misfits_by_topic(endpoints: Iterable[Endpoint]) -> dict[str, int]:
+    """Return how many pairs of nodes exchange nothing over each topic of which both ends are known; 0 where all do."""
+    ends = list(endpoints)
+    found = dict.fromkeys((end.name for end in ends if end.type and end.role in (Role.PUBLISHER, Role.SUBSCRIPTION)), 0)
+    for failure in misfits(ends):
+        topic = failure.entity.partition(":")[2]
+        found[topic] = found.get(topic, 0) + 1
+    return found
 
 
 def _misfit(topic: str, publisher: Endpoint, subscription: Endpoint) -> Failure | None:

@@ -1,7 +1,7 @@
 import pytest
 
-from roslens.live.adapters.ros2 import fit
-from roslens.live.adapters.ros2.fit import MOST_PAIRS, incompatible, misfits
+from roslens.live import misfit as fit
+from roslens.live.misfit import MOST_PAIRS, incompatible, misfits
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
 

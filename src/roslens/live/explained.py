@@ -96,7 +96,7 @@ class Explained:
             told = msgspec.structs.replace(GONE if node in gone else STOPPED, severity=self._gravity(causes, node))
             fault = self._faults.get(node)
             if fault is None or fault.told.id != told.id:
-                fault = self._faults[node] = NodeFault(node, told, faulty[node])
+                fault = self._faults[node] = NodeFault(node, told, faulty[node], now)
                 changed.append(fault)
             fault.told = told
         for node in sorted(self._faults.keys() - blamed):

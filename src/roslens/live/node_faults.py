@@ -26,11 +26,11 @@ class NodeFault(Standing):
 
     __slots__ = ()
 
-    def __init__(self, node: EntityId, told: Told, since: float) -> None:
+    def __init__(self, node: EntityId, told: Told, since: float, now: float) -> None:
         gone = told.id == GONE.id
         super().__init__(node, told, "presence" if gone else "stopped", "", since)
         self.state.forget(since, State.ABSENT if gone else State.HIGH)
-        self.state.since = since
+        self.state.since, self.state.time = since, now
         self.state.due = NEVER
         self.evidence = "is gone" if gone else "is stopped"
 

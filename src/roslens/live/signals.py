@@ -92,7 +92,7 @@ SIGNALS: tuple[Quantity, ...] = (
              decimals=1),
     Quantity("stopped", "Stopped", "s", _PROGRAM,
              "How long the process has been stopped, by a signal or a debugger; 0 while it runs.", (Fold.MAX,),
-             decimals=1),
+             limits="Up to a second too long: it counts from when the process was last seen running.", decimals=1),
     Quantity("hung", "Hung", "s", _PROGRAM,
              "How long the process has been waiting for the kernel (uninterruptible sleep), as for a disk or a driver "
              "that does not answer; 0 while it runs.", (Fold.MAX,),

@@ -103,9 +103,9 @@ _HEAD = """\
 A reference is a YAML document that says how a running robot should behave: which values of which signals of which
 hosts, nodes, processes, topics, connections, services and parameters are fine. `roslens reference check FILE…` says
 what is wrong with documents and what they expect together; `roslens reference explain FILE… topic:/scan` tells what is
-expected of one entity, and where that stands; `roslens reference import FILE` makes a reference of a specification of ARNI. This
-page is made from `src/roslens/judge/`; `make docs` writes it anew. [`reference.schema.json`](reference.schema.json)
-lets editors check and complete such documents.
+expected of one entity, and where that stands; `roslens reference import FILE` makes a reference of a specification of
+ARNI. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
+[`reference.schema.json`](reference.schema.json) lets editors check and complete such documents.
 
 ```yaml
 """

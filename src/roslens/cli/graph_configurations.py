@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from roslens.cli.graph_source import GraphSource
     from roslens.source.progress import Progress
 
+LOOKING = "Looking at configurations"
+"""The step in which they are assembled, one by one."""
+
 MOST = 8
 """As many launch files are shown where nobody declares which ones matter: those that start most nodes."""
 
@@ -82,7 +85,7 @@ def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | 
     from roslens.source.progress import Silent
 
     watch = progress or Silent()
-    watch.step("Looking at configurations", len(named))
+    watch.step(LOOKING, len(named))
     configurations: dict[str, Configuration] = {}
     findings: dict[str, tuple[Finding, ...]] = {}
     failures: list[Failure] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -46,6 +47,20 @@ def _cache(view: RunView, options: argparse.Namespace) -> Path | None:
     if options.no_cache:
         return None
     return (own_folder(Path(view.header.root)) if options.no_store else find_folder(options.path)) / CACHE
+
+
+def site_at_once(
+    view: RunView, options: argparse.Namespace, progress: FinishedProgress
+) -> tuple[Site, Callable[[], None]]:
+    """Return the site of a run, and what begins to read the computation graphs that it does not keep."""
+    from roslens.cli.read_beside import GraphsBeside
+    from roslens.cli.site import site_of
+
+    kept = None if options.no_graph else kept_graphs(view, quiet=options.quiet)
+    site = site_of(view, kept)
+    if options.no_graph or kept is not None or not Path(view.header.root).is_dir():
+        return site, progress.finish
+    return site, GraphsBeside(site, view, _cache(view, options), progress, quiet=options.quiet).start
 
 
 def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:

@@ -25,6 +25,7 @@ from roslens.dashboard.view import Query, Request, View
 from roslens.model.errors import StoreError
 
 _LIVE = "/live/"
+_OF_GRAPHS = ("/computation/", "/nodes/", "/topics/")
 _ADVICE = "start `roslens serve` with --host HOST"
 _MEDIA: Mapping[str, str] = {"json": "application/json", "csv": "text/csv; charset=utf-8"}
 
@@ -54,7 +55,7 @@ def create_app(
             view = PAGES[target.page](site, _request(target, query))
             if view is not None and (response := _respond(site, renderer, links, view, target)):
                 return response
-        return _missing(renderer, links, request.url.path)
+        return _missing(renderer, links, request.url.path, site.reading)
 
     async def failed(request: HttpRequest, error: Exception) -> Response:  # noqa: ARG001 - Starlette's shape
         view = View(PageRef("help"), "The run cannot be read", {}, shown={"what": str(error), "advice": ""})
@@ -89,14 +90,16 @@ def _respond(site: Site, renderer: Renderer, links: ServedLinks, view: View, tar
     return Response(to_csv(table), media_type=_MEDIA["csv"]) if table else None
 
 
-def _missing(renderer: Renderer, links: ServedLinks, path: str) -> Response:
+def _missing(renderer: Renderer, links: ServedLinks, path: str, reading: str) -> Response:
     view = View(
         PageRef("help"),
         "No such page",
         {},
         shown={
             "what": f"There is nothing at {path}.",
-            "advice": "It may be part of another run, or have another name. Search for it, or start at the overview.",
+            "advice": f"{reading}: try again in a moment."
+            if reading and path.startswith(_OF_GRAPHS)
+            else "It may be part of another run, or have another name. Search for it, or start at the overview.",
         },
     )
     return HTMLResponse(renderer.message(view, links), status_code=404)

@@ -89,6 +89,8 @@ class Site:
         self._about = dict(about or {})
         self._graph_note = graph_note
         self._graphs_counted = graphs_counted
+        self.reading = ""
+        """What of the graphs is being read still; empty where all of them are there."""
 
     def _file_of(self, path: str) -> SourceFile | None:
         place = self.places.get(path)
@@ -268,14 +270,36 @@ class Site:
             found[key] = tuple(dict.fromkeys((*own, *folded)))
         return found
 
+    def show_graphs(
+        self,
+        configurations: Mapping[str, Configuration],
+        about: Mapping[str, Sequence[Finding]],
+        note: str,
+        *,
+        counted: bool,
+    ) -> None:
+        """Show computation graphs from now on; see the arguments of the class."""
+        # Another thread may be looking: the new book takes the place of the old one when it is whole.
+        self.__dict__["book"] = self._book_of(configurations, about, note, counted=counted)
+
     @cached_property
     def book(self) -> Book:
         """The configurations, with a way to the pages of their nodes and topics."""
+        return self._book_of(self._configurations, self._about, self._graph_note, counted=self._graphs_counted)
+
+    def _book_of(
+        self,
+        configurations: Mapping[str, Configuration],
+        about: Mapping[str, Sequence[Finding]],
+        note: str,
+        *,
+        counted: bool,
+    ) -> Book:
         from roslens.dashboard.computation.book import Book
         from roslens.dashboard.computation.system import systems_of
 
-        systems = systems_of(self._configurations, self._about)
-        return Book(systems, lambda path: path in self.places, self._graph_note, counted=self._graphs_counted)
+        systems = systems_of(configurations, about)
+        return Book(systems, lambda path: path in self.places, note, counted=counted)
 
     @cached_property
     def graph(self) -> tuple[PackageGraph, Layout]:

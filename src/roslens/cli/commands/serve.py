@@ -48,17 +48,18 @@ def run(options: argparse.Namespace) -> int:
     if not options.live and (option := "--reference" if options.reference else given(options)):
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
     from roslens.cli.live_beside import live_beside
-    from roslens.cli.shown_graphs import site_with_graphs
+    from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_run import shown_run
     from roslens.dashboard.server import serve
 
     progress = progress_for(options)
     with shown_run(options, progress) as view:
-        site = site_with_graphs(view, options, progress)
+        site, read_graphs = site_at_once(view, options, progress)
+
+        def ready(url: str) -> None:
+            print(f"roslens: {url} (Ctrl-C ends it)", file=sys.stderr, flush=True)
+            read_graphs()
+
         with live_beside(options) if options.live else nullcontext() as snapshot:
-            serve(site, host=options.host, port=options.port, ready=_ready, snapshot=snapshot)
+            serve(site, host=options.host, port=options.port, ready=ready, snapshot=snapshot)
     return 0
-
-
-def _ready(url: str) -> None:
-    print(f"roslens: {url} (Ctrl-C ends it)", file=sys.stderr, flush=True)

@@ -121,3 +121,12 @@ def test_those_of_a_run_count_everywhere(talking, tmp_path):
     assert total(tmp_path / "out") == 3
     rules = json.loads((tmp_path / "out/rules.json").read_text())["tables"]["rules"]["rows"]
     assert [row["findings"] for row in rules if row["rule"] == "graph.qos"] == [1]
+
+
+def test_what_tells_most_is_shown_first(talking, tmp_path, capsys):
+    (talking / "talk/launch/camera.launch.xml").write_text(
+        '<launch><node pkg="talk" exec="talker" name="a$(var x)"/></launch>'
+    )
+    pages(talking, tmp_path / "out", capsys)
+    overview = (tmp_path / "out/index.html").read_text()
+    assert 0 < overview.index("fleet.launch.xml.html") < overview.index("camera.launch.xml.html")

@@ -79,6 +79,21 @@ def largest(source: GraphSource, named: Sequence[Named], most: int = MOST) -> tu
     return tuple(one for one in named if one.name in kept)
 
 
+def telling_first(found: Assembled) -> Assembled:
+    """Return the same, those first of which most nodes are known."""
+
+    def order(name: str) -> tuple[int, int, str]:
+        nodes = found.configurations[name].nodes
+        return (-sum(node.resolved for node in nodes), -len(nodes), name)
+
+    names = sorted(found.configurations, key=order)
+    return Assembled(
+        {name: found.configurations[name] for name in names},
+        {name: found.findings[name] for name in names},
+        found.failures,
+    )
+
+
 def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | None = None) -> Assembled:
     """Assemble configurations and look at them; one that cannot be assembled is a failure and the others stay."""
     from roslens.cli.graph_findings import findings_of

@@ -65,18 +65,20 @@ def site_at_once(
 
 def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
     """Return the configurations that a run keeps, whatever became of its files; None where it keeps none."""
-    from roslens.cli.graph_configurations import MOST, Assembled
+    from roslens.cli.graph_configurations import MOST, Assembled, telling_first
 
     found = view.configurations()
     if not found:
         return None
-    if not _settings_of(view.header).graph.configurations and len(found) > MOST:
+    declared = bool(_settings_of(view.header).graph.configurations)
+    if not declared and len(found) > MOST:
         sizes = {one.name: -len(one.configuration.nodes) for one in found}
         largest = set(sorted(sizes, key=lambda name: (sizes[name], name))[:MOST])
         if not quiet:
             _tell_left_out(len(largest), len(found))
         found = tuple(one for one in found if one.name in largest)
-    return Assembled({one.name: one.configuration for one in found}, {one.name: one.findings for one in found})
+    kept = Assembled({one.name: one.configuration for one in found}, {one.name: one.findings for one in found})
+    return kept if declared else telling_first(kept)
 
 
 def shown_graphs(
@@ -95,7 +97,7 @@ def shown_graphs(
         quiet: no hints.
     """
     from roslens.cli.changed_files import changed_files
-    from roslens.cli.graph_configurations import assembled
+    from roslens.cli.graph_configurations import assembled, telling_first
     from roslens.cli.graph_source import GraphSource
 
     header = view.header
@@ -108,7 +110,7 @@ def shown_graphs(
         changed = changed_files(view, source.paths)
     for failure in found.failures:
         print(f"roslens: {failure}", file=sys.stderr)
-    return found, _note(changed)
+    return found if settings.graph.configurations else telling_first(found), _note(changed)
 
 
 def _note(changed: tuple[str, ...]) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import msgspec
 
@@ -27,6 +27,7 @@ class RuleKind(msgspec.Struct, frozen=True):
     rule: str
     severity: str
     tags: tuple[int, ...]
+    title: str
 
 
 class GraphNode(msgspec.Struct, frozen=True):
@@ -80,7 +81,7 @@ def graph_of(site: Site) -> tuple[PackageGraph, Layout]:
         [Node(radius, len(label) * _CHARACTER) for radius, label in zip(radii, labels, strict=True)],
         [(number, target) for number, targets in enumerate(needs) for target in targets],
     )
-    tags, rules, counts = _counts(packages)
+    tags, rules, counts = _counts(packages, {rule.id: rule.title for rule in site.rules.values()})
     nodes = tuple(
         GraphNode(
             id=package.id,
@@ -123,7 +124,7 @@ def _label(name: str) -> str:
 
 
 def _counts(
-    packages: Sequence[PackageSummary],
+    packages: Sequence[PackageSummary], titles: Mapping[str, str]
 ) -> tuple[tuple[str, ...], tuple[RuleKind, ...], list[tuple[tuple[int, int, int], ...]]]:
     tags: dict[str, int] = {}
     kinds: dict[tuple[str, str, tuple[str, ...]], int] = {}
@@ -136,7 +137,7 @@ def _counts(
             if key not in kinds:
                 kinds[key] = len(rules)
                 numbers = tuple(tags.setdefault(tag, len(tags)) for tag in count.tags)
-                rules.append(RuleKind(count.rule, count.severity.value, numbers))
+                rules.append(RuleKind(count.rule, count.severity.value, numbers, titles[count.rule]))
             found.append((kinds[key], count.count, count.gated))
         counts.append(tuple(found))
     return tuple(tags), tuple(rules), counts

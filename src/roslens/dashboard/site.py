@@ -299,7 +299,14 @@ class Site:
         from roslens.dashboard.computation.system import systems_of
 
         systems = systems_of(configurations, about)
-        return Book(systems, lambda path: path in self.places, note, counted=counted)
+        return Book(
+            systems,
+            lambda path: path in self.places,
+            note,
+            counted=counted,
+            packages=self.by_id,
+            rules=self.rules,
+        )
 
     @cached_property
     def graph(self) -> tuple[PackageGraph, Layout]:

@@ -51,6 +51,7 @@ class Table(msgspec.Struct, frozen=True):
     """Rows of cells. ``total`` is how many rows there are in all; more than ``len(rows)`` where it was cut.
 
     ``sort`` is the key of the column that orders the rows, with ``-`` for descending; empty for the order given.
+    ``all`` is the page that has all of them, where this one shows the first.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Table(msgspec.Struct, frozen=True):
     sort: str = ""
     empty: str = "Nothing to show."
     identities: tuple[str, ...] = ()
+    all: PageRef | None = None
 
     @property
     def cut(self) -> bool:

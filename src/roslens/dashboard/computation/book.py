@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.noise import IMPLICIT
@@ -26,6 +26,8 @@ class Book:
         note: str = "",
         *,
         counted: bool = True,
+        packages: Collection[str] = (),
+        rules: Collection[str] = (),
     ) -> None:
         """Take the systems.
 
@@ -34,9 +36,13 @@ class Book:
             has_page: whether the report has a page for a file, by its path below the workspace root.
             note: what readers of every page have to know.
             counted: whether the findings about them are those of the run that the report is about.
+            packages: ids of those that the report has a page for.
+            rules: ids of those that the report has a page for.
         """
         self.note = note
         self.counted = counted
+        self.packages = frozenset(packages)
+        self.rules = frozenset(rules)
         self.systems = dict(systems)
         self.has_page = has_page
         self._graphs: dict[tuple[str, Left], ComputationGraph] = {}
@@ -70,6 +76,14 @@ class Book:
         if system is None or number is None or ref is None or ref.page != page:
             return None
         return system, number
+
+    def package(self, name: str) -> PageRef | None:
+        """Return the page of a package; None where the report has none."""
+        return PageRef("package", name) if name in self.packages else None
+
+    def rule(self, name: str) -> PageRef | None:
+        """Return the page of a rule; None where the report has none."""
+        return PageRef("rule", name) if name in self.rules else None
 
     def place(self, proof: Proof | None) -> Cell:
         """Return where a fact is shown, as a link to the line where the report has its file."""

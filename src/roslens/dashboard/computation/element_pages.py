@@ -169,8 +169,8 @@ def _node_rows(book: Book, system: System, node: ConfiguredNode) -> list[tuple[s
     rows = [
         ("Started at", book.place(node.proof)),
         ("Defined at", book.place(node.defined)),
-        ("In code", Cell(node.unit)),
-        ("Package", Cell(node.package)),
+        ("In code", Cell(_unit(node))),
+        ("Package", Cell(node.package, ref=book.package(node.package))),
         ("Executable", Cell(node.executable)),
         ("Only if", Cell(" and ".join(node.conditions))),
         (
@@ -182,6 +182,12 @@ def _node_rows(book: Book, system: System, node: ConfiguredNode) -> list[tuple[s
         ("Name", Cell("gets a random end" if node.anonymous else "")),
     ]
     return [(title, cell) for title, cell in rows if cell.value]
+
+
+def _unit(node: ConfiguredNode) -> str:
+    """Return the class or function of the node as its language writes it."""
+    path = node.defined.path if node.defined is not None else ""
+    return node.unit if path.endswith(".py") else node.unit.replace(".", "::")
 
 
 def _parameters(book: Book, node: ConfiguredNode) -> Table:
@@ -238,7 +244,7 @@ def _overrides(book: Book, node: ConfiguredNode) -> list[Table]:
         for one in node.parameters
         if one.repeats_an_endpoint
     )
-    return [Table("overrides", "Overrides that nobody sets", columns, rows, total=len(rows))] if rows else []
+    return [Table("overrides", "QoS overrides not set", columns, rows, total=len(rows))] if rows else []
 
 
 def _terms(one: ConfiguredParameter) -> str:

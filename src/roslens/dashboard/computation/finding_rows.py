@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import Book, ref_of
 from roslens.dashboard.computation.system import System
 from roslens.dashboard.table import Cell, Column, Table
@@ -53,5 +52,5 @@ def _row(book: Book, system: System, finding: Finding) -> tuple[Cell, ...]:
         Cell(finding.message),
         Cell(names, refs=tuple((element.name, ref_of(system, element)) for element in elements)),
         book.place(Proof(finding.path, finding.line)),
-        Cell(finding.rule, ref=PageRef("rule", finding.rule) if book.counted else None),
+        Cell(finding.rule, ref=book.rule(finding.rule)),
     )

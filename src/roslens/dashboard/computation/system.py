@@ -39,7 +39,7 @@ OUTWARD = frozenset({Role.PUBLISHER, Role.SERVICE_CLIENT, Role.ACTION_CLIENT})
 
 VERB = {
     Role.PUBLISHER: "publishes",
-    Role.SUBSCRIPTION: "subscribes",
+    Role.SUBSCRIPTION: "subscribes to",
     Role.SERVICE_SERVER: "serves",
     Role.SERVICE_CLIENT: "calls",
     Role.ACTION_SERVER: "serves",

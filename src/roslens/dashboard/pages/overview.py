@@ -95,7 +95,15 @@ def _worst(site: Site) -> Table:
         )
         for package, by_severity, total in rows[:FIRST]
     )
-    return Table("worst", "Packages with most findings", columns, cells, total=len(rows), empty="No findings.")
+    return Table(
+        "worst",
+        "Packages with most findings",
+        columns,
+        cells,
+        total=len(rows),
+        empty="No findings.",
+        all=PageRef("packages"),
+    )
 
 
 def _rules(site: Site) -> Table:
@@ -115,7 +123,21 @@ def _rules(site: Site) -> Table:
         )
         for total in totals[:FIRST]
     )
-    return Table("rules", "Rules broken, most severe first", columns, rows, total=len(totals), empty="None.")
+    return Table(
+        "rules",
+        "Rules broken, most severe first",
+        columns,
+        rows,
+        total=len(totals),
+        empty="None.",
+        all=PageRef("rules"),
+    )
+
+
+def _beyond(count: int, kind: str, side: str) -> str:
+    """Return ``12 files below``."""
+    many = {"class": "classes"}.get(kind, "")
+    return f"{plural(count, kind, many)} {'above' if side == 'max' else 'below'}" if count else "none"
 
 
 def _conditions(site: Site) -> Table:
@@ -138,14 +160,18 @@ def _conditions(site: Site) -> Table:
                         ),
                         Cell(constraint.limit_text(side)),
                         Cell(model.name),
-                        Cell(broken, ref=PageRef("rule", rule) if broken else None),
+                        Cell(
+                            broken,
+                            text=_beyond(broken, constraint.kind.value, side),
+                            ref=PageRef("rule", rule) if broken else None,
+                        ),
                     )
                 )
     columns = (
-        Column("rating", "Holds?", "mark"),
+        Column("rating", "", "mark"),
         Column("quantity", "Quantity"),
-        Column("bound", "Bound"),
+        Column("bound", "Limit"),
         Column("model", "Model"),
-        Column("broken", "Times broken", "number", bar=True),
+        Column("broken", "Beyond it", "number", bar=True),
     )
-    return Table("conditions", "What the quality models ask", columns, tuple(rows), total=len(rows), empty="No models.")
+    return Table("conditions", "Limits", columns, tuple(rows), total=len(rows), empty="No models.")

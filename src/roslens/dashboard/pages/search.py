@@ -18,7 +18,7 @@ def build(site: Site, request: Request) -> View | None:
     text = request.query.get("q").strip()
     needle = text.casefold()
     found = [entry for entry in everything(site) if needle and needle in f"{entry[1]} {entry[2]}".casefold()]
-    best = heapq.nsmallest(MOST, enumerate(found), key=lambda item: (_rank(needle, item[1][1]), item[0]))
+    best = heapq.nsmallest(MOST, enumerate(found), key=lambda item: (_order(needle, item[1][0], item[1][1]), item[0]))
     rows = tuple((Cell(kind), Cell(name, ref=ref), Cell(more)) for _, (kind, name, more, ref) in best)
     columns = (Column("kind", "Kind"), Column("name", "Name"), Column("more", "What it is"))
     empty = "Nothing has this in its name." if text else "Type a part of a name."
@@ -32,20 +32,42 @@ def build(site: Site, request: Request) -> View | None:
     )
 
 
+def _order(needle: str, kind: str, name: str) -> tuple[int, int, int, int]:
+    """Order by how well the name fits; among whole names and beginnings packages come first, then files."""
+    rank, length = _rank(needle, name)
+    own = name.casefold().rpartition("/")[2]
+    if kind in _FIRST and rank > 1 and needle in own:
+        rank = 1
+    return (rank, _FIRST.index(kind) if kind in _FIRST else len(_FIRST), length, 0)
+
+
 def everything(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
     """Yield kind, name, what it is and page of all that can be searched for."""
     for package in site.packages:
         yield "package", package.id, package.description[:100], PageRef("package", package.id)
-    for ref in site.book.refs():
-        if ref.page != "computation" and (found := site.book.find(ref.page, ref.key)):
-            element = found[0].elements[found[1]]
-            yield element.kind.value, element.name, found[0].configuration.title, ref
+    yield from _elements(site)
     for key, quantity in site.quantities.items():
         yield "metric", quantity.title, key, PageRef("metric", key)
     for rule in site.rules.values():
         yield "rule", rule.id, rule.title, PageRef("rule", rule.id)
     for path in site.places:
         yield "file", path, "", PageRef("file", path)
+
+
+def _elements(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
+    """Yield nodes, topics, services and actions, each name once, with the page of the first graph that has it."""
+    found: dict[tuple[str, str], tuple[str, PageRef, int]] = {}
+    for ref in site.book.refs():
+        if ref.page != "computation" and (held := site.book.find(ref.page, ref.key)):
+            system, number = held
+            element = system.elements[number]
+            title, first, count = found.get((element.kind.value, element.name), (system.configuration.title, ref, 0))
+            found[element.kind.value, element.name] = (title, first, count + 1)
+    for (kind, name), (title, ref, count) in found.items():
+        yield kind, name, title if count == 1 else f"in {count} launch files", ref
+
+
+_FIRST = ("package", "file")
 
 
 def _rank(needle: str, name: str) -> tuple[int, int]:

@@ -5,6 +5,7 @@ import { make, settled } from "./dom.js";
 import { onKey } from "./keys.js";
 
 const MOST = 12;
+const FIRST = ["package", "file"];
 
 function rank(needle, name) {
   const folded = name.toLocaleLowerCase();
@@ -16,7 +17,11 @@ function rank(needle, name) {
 function best(entries, text, most) {
   const needle = text.toLocaleLowerCase();
   const found = entries.filter(([, name, more]) => `${name} ${more}`.toLocaleLowerCase().includes(needle));
-  found.sort((a, b) => rank(needle, a[1]) - rank(needle, b[1]) || a[1].length - b[1].length);
+  // Among whole names and beginnings packages come first, then files, as search.py has it.
+  const kindOf = ([kind]) => (FIRST.includes(kind) ? FIRST.indexOf(kind) : FIRST.length);
+  const own = ([kind, name]) => FIRST.includes(kind) && name.slice(name.lastIndexOf("/") + 1).toLocaleLowerCase().includes(needle);
+  const order = (entry) => (own(entry) ? Math.min(1, rank(needle, entry[1])) : rank(needle, entry[1]));
+  found.sort((a, b) => order(a) - order(b) || kindOf(a) - kindOf(b) || a[1].length - b[1].length);
   return found.slice(0, most).map(([kind, name, more, href]) => ({ kind, name, more, href }));
 }
 

@@ -21,7 +21,7 @@ export function contentOf(view, number) {
     return [
       make("h2", { text: `${figure(view.visible.size)} packages` }),
       make("p", { class: "quiet", text: `Select one to see what it needs, what needs it and which rules it breaks.` }),
-      ...list("Most " + view.colour.title.toLocaleLowerCase(), worst(view), sums === "all" ? "Nothing to show." : "Nothing among those shown."),
+      ...list(`Highest: ${view.colour.title.charAt(0).toLocaleLowerCase()}${view.colour.title.slice(1)}`, worst(view), sums === "all" ? "Nothing to show." : "Nothing among those shown."),
     ];
   }
   const node = view.graph.nodes[number];
@@ -29,7 +29,7 @@ export function contentOf(view, number) {
     make("li", {}, make("button", { type: "button", class: "pick", text: view.graph.nodes[other].id, onclick: () => view.select(other) }), make("span", { class: "quiet", text: view.textOf(other) }));
   const rules = node.counts
     .filter(([rule]) => view.rules[rule])
-    .map(([rule, count, gated]) => [view.graph.rules[rule], view.settings.own ? gated : count])
+    .map(([rule, count, gated]) => [view.graph.rules[rule], view.settings.own || view.settings.colour === "kloc" ? gated : count])
     .filter(([, count]) => count)
     .sort((a, b) => b[1] - a[1]);
   const href = view.elements[number].getAttribute("href");
@@ -45,10 +45,16 @@ export function contentOf(view, number) {
       make("button", { type: "button", class: "pick", text: "Focus on it", onclick: () => view.focusOn(number) }),
       make("button", { type: "button", class: "pick", text: "Clear", onclick: () => view.select(-1) }),
     ),
-    ...list("Rules it breaks", rules.map(([rule, count]) => make("li", {}, make("span", {}, glyph(rule.severity), ` ${rule.rule}`), make("span", { class: "quiet", text: figure(count) }))), "None under these filters."),
+    ...list("Rules it breaks", rules.map(([rule, count]) => make("li", {}, make("span", {}, glyph(rule.severity), " ", make("a", { href: ruleHref(href, rule, filter), title: rule.rule, text: rule.title })), make("span", { class: "quiet", text: figure(count) }))), "None under these filters."),
     ...list("Needs", node.needs.map(pick), "Nothing in this workspace."),
     ...list("Needed by", view.dependents[number].map(pick), "Nothing in this workspace."),
   ];
+}
+
+/** The findings of a rule on the page of a package. */
+function ruleHref(href, rule, filter) {
+  const [page] = withParameters(href, { ...filter, rule: rule.rule }).split("#findings");
+  return page.startsWith("#") ? page : `${page}#findings`;
 }
 
 function worst(view) {

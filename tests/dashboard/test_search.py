@@ -1,0 +1,46 @@
+"""What a search finds, and in which order."""
+
+from __future__ import annotations
+
+from collections import Counter
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+from roslens.dashboard.pages.search import build, everything
+from roslens.dashboard.site import Site
+from roslens.dashboard.view import Query, Request
+
+
+@pytest.fixture(scope="module")
+def in_two(site: Site, made_up: ModuleType) -> Site:
+    """A site that shows one system twice, under two names."""
+    robot = made_up.robot()
+    return Site(site.view, quantities=site.quantities, configurations={"one": robot, "two": robot})
+
+
+def found(site: Site, text: str) -> list[tuple[Any, Any]]:
+    view = build(site, Request(query=Query((("q", text),))))
+    assert view is not None
+    return [(row[0].value, row[1].value) for row in view.tables[0].rows]
+
+
+def test_a_name_is_found_once_however_many_graphs_have_it(in_two: Site) -> None:
+    names = Counter((kind, name) for kind, name, _, ref in everything(in_two) if ref.page in {"node", "topic"})
+    assert set(names.values()) == {1}
+    more = {name: more for _, name, more, _ in everything(in_two)}
+    assert more["/lidar"] == "in 2 launch files"
+
+
+def test_packages_come_first_then_files(in_two: Site) -> None:
+    package = in_two.packages[3].id
+    assert found(in_two, package)[0] == ("package", package)
+    kinds = [kind for kind, _ in found(in_two, package[5:9])]
+    assert kinds[0] == "package"
+    last_package = max(place for place, kind in enumerate(kinds) if kind == "package")
+    assert "file" not in kinds or kinds.index("file") > last_package
+
+
+def test_a_whole_name_is_first_whatever_it_is(in_two: Site) -> None:
+    assert found(in_two, "/lidar")[0] == ("node", "/lidar")

@@ -1,5 +1,10 @@
 """Flags of a file that functions set of which not all is lowered."""
 
+import time
+
+from pace import slowness
+
+from roslens.source.extract.cpp_flags import _SET
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.program import Assign, Literal, Opaque
 from roslens.source.syntax.macros import load_macros
@@ -55,3 +60,10 @@ def test_endpoints_behind_such_a_flag_are_not_lost(units):
     assert sorted(str(one.name) for one in facts.endpoints) == ["map", "points", "pose"]
     (pose,) = (one for one in facts.endpoints if str(one.name) == "pose")
     assert pose.conditions == ("map_loaded == 1",)
+
+
+def test_a_long_word_is_read_once():
+    source = b"static int flag = 0;\n" + b"a" * 200_000
+    begun = time.process_time()
+    assert _SET.findall(source) == [b"flag"]
+    assert time.process_time() - begun < 1 * slowness()

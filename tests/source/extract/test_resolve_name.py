@@ -1,10 +1,15 @@
+import re
+import time
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pace import slowness
 
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.resolve_name import (
     Place,
+    _fits,
     absolute,
     expand,
     may_match,
@@ -152,3 +157,35 @@ def test_what_a_remapping_names_goes_where_it_says(name, target, namespace):
     found, by = resolve(Text.of(name), here, (rule(Text.of(name), Text.of(target), HERE),))
     assert found == expand(Text.of(target), here)
     assert by is not None
+
+
+def reference_pattern(pattern):
+    pieces = re.split(r"(/\*\*|/\*)", pattern)
+    forms = {"/**": r"(?:/\w+)*", "/*": r"(?:/\w+)"}
+    return re.compile("".join(forms.get(piece) or re.escape(piece) for piece in pieces))
+
+
+@given(
+    st.lists(st.sampled_from(["/**", "/*", "/a", "/b", "a", "b", "/"]), max_size=6).map("".join),
+    st.lists(st.sampled_from(["/a", "/b", "a", "b", "/"]), max_size=6).map("".join),
+)
+def test_a_key_matches_as_the_expression_that_rclcpp_makes_of_it(pattern, node):
+    expected = pattern == node or ("*" in pattern and reference_pattern(pattern).fullmatch(node) is not None)
+    assert node_pattern_matches(pattern, node) is expected
+
+
+@given(
+    st.lists(st.one_of(st.none(), st.text("ab/", max_size=3)), max_size=6),
+    st.text("ab/", max_size=8),
+)
+def test_texts_with_anything_between_match_as_an_expression(parts, text):
+    expression = "".join(".*" if part is None else re.escape(part) for part in parts)
+    assert _fits(parts, text) is (re.fullmatch(expression, text, re.DOTALL) is not None)
+
+
+def test_no_pattern_takes_long():
+    node = "/a" * 60
+    begun = time.process_time()
+    assert not node_pattern_matches("/**" * 25 + "/c", node)
+    assert not _fits([None, "a"] * 25 + ["c"], "a" * 2000)
+    assert time.process_time() - begun < 1 * slowness()

@@ -13,7 +13,8 @@ import msgspec
 
 from roslens.source.extract.program import Assign, Literal, Name, Opaque, Statement
 
-_SET = re.compile(rb"(\w+)\s*(?:[-+*/|&^%]?=(?!=)|\+\+|--)")
+# It begins where a word does: from within a long one, each place would be tried to its end.
+_SET = re.compile(rb"(?<!\w)(\w+)\s*(?:[-+*/|&^%]?=(?!=)|\+\+|--)")
 _NUMBERS = (int, bool, float)
 _COUNTED = re.compile(rb"(?:\+\+|--)\s*(\w+)")
 

@@ -20,6 +20,7 @@ TOP = Text(("/",))
 _OF_NODE = re.compile(r"([A-Za-z_]\w*):(?!/)(.+)", re.DOTALL)
 _SCHEME = re.compile(r"ros(?:topic|service)://")
 _SLASHES = re.compile(r"/{2,}")
+_WORD = re.compile(r"\w+")
 
 
 class Rule(msgspec.Struct, frozen=True):
@@ -147,8 +148,30 @@ def may_match(one: Rule, name: Text, place: Place) -> bool:
     known, pattern = (source, expanded) if expanded.holes else (expanded, source)
     if known.holes:
         return True
-    text = "".join(re.escape(part) if isinstance(part, str) else ".*" for part in pattern.parts)
-    return re.fullmatch(text, known.pattern) is not None
+    return _fits([part if isinstance(part, str) else None for part in pattern.parts], known.pattern)
+
+
+def _fits(parts: Sequence[str | None], text: str) -> bool:
+    """Return whether texts stand in this order in a text, with anything where None is, in linear time."""
+    words = [""]
+    for part in parts:
+        if part is None:
+            words.append("")
+        else:
+            words[-1] += part
+    first, *between = words
+    if not between:
+        return first == text
+    last = between.pop()
+    if len(first) + len(last) > len(text) or not (text.startswith(first) and text.endswith(last)):
+        return False
+    place, end = len(first), len(text) - len(last)
+    for word in between:
+        found = text.find(word, place, end)
+        if found < 0:
+            return False
+        place = found + len(word)
+    return True
 
 
 def renamed(what: str, name: str, rules: Sequence[Rule], generation: str) -> Rule | None:
@@ -167,12 +190,29 @@ def node_pattern_matches(pattern: str, node: str) -> bool:
     """
     if pattern == node:
         return True
-    return "*" in pattern and _node_pattern(pattern).fullmatch(node) is not None
+    return "*" in pattern and _matches(pattern, node)
 
 
 @lru_cache(maxsize=4096)
-def _node_pattern(pattern: str) -> re.Pattern[str]:
-    """Return the expression of a key, made once: each setting of a file is held against each node."""
-    pieces = re.split(r"(/\*\*|/\*)", pattern)
-    forms = {"/**": r"(?:/\w+)*", "/*": r"(?:/\w+)"}
-    return re.compile("".join(forms.get(piece) or re.escape(piece) for piece in pieces))
+def _matches(pattern: str, node: str) -> bool:
+    """Follow all places up to which the beginning of a pattern may reach: one step a piece, whatever the pattern."""
+    places = {0}
+    for piece in re.split(r"(/\*\*|/\*)", pattern):
+        if piece == "/*":
+            places = _after_a_part(node, places)
+        elif piece == "/**":
+            more = places
+            while more := _after_a_part(node, more) - places:
+                places |= more
+        else:
+            places = {place + len(piece) for place in places if node.startswith(piece, place)}
+    return len(node) in places
+
+
+def _after_a_part(node: str, places: set[int]) -> set[int]:
+    found: set[int] = set()
+    for place in places:
+        if node.startswith("/", place):
+            part = _WORD.match(node, place + 1)
+            found.update(range(place + 2, part.end() + 1) if part else ())
+    return found

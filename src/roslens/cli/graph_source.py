@@ -160,14 +160,18 @@ class GraphSource:
             found.append(with_roles(made, self.facts.roles))
         return tuple(one for one in found if one.nodes)
 
-    def unstarted(self, names: Sequence[str]) -> tuple[Configuration, ...]:
+    def unstarted(self, names: Sequence[str], started: Sequence[Configuration] = ()) -> tuple[Configuration, ...]:
         """Return what code of packages makes that no known program starts: a configuration for each generation of ROS.
 
         Of packages whose builds make no node it has what was not understood of their code.
+
+        Args:
+            names: of packages; none means all.
+            started: what their builds make, where no names are given and it is known already.
         """
         from roslens.source.extract.unstarted import places_shown, unstarted, unstarted_configuration
 
-        started = self.packages(())
+        started = (not names and started) or self.packages(())
         targets = (one for package in self.facts.packages for one in self.facts.targets(package.name))
         loose = unstarted(self.facts.made(), places_shown(started), self.facts.package_names, targets)
         wanted = set(names) or {*self.facts.package_names.values()}

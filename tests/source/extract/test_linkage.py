@@ -178,6 +178,35 @@ def test_constants_macros_and_defaults_of_another_package(graph):
     assert not [name for name, _ in ends["/beta"] if "alpha" in name]
 
 
+ROBOT = """class Robot {{ public:
+  explicit Robot(ros::NodeHandle & nh) {{ pub_ = nh.advertise<std_msgs::String>("{name}_robot", 1); }}
+  ros::Publisher pub_; }};
+"""
+
+
+def test_a_class_of_packages_that_nothing_names_is_none(graph):
+    main = (
+        'int main(int argc, char ** argv) {{ ros::init(argc, argv, "{name}"); ros::NodeHandle nh; Robot robot(nh); }}'
+    )
+    packages = {
+        name: (
+            f"add_executable({name} src/{name}.cpp)",
+            {
+                f"src/{name}.cpp": HEAD + '#include "robot.h"\n' + main.format(name=name),
+                "src/robot.h": HEAD + ROBOT.format(name=name),
+            },
+        )
+        for name in ("alpha", "beta")
+    }
+    packages["gamma"] = program("gamma", "#include <outer/robots.h>\n" + main.format(name="gamma"))
+    ends, _ = graph(packages)
+    assert ends == {
+        "/alpha": [("/alpha_robot", "certain")],
+        "/beta": [("/beta_robot", "certain")],
+        "/gamma": [],
+    }
+
+
 SCRIPT = "#!/usr/bin/env python\nimport rospy\nfrom helpers import setup\nrospy.init_node('{name}')\nsetup()\n"
 HELPERS = """import rospy
 from std_msgs.msg import String

@@ -94,7 +94,7 @@ def run(options: argparse.Namespace) -> int:
 
     with open_source(options) as source:
         found = _configurations(source, options)
-        unstarted = () if options.launch or options.check else source.unstarted(options.package)
+        unstarted = () if options.launch or options.check else source.unstarted(options.package, found)
         for failure in source.facts.broken:
             print(f"roslens: {failure.what}; {failure.advice}", file=sys.stderr)
         if options.check:

@@ -68,3 +68,13 @@ def type_arguments(written: str) -> list[str]:
             begin = place + 1
     last = written[begin:].strip()
     return [*found, last] if last else found
+
+
+@lru_cache(maxsize=20_000)
+def scopes(scope: str) -> tuple[str, ...]:
+    """Return what may stand before a name in a scope, the innermost first: ``a.b.``, ``a.`` and nothing."""
+    found = []
+    while scope:
+        found.append(f"{scope}.")
+        scope = scope.rpartition(".")[0]
+    return (*found, "")

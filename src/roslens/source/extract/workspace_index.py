@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -27,7 +27,7 @@ from roslens.source.extract.program import (
     Program,
 )
 from roslens.source.extract.python_modules import PythonModules
-from roslens.source.extract.type_names import dotted, type_arguments, type_name
+from roslens.source.extract.type_names import dotted, scopes, type_arguments, type_name
 from roslens.source.extract.used_names import UsedNames
 
 if TYPE_CHECKING:
@@ -84,6 +84,7 @@ class Index:
         self.interfaces = InterfacesByPackage(packages or {})
         self.linkage = Linkage(self.programs, packages or {}, needs or {}, targets)
         self._own = own_names(self.programs, packages or {}, needs or {})
+        self._ambiguous = {name for names in self._own.values() for name in names}
         self._packages = packages or {}
         self._classes: dict[str, list[Defined]] = {}
         self._functions: dict[str, list[Defined]] = {}
@@ -196,7 +197,7 @@ class Index:
     def _named(self, name: str, path: str, scope: str) -> Iterator[str]:
         program = self.programs.get(path)
         if program is not None and program.language == "python":
-            for before in _scopes(scope):
+            for before in scopes(scope):
                 yield f"{path}:{before}{name}"
             yield from self._modules.imported(name, path)
             return
@@ -207,7 +208,7 @@ class Index:
             yield one
 
     def _named_in_cpp(self, name: str, scope: str, program: Program | None) -> Iterator[str]:
-        around = _scopes(scope)
+        around = scopes(scope)
         for before in around:
             yield before + name
         if program is None:
@@ -298,7 +299,7 @@ class Index:
         found = self.alias(head, path, scope)
         if found and dotted(found) != name:
             return dotted(found) + dot + rest
-        return self._used.meant(name, path, _scopes(scope)) or name
+        return self._used.meant(name, path, scopes(scope)) or name
 
     def alias(self, name: str, path: str, scope: str) -> str:
         """Return what a name without scope is an alias of, as written; empty where it is none."""
@@ -311,7 +312,7 @@ class Index:
     def _alias(self, name: str, path: str, scope: str) -> str:
         program = self.programs.get(path)
         if program is not None and name.rpartition(".")[2] in self._last_aliases:
-            for before in _scopes(scope):
+            for before in scopes(scope):
                 found = program.imports.get(before + name) or self._aliases.get(before + name)
                 if found is not None and dotted(found) != name:
                     return found
@@ -326,7 +327,7 @@ class Index:
         """Return what a base of the classes around calls by a name."""
         if "." in name or self._is_python(path):
             return ""
-        for before in _scopes(scope)[:-1]:
+        for before in scopes(scope)[:-1]:
             around = self.class_of(before[:-1], path, "")
             for one in self.chain(around)[1:] if around is not None else ():
                 found = self._aliases.get(f"{one.what.qualified_name}.{name}")
@@ -344,13 +345,19 @@ class Index:
     def _class_of(self, name: str, path: str, scope: str) -> Defined | None:
         for one in self.named(name, path, scope):
             if one in self._classes:
-                return self._classes[one][0]
+                return self._known_of(one, self._classes[one], path)
         if self._is_python(path):
             return None
         candidates = self._classes_by_last.get(name.rpartition(".")[2], [])
         if len({one.what.qualified_name for one in candidates}) == 1 and _fits(name, candidates[0]):
             return candidates[0]
         return None
+
+    def _known_of(self, name: str, found: list[Defined], path: str) -> Defined | None:
+        """Return the first class of a name; where others have it too, of those that a file may know."""
+        if path not in self.programs or (len(found) == 1 and name not in self._ambiguous):
+            return found[0]
+        return next((one for one in found if self.linkage.may_know(path, one.path)), None)
 
     def functions_of(self, name: str, path: str, scope: str) -> list[Defined]:
         """Return the functions that a name means, those of the same file first."""
@@ -483,13 +490,3 @@ def _fits(name: str, defined: Defined) -> bool:
     scope = name.rpartition(".")[0]
     around = _around(defined)
     return not scope or around == scope or around.endswith(f".{scope}")
-
-
-@lru_cache(maxsize=20_000)
-def _scopes(scope: str) -> tuple[str, ...]:
-    """Return what may stand before a name in a scope, the innermost first: ``a.b.``, ``a.`` and nothing."""
-    found = []
-    while scope:
-        found.append(f"{scope}.")
-        scope = scope.rpartition(".")[0]
-    return (*found, "")

@@ -9,7 +9,7 @@ import pytest
 from roslens.live.agent.host import HostSampler
 from roslens.live.agent.processes import ProcessSampler
 from roslens.live.agent.work import Agent
-from roslens.live.listen import SILENT_S, Listener
+from roslens.live.listen import MOST_UNPROVEN, MOST_UNPROVEN_OF_A_HOST, PROOF_S, SILENT_S, Listener
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.sample import Sample
@@ -239,10 +239,65 @@ def test_two_agents_on_a_host(listener, agent_of):
     assert listener.agents() == ("arm/agent", "base/agent")
 
 
-def test_who_says_nothing_is_hung_up_on(listener, clock):
-    with socket.create_connection(("127.0.0.1", listener.port)):
-        while not listener._lines:
+def connected(listener, many, source="127.0.0.1"):
+    """Connect so often from an address, and let the listener see it."""
+    made = []
+    for _ in range(many):
+        made.append(socket.create_connection(("127.0.0.1", listener.port), source_address=(source, 0)))
+        while made[-1].getsockname() not in {line.socket.getpeername() for line in listener._lines.values()}:
             listener.poll(0.01)
-        clock.ahead = SILENT_S + 1
-        assert "nothing was heard of it for 10 s" in failures(listener.poll())[0]
-        assert not listener._lines
+    return made
+
+
+@pytest.mark.parametrize("drip", [b"", b"r"])
+def test_who_does_not_prove_the_key_in_time_is_hung_up_on_whatever_it_sends(listener, clock, drip):
+    (stranger,) = connected(listener, 1)
+    with stranger:
+        stranger.sendall(drip)
+        clock.ahead = PROOF_S - 1
+        assert failures(listener.poll(0.05)) == []
+        clock.ahead = PROOF_S + 1
+        assert "it did not prove within 5 s that it knows the key" in failures(listener.poll())[0]
+    assert not listener._lines
+
+
+def test_an_agent_that_says_nothing_is_hung_up_on(listener, agent_of, clock):
+    agent = agent_of(listener.port)
+    until(listener, [agent], lambda _: listener.agents())
+    clock.ahead = SILENT_S + 1
+    assert any("nothing was heard of it for 10 s" in one for one in failures(listener.poll()))
+
+
+def test_a_crowd_of_strangers_locks_no_agent_out(listener, agent_of):
+    crowd = [one for number in range(2, 12) for one in connected(listener, 8, f"127.0.0.{number}")]
+    assert len(listener._lines) <= MOST_UNPROVEN
+    crowd += connected(listener, 3 * MOST_UNPROVEN_OF_A_HOST)
+    assert sum(line.peer.startswith("127.0.0.1:") for line in listener._lines.values()) <= MOST_UNPROVEN_OF_A_HOST
+    agent = agent_of(listener.port)
+    until(listener, [agent], lambda _: listener.agents())
+    for one in crowd:
+        one.close()
+
+
+def test_without_descriptors_nobody_is_asked_again_at_once(listener, agent_of, clock, monkeypatch):
+    asked = []
+
+    class Full:
+        def accept(self):
+            asked.append(clock())
+            raise OSError(24, "Too many open files")
+
+    real = listener._socket
+    listener._socket, full = Full(), listener._socket
+    with socket.create_connection(("127.0.0.1", real.getsockname()[1])):
+        monkeypatch.setattr(
+            listener._selector, "unregister", lambda _: type(listener._selector).unregister(listener._selector, full)
+        )
+        listener._accept()
+        for _ in range(20):
+            listener.poll(0.0)
+    listener._socket = real
+    assert len(asked) == 1
+    clock.ahead = 2.0
+    agent = agent_of(listener.port)
+    until(listener, [agent], lambda _: listener.agents())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import selectors
 import socket
+from collections import Counter
 from collections.abc import Callable
 
 import msgspec
@@ -13,8 +14,20 @@ from roslens.model.failure import Failure
 from roslens.model.wire import Frame
 
 MOST_LINES = 256
+"""Agents at a time."""
+
+MOST_UNPROVEN = 64
+"""Connections at a time that have not proven that they know the key; they take no place of an agent's."""
+
+MOST_UNPROVEN_OF_A_HOST = 8
 SILENT_S = 10.0
-"""Who has not proven that it knows the key, or sends nothing, for so long is hung up on."""
+"""An agent that sends nothing for so long is hung up on."""
+
+PROOF_S = 5.0
+"""Who has not proven that it knows the key so long after it connected is hung up on, whatever it sends."""
+
+_FULL_PAUSE_S = 1.0
+"""Where the system gives no further descriptor, nobody is let in for so long: asked at once it would say the same."""
 
 _MOST_STRANGERS = 1024
 _PIECE = 65_536
@@ -27,6 +40,7 @@ class _Line(msgspec.Struct, eq=False):
     socket: socket.socket
     peer: str
     channel: Channel
+    begun: float
     heard: float
     sending: bytearray
     sender: str = ""
@@ -52,6 +66,7 @@ class Listener:
         self._lines: dict[socket.socket, _Line] = {}
         self._named: dict[str, frozenset[int]] = {}
         self._strangers: set[str] = set()
+        self._closed_until: float | None = None
         self._selector = selectors.DefaultSelector()
         self._socket = socket.create_server(address)
         self._socket.setblocking(False)
@@ -78,6 +93,7 @@ class Listener:
     def poll(self, seconds: float = 0.0) -> list[Frame | Failure]:
         """Wait at most so long and return what came: frames, and what went wrong with a line."""
         found: list[Frame | Failure] = []
+        self._open_again()
         for key, events in self._selector.select(seconds):
             if key.fileobj is self._socket:
                 self._accept()
@@ -108,18 +124,43 @@ class Listener:
     def _accept(self) -> None:
         try:
             accepted, peer = self._socket.accept()
-        except OSError:
+        except BlockingIOError:
             return
-        if len(self._lines) >= MOST_LINES:
+        except OSError:
+            self._selector.unregister(self._socket)
+            self._closed_until = self._steady() + _FULL_PAUSE_S
+            return
+        if not self._has_room(peer[0]):
             accepted.close()
             return
         accepted.setblocking(False)
         accepted.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         channel = Channel(self._key, accepting=True)
-        line = _Line(accepted, f"{peer[0]}:{peer[1]}", channel, self._steady(), bytearray(channel.hello()))
+        now = self._steady()
+        line = _Line(accepted, f"{peer[0]}:{peer[1]}", channel, now, now, bytearray(channel.hello()))
         self._lines[accepted] = line
         self._selector.register(accepted, selectors.EVENT_READ | selectors.EVENT_WRITE)
         self._send(line)
+
+    def _open_again(self) -> None:
+        if self._closed_until is not None and self._steady() >= self._closed_until:
+            self._closed_until = None
+            self._selector.register(self._socket, selectors.EVENT_READ)
+
+    def _has_room(self, host: str) -> bool:
+        """Return whether another connection of a host may be kept; of too many strangers the oldest makes room."""
+        unproven = [line for line in self._lines.values() if not line.channel.ready]
+        if len(self._lines) - len(unproven) >= MOST_LINES:
+            return False
+        of_host = Counter(line.peer.rpartition(":")[0] for line in unproven)
+        if of_host[host] >= MOST_UNPROVEN_OF_A_HOST:
+            crowd = host
+        elif len(unproven) >= MOST_UNPROVEN:
+            crowd = of_host.most_common(1)[0][0]
+        else:
+            return True
+        self._hang_up(next(line for line in unproven if line.peer.rpartition(":")[0] == crowd))
+        return True
 
     def _receive(self, line: _Line) -> list[Frame | Failure]:
         received = self._wall()
@@ -176,9 +217,14 @@ class Listener:
             self._send(line)
 
     def _too_silent(self) -> list[Failure]:
+        told: list[Failure] = []
         now = self._steady()
+        slow = [line for line in self._lines.values() if not line.channel.ready and now - line.begun > PROOF_S]
+        for line in slow:
+            told += self._refuse(line, f"it did not prove within {PROOF_S:g} s that it knows the key")
         late = [line for line in self._lines.values() if now - line.heard > SILENT_S]
-        return [one for line in late for one in self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s")]
+        told += [one for line in late for one in self._hang_up(line, f"nothing was heard of it for {SILENT_S:g} s")]
+        return told
 
     def _left(self, line: _Line) -> list[Frame | Failure]:
         if line.sender:

@@ -8,6 +8,7 @@ A test that is about when things happen (`timed`, `real`, `slow` or `browser`) i
 """
 
 import os
+import signal
 import tempfile
 
 import pytest
@@ -32,6 +33,9 @@ def pytest_configure(config):
     config.add_cleanup(own.cleanup)
     os.environ["XDG_CONFIG_HOME"] = own.name
     config.pluginmanager.register(TriedAgain())
+    # A shell that starts something in the background has it ignore Ctrl-C, and with it all that tests start and end so.
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items):

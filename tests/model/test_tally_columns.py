@@ -42,8 +42,8 @@ def test_what_all_tallies_say_goes_once():
 def test_a_name_with_a_line_break_arrives_too():
     odd = msgspec.structs.replace(SAME, publisher="/p\n/q")
     assert not fits(odd)
-    assert list(decode_frame(encode_frame(Frame(VERSION, "", 0, 1.0, [odd, SAME]))[4:]).tallies) == [SAME, odd]
-    assert list(decode_frame(encode_frame(Frame(VERSION, "", 0, 1.0, [odd]))[4:]).tallies) == [odd]
+    assert list(decode_frame(encode_frame(Frame(VERSION, "agent", 0, 1.0, [odd, SAME]))[4:]).tallies) == [SAME, odd]
+    assert list(decode_frame(encode_frame(Frame(VERSION, "agent", 0, 1.0, [odd]))[4:]).tallies) == [odd]
 
 
 @pytest.mark.parametrize(

@@ -187,12 +187,24 @@ def test_the_terminals_packages_add_up(run: Run) -> None:
 def test_the_overview_adds_up(run: Run, site: Site) -> None:
     findings = run.report["findings"]
     facts = page(site, "overview").facts
+    gated = [one for one in findings if one["gated"]]
     assert facts["counts"]["findings"] == len(findings)
+    assert facts["counts"]["own"] == len(gated)
     assert facts["counts"]["aside"] == sum(not one["gated"] for one in findings)
-    assert facts["severities"] == by_severity(findings)
+    assert facts["severities"] == by_severity(gated)
+    words = re.findall(r"(\d+) (error|warning|note)", facts["headline"])
+    assert {word: int(count) for count, word in words} == {
+        word: count for word, count in by_severity(gated).items() if count
+    }
+    told = re.search(r"^Findings: (.*)$", run.text, re.MULTILINE)
+    assert told
+    assert facts["headline"].startswith(told[1] + " in ")
     whole = page(site, "packages").tables[0]
-    assert total(whole, "findings") == len(findings)
-    assert [total(whole, f"{key}s") for key in ("error", "warning", "note")] == list(by_severity(findings).values())
+    assert (total(whole, "findings"), total(whole, "aside")) == (len(gated), len(findings) - len(gated))
+    assert [total(whole, f"{key}s") for key in ("error", "warning", "note")] == list(by_severity(gated).values())
+    worst = page(site, "overview").table("worst")
+    assert not worst.cut
+    assert (total(worst, "findings"), total(worst, "aside")) == (len(gated), len(findings) - len(gated))
 
 
 def test_every_package_page_adds_up(run: Run, site: Site) -> None:
@@ -200,7 +212,9 @@ def test_every_package_page_adds_up(run: Run, site: Site) -> None:
     for package in site.packages:
         facts = page(site, "package", package.id).facts
         of_package = [one for one in run.report["findings"] if one["package"] == package.id]
-        assert facts["severities"] == by_severity(of_package)
+        own = [one for one in of_package if one["gated"]]
+        assert facts["severities"] == by_severity(own)
+        assert facts["aside"] == len(of_package) - len(own)
         assert facts["total"] == len(facts["findings"]) == owned[package.id]
         in_files = page(site, "package", package.id).table("files")
         assert total(in_files, "findings") == sum(bool(one["path"]) for one in of_package)
@@ -217,9 +231,9 @@ def test_every_file_page_lists_what_its_package_counts(run: Run, site: Site) -> 
 def test_every_rule_page_adds_up(run: Run, site: Site) -> None:
     broken = Counter(one["rule"] for one in run.report["findings"])
     rules = page(site, "rules").tables[0]
-    assert dict(zip(column(rules, "rule"), column(rules, "findings"), strict=True)) == {
-        rule: broken[rule] for rule in site.rules
-    }
+    counted = zip(column(rules, "rule"), column(rules, "findings"), column(rules, "aside"), strict=True)
+    assert {rule: own + aside for rule, own, aside in counted} == {rule: broken[rule] for rule in site.rules}
+    assert total(rules, "findings") == sum(one["gated"] for one in run.report["findings"])
     for rule in broken:
         view = page(site, "rule", rule)
         packages = view.table("packages")
@@ -230,6 +244,12 @@ def test_every_rule_page_adds_up(run: Run, site: Site) -> None:
 
 def test_lists_of_findings_are_as_long_as_the_numbers_that_lead_to_them(run: Run, site: Site) -> None:
     assert page(site, "findings").facts["total"] == len(run.report["findings"])
+    for role, gated in (("gated", True), ("aside", False)):
+        of_role = [one for one in run.report["findings"] if one["gated"] is gated]
+        assert page(site, "findings", role=role).facts["total"] == len(of_role)
+        owned = Counter(one["package"] for one in of_role)
+        for package, count in owned.items():
+            assert page(site, "findings", package=package, role=role).facts["total"] == count
     pairs = Counter((one["package"], one["rule"]) for one in run.report["findings"])
     for (package, rule), count in pairs.items():
         facts = page(site, "findings", package=package, rule=rule).facts

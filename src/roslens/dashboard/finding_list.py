@@ -17,6 +17,8 @@ from roslens.model.source import Role
 from roslens.model.tags import TagFilter, tag_filter
 
 GROUPINGS = ("rule", "file")
+GATES = {"gated": True, "aside": False}
+"""Besides roles of files: what counts for gates, and what does not."""
 
 
 class FindingFilter(msgspec.Struct, frozen=True):
@@ -115,7 +117,7 @@ def filter_of(
         include=query.all("include"),
         exclude=query.all("exclude"),
         text=query.get("text").strip(),
-        role=query.get("role") if query.get("role") in roles else "",
+        role=query.get("role") if query.get("role") in {*roles, *GATES} else "",
         group=wanted if wanted in GROUPINGS else group,
     )
 
@@ -131,11 +133,15 @@ def select(site: Site, wanted: FindingFilter) -> Iterator[Finding]:
     )
     needle = wanted.text.casefold()
     for finding in found:
-        if wanted.role and role_of(site, finding) != wanted.role:
+        if wanted.role and not _is_of(site, finding, wanted.role):
             continue
         if needle and needle not in f"{finding.message}\n{finding.path}\n{finding.rule}\n{finding.entity}".casefold():
             continue
         yield finding
+
+
+def _is_of(site: Site, finding: Finding, role: str) -> bool:
+    return finding.gated is GATES[role] if role in GATES else role_of(site, finding) == role
 
 
 def role_of(site: Site, finding: Finding) -> str:

@@ -202,7 +202,7 @@ class Site:
         tags: TagFilter | None = None,
         severities: frozenset[Severity] | None = None,
     ) -> tuple[RuleTotal, ...]:
-        """Return the rules broken under these conditions: most severe first, then most frequent, then by id."""
+        """Return the rules broken under these conditions: most severe first, then most frequent in own code."""
         wanted = tags or TagFilter()
         sums: dict[tuple[str, Severity], list[int]] = defaultdict(lambda: [0, 0])
         packages: dict[tuple[str, Severity], set[str]] = defaultdict(set)
@@ -221,7 +221,7 @@ class Site:
             )
             for key, (count, gated) in sums.items()
         ]
-        totals.sort(key=lambda total: (-total.severity.rank, -total.count, total.rule))
+        totals.sort(key=lambda total: (-total.severity.rank, -total.gated, -total.count, total.rule))
         return tuple(totals)
 
     @cached_property
@@ -234,19 +234,24 @@ class Site:
         return dict(sorted(counts.items(), key=lambda item: (-item[1], item[0])))
 
     def severity_counts(self, package: str | None = None) -> dict[Severity, int]:
-        """Return how many findings there are of each severity, the most severe first."""
-        counts = dict.fromkeys((Severity.ERROR, Severity.WARNING, Severity.NOTE), 0)
-        for _, count in self.counts(package):
-            counts[count.severity] += count.count
-        return counts
+        """Return how many findings of each severity count for gates, the most severe first."""
+        return self._by_severity(count for _, count in self.counts(package))
 
     def severity_counts_of(self, package: PackageSummary, tags: TagFilter | None = None) -> dict[Severity, int]:
-        """Return how many findings of each severity a package has among those that the tags mean."""
-        counts = dict.fromkeys((Severity.ERROR, Severity.WARNING, Severity.NOTE), 0)
-        for count in package.rules:
-            if not tags or tags.matches(count.tags):
-                counts[count.severity] += count.count
-        return counts
+        """Return how many findings of each severity count for gates in a package, among those that the tags mean."""
+        return self._by_severity(count for count in package.rules if not tags or tags.matches(count.tags))
+
+    @staticmethod
+    def _by_severity(counts: Iterable[RuleCount]) -> dict[Severity, int]:
+        found = dict.fromkeys((Severity.ERROR, Severity.WARNING, Severity.NOTE), 0)
+        for count in counts:
+            found[count.severity] += count.gated
+        return found
+
+    @staticmethod
+    def aside_of(package: PackageSummary, tags: TagFilter | None = None) -> int:
+        """Return how many findings of a package do not count for gates: those in test, generated or vendored code."""
+        return sum(count.count - count.gated for count in package.rules if not tags or tags.matches(count.tags))
 
     @staticmethod
     def findings_per_kloc(package: PackageSummary, tags: TagFilter | None = None) -> float | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.figures import plural
@@ -15,13 +15,15 @@ from roslens.model.finding import Severity
 from roslens.model.source import number_of_packages
 
 FIRST = 8
+ELSEWHERE = "In test, generated or vendored code: they fail no check"
 
 
 def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the shape of every page
     """Return the page."""
     severities = site.severity_counts()
-    total = sum(severities.values())
-    affected = number_of_packages(package.id for package in site.packages if package.rules)
+    aside = sum(one.count - one.gated for one in site.rule_totals())
+    own = sum(severities.values())
+    broken = (package.id for package in site.packages if any(count.gated for count in package.rules))
     packages = number_of_packages(site.by_id)
     counts = {
         "packages": packages,
@@ -29,8 +31,9 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         "classes": sum(package.classes for package in site.packages),
         "functions": sum(package.functions for package in site.packages),
         "loc": int(sum(package.values.get("loc", 0) for package in site.packages)),
-        "findings": total,
-        "aside": sum(one.count - one.gated for one in site.rule_totals()),
+        "findings": own + aside,
+        "own": own,
+        "aside": aside,
         "failures": len(site.failures),
     }
     header = site.view.header
@@ -38,7 +41,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         ref=PageRef("overview"),
         title="Overview",
         facts={
-            "headline": headline(total, affected, packages),
+            "headline": headline(severities, number_of_packages(broken), packages),
             "counts": counts,
             "severities": {severity.value: count for severity, count in severities.items()},
             "languages": dict(_sum(package.languages for package in site.packages)),
@@ -52,13 +55,14 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
     )
 
 
-def headline(findings: int, affected: int, packages: int) -> str:
-    """Return the first sentence of the report."""
-    if not packages and not findings:
+def headline(severities: Mapping[Severity, int], affected: int, packages: int) -> str:
+    """Return the first sentence of the report: what counts for gates, as the terminal has it."""
+    amounts = [plural(count, severity.value) for severity, count in severities.items() if count]
+    if not packages and not amounts:
         return "No package was found."
-    if not findings:
+    if not amounts:
         return f"No findings in {plural(packages, 'package')}."
-    return f"{plural(findings, 'finding')} in {affected:,} of {plural(packages, 'package')}."
+    return f"{', '.join(amounts)} in {affected:,} of {plural(packages, 'package')}."
 
 
 def _sum(counts: Iterable[dict[str, int]]) -> list[tuple[str, int]]:
@@ -72,28 +76,30 @@ def _worst(site: Site) -> Table:
     rows = []
     for package in site.packages:
         by_severity = site.severity_counts_of(package)
-        total = sum(by_severity.values())
-        if total:
-            rows.append((package, by_severity, total))
-    rows.sort(key=lambda row: (-row[2], row[0].id))
+        total, aside = sum(by_severity.values()), site.aside_of(package)
+        if total or aside:
+            rows.append((package, by_severity, total, aside))
+    rows.sort(key=lambda row: (-row[2], -row[3], row[0].id))
     columns = (
         Column("package", "Package"),
         Column("findings", "Findings", "number", bar=True),
         Column("errors", "Errors", "number"),
         Column("warnings", "Warnings", "number"),
         Column("notes", "Notes", "number", optional=True),
+        Column("aside", "Elsewhere", "number", hint=ELSEWHERE),
         Column("loc", "Code lines", "number", optional=True),
     )
     cells = tuple(
         (
             Cell(package.id, ref=PageRef("package", package.id)),
-            Cell(total, ref=PageRef("findings", query=(("package", package.id),))),
+            Cell(total, ref=_listed(package.id, "gated") if total else None),
             Cell(by_severity[Severity.ERROR]),
             Cell(by_severity[Severity.WARNING]),
             Cell(by_severity[Severity.NOTE]),
+            Cell(aside, ref=_listed(package.id, "aside") if aside else None),
             Cell(package.values.get("loc")),
         )
-        for package, by_severity, total in rows[:FIRST]
+        for package, by_severity, total, aside in rows[:FIRST]
     )
     return Table(
         "worst",
@@ -106,19 +112,25 @@ def _worst(site: Site) -> Table:
     )
 
 
+def _listed(package: str, role: str) -> PageRef:
+    return PageRef("findings", query=(("package", package), ("role", role)))
+
+
 def _rules(site: Site) -> Table:
     totals = site.rule_totals()
     columns = (
         Column("severity", "Severity", "mark"),
         Column("rule", "Rule"),
         Column("findings", "Findings", "number", bar=True),
+        Column("aside", "Elsewhere", "number", hint=ELSEWHERE),
         Column("packages", "Packages", "number"),
     )
     rows = tuple(
         (
             Cell(total.severity.value),
             Cell(total.rule, text=site.rules[total.rule].title, ref=PageRef("rule", total.rule), hint=total.rule),
-            Cell(total.count, ref=PageRef("findings", query=(("rule", total.rule),))),
+            Cell(total.gated, ref=PageRef("findings", query=(("rule", total.rule), ("role", "gated")))),
+            Cell(total.count - total.gated),
             Cell(total.packages),
         )
         for total in totals[:FIRST]

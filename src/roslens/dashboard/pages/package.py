@@ -32,6 +32,7 @@ def build(site: Site, request: Request) -> View | None:
         facts={
             "package": _facts(site, result),
             "severities": {severity.value: count for severity, count in severities.items()},
+            "aside": site.aside_of(summary),
             **found.facts(),
         },
         tables=tuple(tables),
@@ -39,6 +40,7 @@ def build(site: Site, request: Request) -> View | None:
             "summary": summary,
             "manifest": result.package,
             "severities": severities,
+            "aside": site.aside_of(summary),
             "found": found,
             "needs": site.dependencies[summary.id],
             "needed_by": site.dependents[summary.id],

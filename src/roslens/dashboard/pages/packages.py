@@ -62,6 +62,13 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
         Column("errors", "Errors", "number"),
         Column("warnings", "Warnings", "number"),
         Column("notes", "Notes", "number"),
+        Column(
+            "aside",
+            "Elsewhere",
+            "number",
+            hint="Findings in test, generated or vendored code: they fail no check",
+            optional=True,
+        ),
         Column("per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines, both of own code", decimals=1),
         Column("loc", "Code lines", "number", bar=True, hint="Lines with code"),
         *(
@@ -127,12 +134,15 @@ def _flag(rating: str) -> str:
 
 def _counts(site: Site, package: PackageSummary, tags: TagFilter) -> tuple[Cell, ...]:
     by_severity = site.severity_counts_of(package, tags)
-    total = sum(by_severity.values())
+    total, aside = sum(by_severity.values()), site.aside_of(package, tags)
+    own = PageRef("findings", query=(("package", package.id), ("role", "gated")))
+    rest = PageRef("findings", query=(("package", package.id), ("role", "aside")))
     return (
-        Cell(total, ref=PageRef("findings", query=(("package", package.id),)) if total else None),
+        Cell(total, ref=own if total else None),
         Cell(by_severity[Severity.ERROR]),
         Cell(by_severity[Severity.WARNING]),
         Cell(by_severity[Severity.NOTE]),
+        Cell(aside, ref=rest if aside else None),
         Cell(site.findings_per_kloc(package, tags)),
     )
 

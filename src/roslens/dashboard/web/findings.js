@@ -64,7 +64,7 @@ function accepts(finding, wanted) {
   const include = split(wanted.include || "");
   const exclude = split(wanted.exclude || "");
   if (wanted.severity && data.severity !== wanted.severity) return false;
-  if (wanted.role && data.role !== wanted.role) return false;
+  if (wanted.role && data.role !== wanted.role && data.gate !== wanted.role) return false;
   if (wanted.rule && data.rule !== wanted.rule) return false;
   if (include.length && !include.some((tag) => tags.includes(tag))) return false;
   if (exclude.some((tag) => tags.includes(tag))) return false;

@@ -108,3 +108,12 @@ def test_findings_carry_their_excerpt_and_their_place(listed: Listed) -> None:
     assert any(hit for _, hit, _ in shown.excerpt.lines)
     assert shown.ref is not None
     assert (shown.ref.key, shown.ref.anchor) == (shown.finding.path, f"L{shown.finding.line}")
+
+
+def test_findings_of_a_rule_are_listed_by_how_far_they_are_beyond(site: Site) -> None:
+    for query in ({}, {"rule": "ros.calls.max"}):
+        found = list_findings(site, filter_of(Query(query.items())), Request(query=Query(query.items())))
+        for group in found.groups:
+            excess = [shown.finding.excess for shown in group.findings]
+            assert excess == sorted(excess, reverse=True)
+    assert any(shown.finding.excess > 1 for shown in group.findings)

@@ -277,3 +277,19 @@ def test_the_tables_speak_the_words_of_the_report(view):
         ("ros.cyclomatic_complexity", "warning"),
         ("style.tabs", "note"),
     ]
+
+
+def test_those_furthest_beyond_their_bound_come_first_where_asked(sample):
+    def finding(line, value=None, bound=None):
+        return Finding("r", Severity.NOTE, "m", "src/drive/a.py", line, value=value, bound=bound)
+
+    found = [finding(1), finding(2, 6, 5), finding(3, 20, 5), finding(4, 1, 5), finding(5, 0, 3), finding(6, 7, 0)]
+    with Store.open(None) as store:
+        with store.writing(sample.header()) as writer:
+            writer.add("unit-drive", msgspec.structs.replace(sample.drive(), findings=tuple(found)))
+            view = store.view(writer.complete(sample.workspace(), sample.header()))
+        lines = [one.line for one in view.findings(package="drive", worst_first=True)]
+        assert lines == [6, 4, 3, 5, 2, 1]
+        assert lines == [one.line for one in sorted(found, key=lambda one: -one.excess)]
+        assert [one.line for one in view.findings(package="drive", limit=2, worst_first=True)] == [6, 4]
+        assert [one.line for one in view.findings(package="drive")] == [1, 2, 3, 4, 5, 6]

@@ -3,7 +3,7 @@
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageResult, RuleCount
 from roslens.model.source import Location, Package
-from roslens.store.summary import summarise
+from roslens.store.summary import rule_counts, summarise
 
 
 def test_the_small_run(sample):
@@ -21,7 +21,7 @@ def test_the_small_run(sample):
             Severity.WARNING,
             1,
             1,
-            "src/drive/src/drive.cpp:12: cyclomatic complexity 17, at most 15 allowed",
+            "17 (at most 15) drive::Drive::update src/drive/src/drive.cpp:12",
             ("complexity", "metrics", "ros"),
         ),
         RuleCount("style.tabs", Severity.NOTE, 1, 0, 'src/drive/test/test_drive.cpp:3: a tab, "quoted"', ("style",)),
@@ -56,3 +56,18 @@ def test_counts_go_by_rule_severity_and_tags_most_severe_and_frequent_first():
         ("r", ("x",), 2, 2, "p:1: m"),
         ("r", ("y",), 1, 1, "p:3: m"),
     ]
+
+
+def test_the_example_is_the_worst_that_counts_with_its_number_first():
+    def finding(value, line, gated=True, bound=5.0):
+        entity = f"function:p.cpp#ns::f{line}(const std::string &)"
+        return Finding(
+            "r", Severity.NOTE, "m", "p.cpp", line, entity=entity, value=value, bound=bound, gated=gated, quantity="q"
+        )
+
+    (one,) = rule_counts([finding(6, 1), finding(30, 2), finding(90, 3, gated=False), finding(30, 4)])
+    assert one.example == "30 (at most 5) ns::f2 p.cpp:2"
+    (low,) = rule_counts([finding(4, 1), finding(0, 2), finding(2.5, 3)])
+    assert low.example == "0 (at least 5) ns::f2 p.cpp:2"
+    of_file = Finding("r", Severity.NOTE, "m", "p.cpp", entity="file:p.cpp", value=12.34, bound=20)
+    assert rule_counts([of_file])[0].example == "12.34 (at least 20) p.cpp"

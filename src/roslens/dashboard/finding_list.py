@@ -181,7 +181,12 @@ def _by_rule(site: Site, wanted: FindingFilter, request: Request, start: int) ->
     for total in totals[start : start + limits.groups]:
         count = min(limits.per_group, room) if len(totals) > 1 else room
         found = site.view.findings(
-            package=wanted.package, rule=total.rule, tags=wanted.tags, severity=total.severity, limit=count
+            package=wanted.package,
+            rule=total.rule,
+            tags=wanted.tags,
+            severity=total.severity,
+            limit=count,
+            worst_first=True,
         )
         shown = _shown(site, found, request)
         room -= len(shown)
@@ -206,7 +211,7 @@ def _scanned(site: Site, wanted: FindingFilter, request: Request, start: int) ->
         total += 1
         by_rule.setdefault((-finding.severity.rank, finding.rule), []).append(finding)
     keys = sorted(by_rule, key=lambda key: (key[0], -len(by_rule[key]), key[1]))
-    ordered = [finding for key in keys for finding in by_rule[key]]
+    ordered = [finding for key in keys for finding in sorted(by_rule[key], key=lambda one: -one.excess)]
     page = ordered[start : start + request.limits.findings]
     counts = {key[1]: len(found) for key, found in by_rule.items()}
     groups = _grouped(_shown(site, page, request), counts, by_file=False)

@@ -65,6 +65,17 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     others: tuple[str, ...] = ()
     also: tuple[str, ...] = ()
 
+    @property
+    def excess(self) -> float:
+        """How many times the bound the value is, or the bound the value where it is too low; 0 without a bound.
+
+        A bound or value of 0 counts as 1, so that what is 5 where nothing is allowed is 5 times too much.
+        """
+        if self.value is None or self.bound is None:
+            return 0.0
+        high, low = max(self.value, self.bound), min(self.value, self.bound)
+        return high / (low if low > 0 else 1.0)
+
 
 def fingerprint(rule: str, place: str, context: str = "", ordinal: int = 0) -> str:
     """Return 16 hexadecimal digits that stay the same while code moves up and down a file.

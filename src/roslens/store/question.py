@@ -82,6 +82,7 @@ class Run:
         order: str = "position",
         limit: int | None = None,
         offset: int = 0,
+        first: str = "",
     ) -> Iterator[Row]:
         """Yield rows of the table in the order of the run's units, then of ``order`` (empty: in any order).
 
@@ -93,13 +94,15 @@ class Run:
             order: a column of the table.
             limit: at most so many rows.
             offset: without the first so many.
+            first: an expression of this package that decides before that order.
 
         Raises:
             StoreError: the store cannot be read.
         """
         # CROSS JOIN keeps the order of the tables: one seek per unit, and rows come out sorted.
         join = "CROSS JOIN unit ON unit.id = run_unit.unit " if unit else ""
-        sort = f" ORDER BY run_unit.position, {table}.{order}" if order else ""
+        before = f"{first}, " if first else ""
+        sort = f" ORDER BY {before}run_unit.position, {table}.{order}" if order else ""
         cut = (
             f" LIMIT {-1 if limit is None else int(limit)} OFFSET {int(offset)}" if limit is not None or offset else ""
         )

@@ -37,6 +37,13 @@ _decode_rules = msgspec.json.Decoder(tuple[RuleInfo, ...]).decode
 _decode_quantities = msgspec.json.Decoder(tuple[Quantity, ...]).decode
 
 
+_EXCESS = (
+    "CASE WHEN finding.value IS NULL OR finding.bound IS NULL THEN 0 ELSE max(finding.value, finding.bound) / "
+    "CASE WHEN min(finding.value, finding.bound) > 0 THEN 1.0 * min(finding.value, finding.bound) ELSE 1.0 END END DESC"
+)
+"""SQL that orders by :attr:`roslens.model.finding.Finding.excess`."""
+
+
 class RunView:
     """One complete run.
 
@@ -191,6 +198,7 @@ class RunView:
         severity: Severity | Collection[Severity] | None = None,
         limit: int | None = None,
         offset: int = 0,
+        worst_first: bool = False,
     ) -> Iterator[Finding]:
         """Yield the findings that meet all conditions.
 
@@ -204,11 +212,13 @@ class RunView:
             severity: exactly this one, or one of these.
             limit: at most so many.
             offset: without the first so many.
+            worst_first: those first whose value is furthest beyond its bound, see :attr:`Finding.excess`.
         """
         where = self._finding_conditions(package, rule, path, severity)
         known = self._tag_sets()
         where.tags(tag_filter(include_tags, exclude_tags).both(tags or TagFilter()), known)
-        for row in self._run.rows(rows.FINDING, "finding", where, limit=limit, offset=offset):
+        first = _EXCESS if worst_first else ""
+        for row in self._run.rows(rows.FINDING, "finding", where, limit=limit, offset=offset, first=first):
             yield rows.to_finding(row, known)
 
     def owned_findings(self, tags: TagFilter | None = None) -> Iterator[tuple[str, Finding]]:

@@ -21,8 +21,9 @@ def summarise(result: PackageResult) -> PackageSummary:
     """Return the summary of a package.
 
     ``rules`` has one count for each rule, severity and set of tags, so that filters on severities and tags are exact on
-    summaries; most severe first, then most frequent. Its example is the first occurrence that counts for gates (the
-    first of all if none does), written ``path:line: message``.
+    summaries; most severe first, then most frequent. Its example is the worst occurrence that counts for gates (the
+    worst of all if none does, the first among equals), written ``path:line: message``, or with its number first
+    where it has one: ``30 (at most 5) function path:line``.
     """
     package = result.package
     kinds = Counter(entity.kind for entity in result.entities)
@@ -74,7 +75,7 @@ def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
         group = groups.get(key)
         if group is None:
             group = groups[key] = _Group()
-        if group.example is None or (finding.gated and not group.gated):
+        if group.example is None or (finding.gated, finding.excess) > (group.example.gated, group.example.excess):
             group.example = finding
         group.count += 1
         group.gated += finding.gated
@@ -112,4 +113,15 @@ def _example(finding: Finding | None) -> str:
     if finding is None:
         return ""
     place = f"{finding.path}:{finding.line}" if finding.path and finding.line else finding.path or finding.entity
+    if finding.value is not None and finding.bound is not None:
+        word = "at most" if finding.value > finding.bound else "at least"
+        kind, _, name = finding.entity.partition(":")
+        what = name.partition("#")[2].partition("(")[0] or ("" if kind == "file" else name)
+        return " ".join(
+            part for part in (f"{_plain(finding.value)} ({word} {_plain(finding.bound)})", what, place) if part
+        )
     return f"{place}: {finding.message}" if place else finding.message
+
+
+def _plain(value: float) -> str:
+    return f"{value:.6g}"

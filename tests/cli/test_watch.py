@@ -31,6 +31,8 @@ def test_the_faults_of_the_recording_are_told_with_when_they_began(bag, capsys):
     assert ("absent", "topic:/cmd_vel") in [(state, entity) for at, state, entity in told if 59.5 <= at <= 61]
     entities = {entity for at, _, entity in told if at < 59}
     assert entities <= {"topic:/scan", "topic:/odom", "topic:/planner/status"}
+    (over,) = [line for line in lines if "topic:/scan  rate" in line and "again, after" in line]
+    assert 5 < float(over.rpartition("after ")[2].removesuffix(" s")) < 15
     assert "7,099 messages in 80.0 s" in "\n".join(lines)
     assert lines[-1].startswith("Something became wrong")
 
@@ -43,6 +45,9 @@ def test_lines_of_json(bag, capsys):
     assert [line["state"] for line in scan] == ["ok", "low", "ok"]
     assert scan[1]["expectation"] == "rover.topic.scan.rate"
     assert scan[1]["where"].startswith(f"{ROVER}:")
+    assert 29 <= scan[1]["since_at"] <= scan[1]["at"] <= 32
+    assert scan[2]["lasted"] == pytest.approx(scan[2]["since"] - scan[1]["since"])
+    assert "lasted" not in scan[1]
 
 
 def test_what_fails_is_chosen(bag, capsys):

@@ -16,6 +16,7 @@ from roslens.cli.streams import wants_color, width_of
 from roslens.cli.watch_screen import alert_line, cause_text, event_text, screen
 from roslens.live.note import Note, NoteKind
 from roslens.live.publish.json_lines import cause_line, event_line, failure_line, note_line, verdict_line
+from roslens.live.publish.spells import Spells, key_of
 from roslens.live.reported_levels import is_reported
 from roslens.live.session import Step
 from roslens.model.verdict import State, Verdict
@@ -35,14 +36,16 @@ class Teller:
         said: the latest failures and notes.
     """
 
-    def __init__(self, options: argparse.Namespace, clock: Callable[[float], str]) -> None:
-        """Write as the options say; ``clock`` writes times.
+    def __init__(self, options: argparse.Namespace, clock: Callable[[float], str], begin: float | None = None) -> None:
+        """Write as the options say; ``clock`` writes times, ``begin`` is that of a recording.
 
         Raises:
             OSError: the file cannot be written.
         """
         self._options = options
         self._clock = clock
+        self._begin = begin
+        self._spells = Spells()
         self._alarms = 0
         self._states: set[str] = set()
         self._failed = 0
@@ -76,15 +79,21 @@ class Teller:
     def tell(self, step: Step) -> None:
         """Write the changes of a step."""
         self.count(step)
+        lasted = self._spells.ended(step.changes)
         if self._options.format == "json":
-            lines = [event_line(one) for one in step.events] + [verdict_line(one) for one in step.changes]
-            lines += [cause_line(one) for one in step.causes]
+            lines = [event_line(one, self._begin) for one in step.events]
+            lines += [verdict_line(one, self._begin, lasted.get(key_of(one))) for one in step.changes]
+            lines += [cause_line(one, self._begin) for one in step.causes]
             lines += [failure_line(one) for one in step.failures]
             lines += [note_line(one) for one in step.notes]
         else:
-            shown = [one for one in step.changes if one.state.bad or one.of_observer or self._options.verbose]
+            told = [one for one in step.changes if one.state.bad or one.of_observer or self._options.verbose]
+            shown = {key_of(one): one for one in step.changes if one in told or key_of(one) in lasted}
             terminal = self._uncut
-            timed = [(one.since, alert_line(terminal, one, self._clock(one.since))) for one in shown]
+            timed = [
+                (one.since, alert_line(terminal, one, self._clock(one.since), lasted.get(key)))
+                for key, one in shown.items()
+            ]
             events = [one for one in step.events if self._options.verbose or is_reported(one)]
             timed += [(one.time, event_text(terminal, one, self._clock(one.time))) for one in events]
             timed += [(one.time, cause_text(terminal, one, self._clock(one.time))) for one in step.causes]

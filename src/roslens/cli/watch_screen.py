@@ -158,12 +158,14 @@ def _alerts(terminal: Terminal, verdicts: Sequence[Verdict], clock: Callable[[fl
     return lines
 
 
-def alert_line(terminal: Terminal, verdict: Verdict, when: str) -> str:
-    """Return one verdict on one line: when, how it stands, what, why."""
+def alert_line(terminal: Terminal, verdict: Verdict, when: str, lasted: float | None = None) -> str:
+    """Return one verdict on one line: when, how it stands, what, why; and how many seconds what is over had lasted."""
     says = verdict.state.bad or verdict.of_observer
     text = terminal.clean(f"{verdict.entity}  {sentence(verdict)}" if says else f"{verdict.entity}")
     if not says:
         text += terminal.clean(f"  {verdict.quantity} {_value(verdict)}")
+    if lasted is not None:
+        text += f"  again, after {lasted:.1f} s"
     room = terminal.width - columns(when) - _STATE - 3
     return f"{when} {state_text(terminal, verdict.state)}  {terminal.cut(text, max(room, 20))}"
 

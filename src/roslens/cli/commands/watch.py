@@ -111,7 +111,7 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
     bag = open_bag(options.bag)
     shown, clock = ", ".join(str(path) for path in options.bag), since_start(bag.start)
     page = _page(options.serve, shown, clock) if options.serve is not None else None
-    with Teller(options, clock) as teller:
+    with Teller(options, clock, bag.start) as teller:
 
         def told(step: Step) -> None:
             teller.tell(step)

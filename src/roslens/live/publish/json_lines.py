@@ -12,14 +12,24 @@ from roslens.model.verdict import Verdict
 SCHEMA = 1
 
 
-def verdict_line(verdict: Verdict) -> str:
-    """Return a verdict as a line without its end."""
-    return _line("verdict", {**msgspec.to_builtins(verdict), "entity": str(verdict.entity)})
+def verdict_line(verdict: Verdict, begin: float | None = None, lasted: float | None = None) -> str:
+    """Return a verdict as a line without its end.
+
+    Args:
+        verdict: that changed.
+        begin: of the recording, from which ``at`` and ``since_at`` count; None of what runs now.
+        lasted: how long what is fine again had been wrong; None of anything else.
+    """
+    times = {} if begin is None else {"at": verdict.time - begin, "since_at": verdict.since - begin}
+    wrong = {} if lasted is None else {"lasted": lasted}
+    return _line("verdict", {**msgspec.to_builtins(verdict), "entity": str(verdict.entity), **times, **wrong})
 
 
-def cause_line(verdict: Verdict) -> str:
+def cause_line(verdict: Verdict, begin: float | None = None) -> str:
     """Return a bad verdict of which only the cause changed, as a line without its end."""
-    return _line("cause", {**msgspec.to_builtins(verdict), "cause": verdict.cause, "entity": str(verdict.entity)})
+    times = {} if begin is None else {"at": verdict.time - begin, "since_at": verdict.since - begin}
+    content = {**msgspec.to_builtins(verdict), "cause": verdict.cause, "entity": str(verdict.entity)}
+    return _line("cause", {**content, **times})
 
 
 def note_line(note: Note) -> str:
@@ -27,9 +37,9 @@ def note_line(note: Note) -> str:
     return _line("note", msgspec.to_builtins(note))
 
 
-def event_line(event: Event) -> str:
+def event_line(event: Event, begin: float | None = None) -> str:
     """Return an event of the graph as a line without its end."""
-    return _line("event", msgspec.to_builtins(event))
+    return _line("event", msgspec.to_builtins(event) | ({} if begin is None else {"at": event.time - begin}))
 
 
 def failure_line(failure: Failure) -> str:

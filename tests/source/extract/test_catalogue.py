@@ -40,6 +40,16 @@ def test_a_node_is_known_by_package_and_executable_or_class():
     assert known_node(launched("robot_state_publisher", "other"), "ros2", ()) is None
 
 
+def test_a_name_with_a_random_end_is_that_of_the_program_and_not_of_its_component():
+    alone = known_node(launched("tf2_ros", "static_transform_publisher"), "ros2", ())
+    loaded = known_node(launched("x", plugin="tf2_ros::StaticTransformBroadcasterNode"), "ros2", ())
+    assert alone is not None
+    assert loaded is not None
+    assert [hole.reason for hole in alone.facts[0].name.holes] == ["random end"]
+    assert loaded.facts[0].name.known == "static_transform_publisher"
+    assert alone.facts[0].endpoints[0].name == loaded.facts[0].endpoints[0].name
+
+
 def test_the_command_line_names_what_a_bridge_of_images_publishes():
     meant = known_node(launched("ros_gz_image", "image_bridge"), "ros2", (Text.of("camera"),))
     assert meant is not None

@@ -51,6 +51,21 @@ def test_descriptors_of_cpp(node_of, body, range_, description, terms):
     assert (one.range, one.description, one.terms) == (range_, description, terms)
 
 
+@pytest.mark.parametrize(
+    ("field", "declared", "range_"),
+    [
+        ("integer_range", 'declare_parameter<double>("x", 8, d);', ""),
+        ("integer_range", 'declare_parameter("x", 8.0, d);', ""),
+        ("integer_range", 'declare_parameter<int>("x", 8, d);', "1..5"),
+        ("floating_point_range", 'declare_parameter("x", 8, d);', ""),
+        ("floating_point_range", 'declare_parameter<double>("x", 8, d);', "1..5"),
+    ],
+)
+def test_only_the_range_of_the_type_is_checked_by_ros(node_of, field, declared, range_):
+    body = f"{TYPE} d; d.{field}.resize(1); d.{field}[0].from_value = 1; d.{field}[0].to_value = 5; {declared}"
+    assert [one.range for one in node_of(body).parameters] == [range_]
+
+
 def test_descriptors_of_python(units):
     text = """
 from rclpy.node import Node

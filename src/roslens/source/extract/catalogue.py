@@ -20,7 +20,7 @@ from roslens.source.extract.catalogue_bridge import bridged
 from roslens.source.extract.hints import ROLES, endpoint_of, text_of
 from roslens.source.extract.launched import Launched
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, ParameterFact, Sure
-from roslens.source.extract.text import Text
+from roslens.source.extract.text import Hole, Text
 
 _FOLDER = "catalogue"
 RECONFIGURES = (
@@ -42,6 +42,7 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         executables: by which it is started.
         classes: by which it is loaded, as component or nodelet.
         name: that it gives itself; empty where it gives none.
+        random_end: whether it puts a random end behind that name, so that several run beside each other.
         kind: ``node``, ``lifecycle`` or ``container``.
         bridge: whether the words of its command line name what it publishes and subscribes (``parameter_bridge``).
         parameters: with default: ``name: value``.
@@ -54,6 +55,7 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     executables: tuple[str, ...] = ()
     classes: tuple[str, ...] = ()
     name: str = ""
+    random_end: bool = False
     kind: str = "node"
     bridge: bool = False
     publishes: tuple[str, ...] = ()
@@ -104,8 +106,9 @@ def facts_of(entry: Entry, words: Sequence[Text] = ()) -> NodeFacts:
         for name, value in entry.parameters.items()
     ]
     unit = entry.classes[0] if entry.classes else entry.executables[0] if entry.executables else ""
+    name = Text.of(entry.name, "_", Hole("random end")) if entry.random_end else text_of(entry.name)
     return NodeFacts(
-        unit, entry.source, 0, entry.generation, entry.kind, text_of(entry.name), endpoints=tuple(endpoints),
+        unit, entry.source, 0, entry.generation, entry.kind, name, endpoints=tuple(endpoints),
         parameters=tuple(parameters),
     )  # fmt: skip
 

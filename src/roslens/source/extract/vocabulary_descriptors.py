@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 _DESCRIPTOR = "rcl_interfaces.msg.ParameterDescriptor"
 _RANGES = {"integer_range": "rcl_interfaces.msg.IntegerRange",
            "floating_point_range": "rcl_interfaces.msg.FloatingPointRange"}  # fmt: skip
+_CHECKED = {"int": ("integer_range",), "double": ("floating_point_range",)}
+"""Which range rclcpp and rclpy hold a value of a type to; the other one is never looked at."""
 _SET = "set__"
 
 
@@ -54,13 +56,13 @@ def is_descriptor(value: Any) -> bool:
     return isinstance(value, Obj) and value.type.rpartition(".")[2] == "ParameterDescriptor"
 
 
-def described_by(values: Iterable[Any]) -> Described:
-    """Return what the descriptor among some values says."""
+def described_by(values: Iterable[Any], kind: str = "") -> Described:
+    """Return what the descriptor among some values says of a parameter of a type; empty is not known."""
     found = next((one.fields for one in values if is_descriptor(one)), None)
     if found is None:
         return Described()
     text, more = found.get("description"), found.get("additional_constraints")
-    ranges = [one for name in _RANGES if (one := _range(found.get(name)))]
+    ranges = [one for name in _CHECKED.get(kind, _RANGES) if (one := _range(found.get(name)))]
     return Described(
         ranges[0] if ranges else "",
         (text.known or "") if isinstance(text, Text) else "",

@@ -52,8 +52,10 @@ def _declared(engine: Evaluation, thing: Any, called: Called, name: Any, default
         kind, default = kind or constant, None
     if isinstance(default, Obj) and default.type.endswith("ParameterValue"):
         default = default.fields.get("value")
-    described = described_by((*called.arguments[1:], *called.keywords.values()))
-    if constant is None and default is None and not kind and called.evidence.path.endswith(".py"):
+    python = called.evidence.path.endswith(".py")
+    held_to = kind or ("" if isinstance(default, Text) else type_of_value(default, python=python))
+    described = described_by((*called.arguments[1:], *called.keywords.values()), held_to)
+    if constant is None and default is None and not kind and python:
         # rclpy takes what has neither value nor type for one of any type.
         described = msgspec.structs.replace(described, terms=msgspec.structs.replace(described.terms, dynamic=True))
     return parameter(

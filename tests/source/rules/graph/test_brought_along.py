@@ -21,6 +21,20 @@ def test_packages_of_the_workspace_hand_on_what_they_export():
     assert brought_by(package("a", "middle", kind="test"), "sensor_msgs", (middle,)) == ""
 
 
+def test_collections_bring_their_interfaces():
+    assert brought_by(package("a", "navigation2"), "nav2_msgs", ()) == "navigation2"
+    assert brought_by(package("a", "nav2_bringup"), "nav2_msgs", ()) == "nav2_bringup"
+    assert brought_by(package("a", "ros_gz"), "ros_gz_interfaces", ()) == "ros_gz"
+    assert brought_by(package("a", "navigation2"), "ros_gz_interfaces", ()) == ""
+
+
+def test_packages_of_the_same_family_may_bring_its_interfaces():
+    assert may_be_brought_by(package("a", "rclcpp", "arm_driver"), "arm_msgs", ()) == "arm_driver"
+    assert may_be_brought_by(package("a", "arm"), "arm_interfaces", ()) == "arm"
+    assert may_be_brought_by(package("a", "armour", "leg"), "arm_msgs", ()) == ""
+    assert may_be_brought_by(package("a", "arm_driver"), "arm_msgs", (package("arm_driver"),)) == ""
+
+
 def test_packages_that_depend_on_each_other_end():
     assert brought_by(package("a", "b"), "x", (package("a", "b"), package("b", "c"), package("c", "b", "a"))) == ""
 

@@ -47,5 +47,12 @@ def test_a_program_of_another_package_and_all_there_are():
     assert unlike.message.endswith(". It installs slam_node, talker.py: correct the name, or install it.")
 
 
+def test_a_source_of_that_name_that_no_target_is_made_of_is_told_before_a_name_like_it():
+    unbuilt = {"robot": ("robot/src/key.cpp", "robot/src/teleop_joy.cpp")}
+    known = Surroundings(installed={"robot": ("teleop_key",)}, unbuilt=unbuilt)
+    (one,) = found(configuration(node("/joy", executable="teleop_joy")), known)
+    assert one.message.endswith("starts as /joy; robot/src/teleop_joy.cpp is not built: add it to CMakeLists.txt.")
+
+
 def test_targets_that_stand_for_themselves_are_none():
     assert not findings(node("/a", executable="x", proof=Proof("CMakeLists.txt", 3)))

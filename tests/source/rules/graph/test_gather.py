@@ -32,6 +32,13 @@ def test_ros1_starts_what_lies_in_the_sources():
     assert "tool" in found.installed["robot"]
 
 
+def test_sources_that_no_target_is_made_of():
+    targets = {"robot": (Target(TargetKind.EXECUTABLE, "robot", "slam", ("robot/src/slam.cpp",), PLACE),)}
+    paths = {"robot": ("robot/src/slam.cpp", "robot/src/joy.cpp", "robot/src/joy.hpp", "robot/run.py")}
+    known = surroundings_of(configuration(node("/a")), packages=PACKAGES, targets=targets, paths=paths)
+    assert known.unbuilt == {"robot": ("robot/src/joy.cpp",)}
+
+
 def test_a_build_that_is_not_understood_says_nothing():
     missed = (Unresolved("x", Evidence("robot/CMakeLists.txt", 9), "a macro"),)
     assert set(gathered(unresolved=missed).installed) == {"other"}

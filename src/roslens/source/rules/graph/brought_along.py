@@ -32,10 +32,16 @@ _KNOWN: Mapping[str, tuple[str, ...]] = {
     "move_base": ("geometry_msgs", "move_base_msgs", "nav_msgs", "std_srvs", "visualization_msgs"),
     "move_base_msgs": ("actionlib_msgs", "geometry_msgs"),
     "nav2_msgs": ("action_msgs", "geographic_msgs", "geometry_msgs", "nav_msgs", "std_msgs"),
+    "nav2_bringup": ("navigation2",),
     "nav_core": ("geometry_msgs", "std_msgs"),
+    "navigation2": ("nav2_msgs",),
     "nav_msgs": ("actionlib_msgs", "geometry_msgs", "std_msgs"),
     "pcl_conversions": ("sensor_msgs", "std_msgs"),
     "pcl_ros": ("geometry_msgs", "sensor_msgs", "std_msgs"),
+    "ros_gz": ("ros_gz_interfaces",),
+    "ros_gz_bridge": ("ros_gz_interfaces",),
+    "ros_ign": ("ros_ign_interfaces",),
+    "ros_ign_bridge": ("ros_ign_interfaces",),
     "roscpp": ("rosgraph_msgs", "std_msgs"),
     "rospy": ("rosgraph_msgs", "std_msgs"),
     "sensor_msgs": ("geometry_msgs", "std_msgs"),
@@ -47,6 +53,7 @@ _KNOWN: Mapping[str, tuple[str, ...]] = {
     "visualization_msgs": ("geometry_msgs", "sensor_msgs", "std_msgs"),
 }
 """Of packages that many depend on what their manifests export or run with, as far as it is interfaces."""
+_INTERFACES = ("_msgs", "_interfaces")
 _DECLARED = frozenset({"depend", "build", "build_export", "exec", "run"})
 _HANDED_ON = frozenset({"depend", "build_export", "exec", "run"})
 
@@ -76,15 +83,21 @@ def brought_by(package: Package, wanted: str, packages: tuple[Package, ...]) -> 
 
 
 def may_be_brought_by(package: Package, wanted: str, packages: tuple[Package, ...]) -> str:
-    """Return a declared interface package of which nothing is known, and which may have another one among its own.
+    """Return a declared package of which nothing is known, and which may have another one among its own.
+
+    That is an interface package where many use the other one, or one of the same family: of `arm`, `arm_driver` and the
+    like where `arm_msgs` is wanted.
 
     Args:
         package: whose manifest does not name the other one.
-        wanted: name of the other one; of those that few use nothing is said.
+        wanted: name of the other one.
         packages: of the workspace, whose own dependencies are known.
     """
-    if wanted not in _STANDARD:
-        return ""
     known = {*_KNOWN, *_STANDARD, *(one.name for one in packages)}
-    declared = (one.name for one in package.dependencies if one.kind in _DECLARED)
-    return next((name for name in declared if name.endswith(("_msgs", "_interfaces")) and name not in known), "")
+    declared = (one.name for one in package.dependencies if one.kind in _DECLARED and one.name not in known)
+    if wanted in _STANDARD:
+        return next((name for name in declared if name.endswith(_INTERFACES)), "")
+    family, _, last = wanted.rpartition("_")
+    if f"_{last}" not in _INTERFACES or not family:
+        return ""
+    return next((name for name in declared if name == family or name.startswith(f"{family}_")), "")

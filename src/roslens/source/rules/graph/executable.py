@@ -60,9 +60,16 @@ def _told(package: str, name: str, nodes: list[ConfiguredNode], surroundings: Su
     what = _WHAT.get(node.kind, "executable")
     message = (
         f"no {what} `{name}` in package {package}, which {node.proof.place} starts as {node.name}"
-        f"{_advice(name, package, surroundings.installed)}{doubt}"
+        f"{_unbuilt(name, surroundings.unbuilt.get(package, ())) or _advice(name, package, surroundings.installed)}"
+        f"{doubt}"
     )
     return told(RULE, message, node.proof, entity=f"package:{package}", severity=severity, context=name)
+
+
+def _unbuilt(name: str, sources: tuple[str, ...]) -> str:
+    """Return the end of the message where a source of that name is there, and no target is made of it."""
+    source = next((path for path in sources if PurePath(path).stem == name), "")
+    return f"; {source} is not built: add it to CMakeLists.txt." if source else ""
 
 
 def _advice(name: str, package: str, installed: dict[str, tuple[str, ...]]) -> str:

@@ -18,6 +18,8 @@ from roslens.source.rules.graph.static_transforms import static_transforms
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.rules.graph.waits import waits
 
+_SOURCES = (".cpp", ".cc", ".cxx", ".c++")
+
 
 def surroundings_of(
     configuration: Configuration,
@@ -61,9 +63,12 @@ def surroundings_of(
         for package, made in sorted((targets or {}).items())
         if package not in open_packages
     }
+    made_of = {path for every in (targets or {}).values() for one in every for path in one.sources}
+    unbuilt = {package: _left((paths or {}).get(package, ()), made_of) for package in installed}
     found = Surroundings(
         tuple(packages),
         installed,
+        {package: left for package, left in unbuilt.items() if left},
         dict(given or {}),
         tuple(ignored_files(configuration, launch)) if launch is not None else (),
         tuple(static_transforms(configuration, launch)) if launch is not None else (),
@@ -81,6 +86,11 @@ def surroundings_of(
 
 def _is_in(path: str, package: Package) -> bool:
     return package.path in ("", ".") or path.startswith(f"{package.path}/")
+
+
+def _left(paths: Sequence[str], made_of: set[str]) -> tuple[str, ...]:
+    """Return the sources of C++ that no target is made of."""
+    return tuple(sorted(path for path in paths if path.endswith(_SOURCES) and path not in made_of))
 
 
 def _names(targets: Sequence[Target], paths: Sequence[str], generation: str) -> tuple[str, ...]:

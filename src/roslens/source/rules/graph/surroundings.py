@@ -75,6 +75,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
         packages: of the workspace.
         installed: by package of the workspace what its build installs, by the names by which it is started or loaded;
             a package whose build is not known in full is left out.
+        unbuilt: by package of those the sources of C++ that no target is made of, as paths.
         given: arguments of the launch file, by name.
         started: whether somebody says with which arguments the launch file is started: `roslens.toml`, or a command
             line; else it may be meant to be included.
@@ -92,6 +93,7 @@ class Surroundings(msgspec.Struct, frozen=True, omit_defaults=True):
 
     packages: tuple[Package, ...] = ()
     installed: dict[str, tuple[str, ...]] = {}
+    unbuilt: dict[str, tuple[str, ...]] = {}
     given: dict[str, str] = {}
     ignored: tuple[Ignored, ...] = ()
     transforms: tuple[Transform, ...] = ()

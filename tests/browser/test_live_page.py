@@ -41,7 +41,7 @@ def visitor_of(browser: Browser, request: pytest.FixtureRequest) -> Callable[[st
 @pytest.fixture
 def follow(robot: ScriptedRobot, visitor_of: Callable[[str], Any]) -> Iterator[Open]:
     """Open the page of the robot; fails the test on any problem that it shows."""
-    with LivePage(robot.page.newest) as live:
+    with LivePage(robot.page.newest, detail=robot.page.detail) as live:
         visitor = visitor_of(live.url)
         yield visitor.open
         visitor.close()
@@ -91,7 +91,8 @@ def test_what_follows_is_folded_under_its_cause(robot: ScriptedRobot, follow: Op
     robot.run(8)
     folded = page.locator(".follows")
     expect(folded).to_have_count(1)
-    expect(folded.locator(".alert")).not_to_be_visible()
+    expect(page.locator(".cause > .alert")).to_contain_text("is gone → /cmd_vel, /odom silent")
+    expect(folded.locator(".alert").first).not_to_be_visible()
     folded.locator("summary").click()
     expect(folded.locator(".alert").first).to_be_visible()
     robot.run(3)
@@ -166,6 +167,23 @@ def test_a_click_in_the_graph_shows_neighbours_and_the_row(follow: Open) -> None
     page.locator("#canvas").click(position={"x": 4, "y": 4})
     expect(page.locator("#rows tr.chosen")).to_have_count(0)
     expect(page.locator("#picture")).not_to_have_class(re.compile("dimmed"))
+
+
+def test_what_is_chosen_is_told_in_full_and_follows_the_robot(robot: ScriptedRobot, follow: Open) -> None:
+    page = follow()
+    panel = page.locator("#detail")
+    expect(panel).not_to_be_visible()
+    row(page, "topic:/scan").click()
+    expect(panel.locator("h3")).to_have_text("topic /scan")
+    expect(panel).to_contain_text("8..12 Hz")
+    expect(panel).to_contain_text("Subscribers")
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    expect(panel).to_contain_text("4 Hz")
+    expect(panel.locator(".mark").first).to_have_text("low")
+    panel.get_by_role("button", name="Close").click()
+    expect(panel).not_to_be_visible()
+    expect(page.locator("#rows tr.chosen")).to_have_count(0)
 
 
 def test_an_alert_leads_to_its_row(robot: ScriptedRobot, follow: Open) -> None:

@@ -48,7 +48,8 @@ def test_a_watch_goes_on_until_it_is_left(tmp_path, monkeypatch):
     add_observer_arguments(parser)
     parser.set_defaults(bag=None, reference=[reference_argument(str(reference))])
     options = parser.parse_args([])
-    with live_beside(options) as newest:
+    with live_beside(options) as page:
+        newest = page.newest
         first = _waited(newest, lambda found: found["counts"].get("ok"))
         assert first["live"]
         reference.write_text(REFERENCE.replace(">=", "<="))

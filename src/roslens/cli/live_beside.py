@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import platform
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Event, Thread
 
 from roslens.cli.param_reference import reference_sources
 from roslens.cli.watch_live import sources_of
+from roslens.cli.watch_page import PageSource
 from roslens.cli.watch_reload import ReferenceFiles
 from roslens.cli.watch_screen import time_of_day
 from roslens.cli.watch_serve import page_of
@@ -20,8 +21,8 @@ _END_S = 10.0
 
 
 @contextmanager
-def live_beside(options: argparse.Namespace) -> Iterator[Callable[[], bytes]]:
-    """Watch what options ask for until the context is left; give what returns the newest snapshot.
+def live_beside(options: argparse.Namespace) -> Iterator[PageSource]:
+    """Watch what options ask for until the context is left; give what shows it.
 
     Raises:
         UsageError: there is no such ROS, or an address is taken.
@@ -43,7 +44,7 @@ def live_beside(options: argparse.Namespace) -> Iterator[Callable[[], bytes]]:
     thread = Thread(target=watch, name="watch", daemon=True)
     thread.start()
     try:
-        yield page.newest
+        yield page
     finally:
         ended.set()
         thread.join(_END_S)

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.cli.watch_detail import detail_of
 from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
-from roslens.cli.watch_screen import urgency, value_text
+from roslens.cli.watch_screen import nameless, urgency, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.signals import BY_KEY
@@ -68,11 +69,20 @@ class PageSource:
         self._made = -math.inf
         self._took = 0.0
         self._newest = b""
+        self._shown: tuple[SystemView, Sequence[Verdict], str] | None = None
 
     def newest(self) -> bytes:
         """Return the newest snapshot; the same object while there is no newer one."""
         self._asked = self._steady()
         return self._newest
+
+    def detail(self, entity: str) -> bytes:
+        """Return all that is known of an entity, as of the newest snapshot; empty where it is not there."""
+        if self._shown is None:
+            return b""
+        whole, standing, when = self._shown
+        found = detail_of(entity, whole, standing, when, self._clock)
+        return msgspec.json.encode(found) if found is not None else b""
 
     def take(self, step: Step) -> None:
         """Remember what happened in a step."""
@@ -90,6 +100,8 @@ class PageSource:
         begun = self._steady()
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
         self._newest = msgspec.json.encode(self.snapshot(session, now, cost))
+        # Values that never change: who asks for details in another thread reads them while the next are made.
+        self._shown = (session.tree(now), session.monitor.standing(), self._clock(now))
         self._made = self._steady()
         self._took = self._made - begun
 
@@ -191,7 +203,7 @@ def _shown(key: str, value: float) -> str:
 
 def _name(part: SystemView) -> str:
     if not part.name:
-        return "(host unknown)" if part.kind == "host" else "(publisher unknown)"
+        return nameless(part)
     if part.kind == "connection":
         _, _, subscriber = ends_of(part.id)
         return f"→ {shown_name(subscriber) or 'anybody'}"

@@ -130,7 +130,17 @@ def _name(row: SystemView, terminal: Terminal) -> str:
         return f"{'→' if terminal.unicode else '->'} {subscriber or '?'}"
     if row.name:
         return row.name
-    return "(host unknown)" if row.kind == "host" else "(publisher unknown)"
+    return nameless(row)
+
+
+def nameless(part: SystemView) -> str:
+    """Return what stands for a part of which nobody knows the name, by what is below it."""
+    if part.kind == "host":
+        return "(host unknown)"
+    kinds = {child.kind for child in part.children}
+    if "service" not in kinds:
+        return "(publisher unknown)"
+    return "(server unknown)" if kinds == {"service"} else "(publisher or server unknown)"
 
 
 def _cell(row: SystemView, key: str) -> str:

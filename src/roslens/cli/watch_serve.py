@@ -43,7 +43,7 @@ def serve(source: PageSource, address: tuple[str, int]) -> LivePage:
     Raises:
         UsageError: the address cannot be listened on.
     """
-    page = LivePage(source.newest, host=address[0], port=address[1])
+    page = LivePage(source.newest, detail=source.detail, host=address[0], port=address[1])
     print(f"roslens: {page.url}", file=sys.stderr, flush=True)
     return page
 

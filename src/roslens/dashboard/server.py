@@ -16,7 +16,7 @@ from starlette.staticfiles import StaticFiles
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import address_shown, listen
-from roslens.dashboard.live.app import Facts, create_live_app
+from roslens.dashboard.live.app import Facts, create_live_app, nothing
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
@@ -35,6 +35,7 @@ def create_app(
     names: frozenset[str] = frozenset(),
     *,
     snapshot: Callable[[], bytes] | None = None,
+    detail: Callable[[str], bytes] = nothing,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Starlette:
     """Return the application that shows ``site``.
@@ -43,6 +44,7 @@ def create_app(
         site: what to show.
         names: further host names that it answers to.
         snapshot: returns the newest snapshot of what runs, for a live page beside the others.
+        detail: returns all that is known of one of its entities.
         stopped: whether streams of snapshots should end.
     """
     renderer = Renderer(site, "served", _LIVE if snapshot is not None else "")
@@ -63,7 +65,7 @@ def create_app(
 
     beside: list[BaseRoute] = []
     if snapshot is not None:
-        live = create_live_app(snapshot, Facts(names, advice=_ADVICE, beside=True), stopped=stopped)
+        live = create_live_app(snapshot, Facts(names, advice=_ADVICE, beside=True), detail=detail, stopped=stopped)
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
@@ -112,6 +114,7 @@ def serve(
     port: int = 8080,
     ready: Callable[[str], None] = lambda _: None,
     snapshot: Callable[[], bytes] | None = None,
+    detail: Callable[[str], bytes] = nothing,
 ) -> None:
     """Serve until interrupted.
 
@@ -121,6 +124,7 @@ def serve(
         port: to listen on; 0 takes a free one.
         ready: told the address of the first page once connections are accepted.
         snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
+        detail: returns all that is known of one of its entities; called from this thread too.
 
     Raises:
         UsageError: the host is unknown, or the port is taken or not allowed.
@@ -135,7 +139,7 @@ def serve(
             super().handle_exit(sig, frame)
 
     names = frozenset({host.lower()})
-    app = create_app(site, names, snapshot=snapshot, stopped=lambda: bool(stopping))
+    app = create_app(site, names, snapshot=snapshot, detail=detail, stopped=lambda: bool(stopping))
     local, free = (
         "Leave --host out to listen on this machine only",
         "Give another one with --port, or --port 0 for any free one",

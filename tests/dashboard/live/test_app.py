@@ -37,7 +37,7 @@ class Client:
     """Asks the application without a server; not for streams, which have no end."""
 
     def __init__(self, robot):
-        self.app = create_live_app(robot.page.newest)
+        self.app = create_live_app(robot.page.newest, detail=robot.page.detail)
 
     def get(self, path, **given):
         async def ask():
@@ -85,6 +85,29 @@ def test_the_snapshot_is_a_versioned_document():
     document = answer.json()
     assert document["version"] == 2
     assert {"time", "title", "cost", "counts", "rows", "alerts", "picture", "happened", "failures"} <= document.keys()
+
+
+def test_a_detail_has_every_signal_and_what_each_constraint_says():
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    page = client(robot)
+    found = page.get("/detail.json", params={"at": "topic:/scan"}).json()
+    (judged,) = found["judgements"]
+    assert (judged["state"], judged["severity"], judged["value"]) == ("low", "error", "4 Hz")
+    assert (judged["expected"], judged["text"]) == ("8..12 Hz", "Look at the cable of the lidar")
+    assert judged["where"].startswith("rover.yaml:")
+    assert {"rate", "bandwidth", "largest_gap", "publishers", "subscribers"} <= {one["key"] for one in found["values"]}
+    assert found["observed"] == "scripted"
+    host = page.get("/detail.json", params={"at": "host:rover"}).json()
+    assert (host["below"], [one["state"] for one in host["judgements"]]) == ("1 low below", ["ok"])
+
+
+def test_what_is_not_there_has_no_detail():
+    page = client(ScriptedRobot())
+    for entity in ("topic:/nothing", "", "x" * 10_000, "</script>"):
+        answer = page.get("/detail.json", params={"at": entity})
+        assert (answer.status_code, answer.content) == (204, b"")
 
 
 def test_every_file_that_the_page_names_is_there():

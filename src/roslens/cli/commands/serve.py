@@ -60,6 +60,10 @@ def run(options: argparse.Namespace) -> int:
             print(f"roslens: {url} (Ctrl-C ends it)", file=sys.stderr, flush=True)
             read_graphs()
 
-        with live_beside(options) if options.live else nullcontext() as snapshot:
-            serve(site, host=options.host, port=options.port, ready=ready, snapshot=snapshot)
+        with live_beside(options) if options.live else nullcontext() as page:
+            if page is None:
+                serve(site, host=options.host, port=options.port, ready=ready)
+            else:
+                shown, detail = page.newest, page.detail
+                serve(site, host=options.host, port=options.port, ready=ready, snapshot=shown, detail=detail)
     return 0

@@ -56,15 +56,22 @@ class Facts(msgspec.Struct, frozen=True):
     beside: bool = False
 
 
+def nothing(_: str) -> bytes:
+    """Return no detail of any entity."""
+    return b""
+
+
 def create_live_app(
-    snapshot: Callable[[], bytes], facts: Facts | None = None, *, stopped: Callable[[], bool] = lambda: False
-) -> Starlette:
+    snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
+    stopped: Callable[[], bool] = lambda: False,
+) -> Starlette:  # fmt: skip
     """Return the application.
 
     Args:
         snapshot: returns the newest snapshot as JSON; the same object while nothing is new. Called from the server's
             thread.
         facts: of the server.
+        detail: returns all that is known of an entity as JSON, empty of one that is not there. Called from there too.
         stopped: whether streams should end.
     """
     facts = facts or Facts()
@@ -78,6 +85,13 @@ def create_live_app(
 
     async def twin(request: Request) -> Response:
         return _foreign(request) or Response(snapshot(), media_type="application/json")
+
+    async def about(request: Request) -> Response:
+        if refusal := _foreign(request):
+            return refusal
+        found = detail(request.query_params.get("at", ""))
+        # That nothing is known of an entity is no error: it may have gone since it was chosen.
+        return Response(found, media_type="application/json") if found else Response(status_code=204)
 
     async def events(request: Request) -> Response:
         if refusal := _foreign(request):
@@ -95,6 +109,7 @@ def create_live_app(
             Route("/", show),
             Route("/snapshot.json", twin),
             Route("/events", events),
+            Route("/detail.json", about),
             Mount("/web/live", StaticFiles(directory=HERE / "web")),
             Mount("/web", StaticFiles(directory=WEB)),
         ],

@@ -8,7 +8,7 @@ from threading import Event, Thread
 import uvicorn
 
 from roslens.dashboard.listener import address_shown, listen
-from roslens.dashboard.live.app import Facts, create_live_app
+from roslens.dashboard.live.app import Facts, create_live_app, nothing
 
 _ADVICE = "Give --serve another port, or 0 for any free one"
 _GRACE_S = 2
@@ -17,8 +17,11 @@ _GRACE_S = 2
 class LivePage:
     """The page of one watch; a context manager that ends with it."""
 
-    def __init__(self, snapshot: Callable[[], bytes], *, host: str = "127.0.0.1", port: int = 0) -> None:
-        """Serve what ``snapshot`` returns, which is called from the server's thread.
+    def __init__(
+        self, snapshot: Callable[[], bytes], *, detail: Callable[[str], bytes] = nothing, host: str = "127.0.0.1",
+        port: int = 0,
+    ) -> None:  # fmt: skip
+        """Serve what ``snapshot`` and, of an entity, ``detail`` return; both are called from the server's thread.
 
         Raises:
             UsageError: the host is unknown, or the port is taken or not allowed.
@@ -30,7 +33,7 @@ class LivePage:
         facts = Facts(frozenset({host.lower()}))
         self._server = uvicorn.Server(
             uvicorn.Config(
-                create_live_app(snapshot, facts, stopped=self._stopping.is_set),
+                create_live_app(snapshot, facts, detail=detail, stopped=self._stopping.is_set),
                 log_level="error",
                 access_log=False,
                 lifespan="off",

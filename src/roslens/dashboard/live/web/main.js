@@ -5,6 +5,7 @@ import { make, settled } from "../dom.js";
 import { onKey, startKeys } from "../keys.js";
 import { startShell } from "../shell.js";
 import { Alerts } from "./alerts.js";
+import { Detail } from "./detail.js";
 import { Happened } from "./happened.js";
 import { Picture } from "./picture.js";
 import { sign, word } from "./states.js";
@@ -21,6 +22,8 @@ const picture = new Picture(by("canvas"), { svg: by("picture"), scene: by("scene
 const alerts = new Alerts(by("alerts"), by("said"), (entity) => choose(entity, "alerts"));
 const happened = new Happened(by("happened"), by("failures"), [by("happened-none"), by("failures-none")]);
 
+const detail = new Detail(by("detail"), () => choose("", "keys"));
+
 /** Show an entity everywhere. */
 function choose(entity, from) {
   if (from !== "tree") {
@@ -33,6 +36,7 @@ function choose(entity, from) {
     } else if (!entity) tree.choose("", false);
   }
   picture.select(entity, from !== "picture");
+  detail.show(entity);
   setParameters({ at: entity });
 }
 
@@ -79,6 +83,7 @@ function drawn() {
   tree.update(snapshot);
   picture.update(snapshot);
   happened.update(snapshot);
+  detail.update(snapshot);
   const end = performance.now();
   performance.clearMeasures("snapshot");
   performance.measure("snapshot", { start: Math.max(begun - spent, 0), end });
@@ -115,6 +120,7 @@ const at = parameters().get("at");
 if (at) {
   tree.show(at);
   picture.select(at, true);
+  detail.show(at);
 }
 listen(show, heard);
 

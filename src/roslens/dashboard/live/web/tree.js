@@ -9,6 +9,7 @@ const OPEN_TOPICS = 40;
 const OPEN_NODES = 300;
 const SHORT = 150;
 const ROW_HEIGHT = 28;
+const OBSERVED = { inside: "counted inside the node", protocol: "told by the middleware", tap: "received by a tap", recording: "from the recording", agent: "sampled on its host", scripted: "scripted" };
 const BAD = new Set(["suspended", "unknown", "low", "high", "absent"]);
 
 export class Tree {
@@ -176,7 +177,7 @@ export class Tree {
     }
     if (line.observer !== (row.observer || "")) {
       line.observer = row.observer || "";
-      element.title = line.observer ? `observed by ${line.observer}` : "";
+      element.title = OBSERVED[line.observer] || "";
     }
   }
 

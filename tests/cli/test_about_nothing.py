@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.cli.about_nothing import MOST, about_nothing, kinds_of, lines_of
+from roslens.cli.about_nothing import MOST, about_nothing, errors_about_nothing, kinds_of, lines_of
 from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.note import Note, NoteKind
 from roslens.live.session import Session
@@ -38,3 +38,15 @@ def test_without_an_observer_of_ros_only_hosts_are_missed():
     session.take([Frame(VERSION, "ros2", 1, 2.0, graph=Graph("ros2", (Node("/b", "h"),), hosts=("h",)))])
     session.look(3.0)
     assert about_nothing(session, reference, 3.0, kinds_of(session)) == []
+
+
+def test_an_error_about_nothing_was_never_judged():
+    text = TEXT.replace(b"{node: /b, cpu: <= 5 %}", b"{node: /b*, cpu: <= 5 %, severity: error}")
+    reference = load_reference([GivenText("r.yaml", text)], BY_KEY)
+    session = Session(reference, start=0.0)
+    session.take([Frame(VERSION, "ros2", 0, 1.0, graph=Graph("ros2", (Node("/a"),)))])
+    session.look(2.0)
+    assert errors_about_nothing(session, reference, kinds_of(session))
+    session.take([Frame(VERSION, "ros2", 1, 2.0, graph=Graph("ros2", (Node("/b1", "h"),)))])
+    session.look(3.0)
+    assert not errors_about_nothing(session, reference, kinds_of(session)), "the host is a warning"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from roslens.judge.unmatched import unmatched
 from roslens.live.note import Note, NoteKind
 from roslens.model.entity import EntityKind
+from roslens.model.finding import Severity
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -25,6 +26,12 @@ def about_nothing(session: Session, reference: Reference, time: float, kinds: Co
         Note(time, NoteKind.UNMATCHED, str(one), one.sentence.told.where)
         for one in unmatched(reference, session.seen(), kinds)
     ]
+
+
+def errors_about_nothing(session: Session, reference: Reference, kinds: Collection[EntityKind]) -> bool:
+    """Return whether a sentence of severity error is about nothing that was there, so that nobody judged it."""
+    missed = unmatched(reference, session.seen(), kinds)
+    return any(one.sentence.told.severity is Severity.ERROR for one in missed)
 
 
 def kinds_of(session: Session) -> Collection[EntityKind]:

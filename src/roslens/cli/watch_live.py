@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from roslens.cli.about_nothing import about_nothing, kinds_of
+from roslens.cli.about_nothing import about_nothing, errors_about_nothing, kinds_of
 from roslens.cli.graph_file import write_graph
 from roslens.cli.stretch import Stretch, blind, never_saw
 from roslens.cli.until_stopped import when_stopped
@@ -96,7 +96,8 @@ def _watched(
     if options.graph_out is not None:
         write_graph(session.graph(), options.graph_out)
     teller.end(session, last, f"after {stretch.passed:.0f} s:", missed)
-    return teller.code(states, nothing_seen=not session.records)
+    missed_errors = errors_about_nothing(session, files.reference, kinds_of(session))
+    return teller.code(states, nothing_seen=not session.records or missed_errors)
 
 
 def length_of(text: str, option: str) -> float:

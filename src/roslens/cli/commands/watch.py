@@ -97,7 +97,7 @@ def _states(text: str) -> frozenset[str]:
 
 
 def _replayed(options: argparse.Namespace, reference: Reference, states: frozenset[str]) -> int:
-    from roslens.cli.about_nothing import RECORDED, about_nothing
+    from roslens.cli.about_nothing import RECORDED, about_nothing, errors_about_nothing
     from roslens.cli.graph_file import write_graph
     from roslens.cli.watch_output import Teller
     from roslens.cli.watch_screen import since_start
@@ -127,7 +127,8 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
         write_graph(session.graph(), options.graph_out)
     if page is not None:
         page.show(session, bag.end, f"{amount}, read to the end")
-    return teller.code(states, nothing_seen=not bag.messages)
+    missed_errors = errors_about_nothing(session, reference, RECORDED)
+    return teller.code(states, nothing_seen=not bag.messages or missed_errors)
 
 
 def _page(address: str, title: str, clock: Callable[[float], str]) -> PageAfter:

@@ -20,6 +20,7 @@ from roslens.model.outgoing import Status
 from roslens.model.verdict import State, Verdict
 
 OK, WARN, ERROR, STALE = range(4)
+_SILENT = frozenset({"rate", "bandwidth"})
 _STATES = frozenset(of.value for of in StateOf)
 _FACTS = frozenset({GONE.id, STOPPED.id})
 
@@ -72,7 +73,7 @@ def sentence(verdict: Verdict) -> str:
     signal = BY_KEY.get(verdict.quantity)
     subject = signal.title.lower() if signal else verdict.quantity
     if verdict.state is State.ABSENT:
-        said = f"{subject} is absent" if signal else "is absent"
+        said = "is silent" if verdict.quantity in _SILENT else f"{subject} is absent" if signal else "is absent"
     else:
         said = f"{subject} is {verdict.state.value}: {_shown(verdict)}"
     if verdict.range:

@@ -14,12 +14,15 @@ from typing import Any
 
 import msgspec
 
+from roslens.intake.bounded_file import TooLargeError, read_bounded
 from roslens.model.errors import DocumentError, UsageError
 from roslens.model.finding import Severity
 from roslens.model.source import Location, Role
 from roslens.source.settings import CountingSettings, GraphSettings, MacroSettings, SourceSettings, WorkspaceSettings
 
 FILE_NAME = "roslens.toml"
+MOST_BYTES = 5_000_000
+"""A larger configuration is refused, and a larger pyproject.toml is none."""
 
 
 class Configuration(msgspec.Struct, frozen=True):
@@ -77,11 +80,18 @@ def find_configuration(start: Path, given: str | None) -> Configuration:
         if (above / FILE_NAME).is_file():
             return read_configuration(above / FILE_NAME)
         pyproject = above / "pyproject.toml"
-        if pyproject.is_file() and b"[tool.roslens" in pyproject.read_bytes():
+        if pyproject.is_file() and _has_table(pyproject):
             return read_configuration(pyproject)
         if (above / ".git").exists():
             break
     return Configuration(base=str(folder))
+
+
+def _has_table(pyproject: Path) -> bool:
+    try:
+        return b"[tool.roslens" in read_bounded(pyproject, MOST_BYTES)
+    except OSError:
+        return False
 
 
 def read_configuration(path: Path) -> Configuration:
@@ -102,7 +112,11 @@ def read_configuration(path: Path) -> Configuration:
 
 def _text(path: Path) -> str:
     try:
-        return path.read_text("utf-8-sig")
+        return read_bounded(path, MOST_BYTES).decode("utf-8-sig")
+    except TooLargeError as error:
+        raise DocumentError(
+            str(error.strerror), where=str(path), expected="a TOML file", advice="Remove it, or give another --config"
+        ) from error
     except UnicodeDecodeError as error:
         raise DocumentError(
             f"byte {error.start} is not UTF-8", where=str(path), expected="a TOML file in UTF-8"

@@ -9,6 +9,8 @@ from typing import Any
 import msgspec
 import yaml
 
+from roslens.intake.bounded_file import read_bounded
+from roslens.intake.safe_yaml import MOST_BYTES, UnsafeYamlError, load_yaml
 from roslens.model.entity import EntityKind
 from roslens.model.errors import PluginError
 from roslens.model.finding import RuleInfo, Severity
@@ -75,8 +77,8 @@ def read_declared(folder: Path) -> Declared:
     """
     path = folder / "plugin.yaml"
     try:
-        content = yaml.safe_load(path.read_text("utf-8"))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        content = load_yaml(read_bounded(path, MOST_BYTES))
+    except (OSError, UnsafeYamlError) as error:
         words = " ".join(str(error).split())
         raise PluginError(f"cannot read plugin.yaml: {words}", expected="a YAML file with name and version") from error
     if not isinstance(content, dict) or "name" not in content or "version" not in content:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
 from roslens.source.extract.deferred import Deferred, Scope, resolve
 from roslens.source.extract.python_value import Dotted, Unknown, as_value
 from roslens.source.extract.text import Text
@@ -55,11 +56,9 @@ def _content(first: Any, files: Files) -> bytes | None:
 
 
 def _loaded(content: bytes, reason: Unknown) -> Any:
-    import yaml
-
     try:
-        return _plain(yaml.safe_load(content))
-    except (yaml.YAMLError, ValueError, RecursionError):
+        return _plain(load_yaml(content))
+    except (UnsafeYamlError, RecursionError):
         return reason
 
 

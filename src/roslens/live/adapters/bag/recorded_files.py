@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from roslens.intake.bounded_file import read_bounded
+from roslens.intake.safe_yaml import load_yaml
 from roslens.live.adapters.bag.damage import FailureLog
 from roslens.model.errors import UsageError
 
@@ -92,14 +94,11 @@ def _within(folder: Path, entry: str) -> Path:
 def _information(path: Path, failures: FailureLog) -> dict[str, Any]:
     if not path.is_file():
         return {}
-    import yaml
-
     try:
-        text = path.read_text(encoding="utf-8") if path.stat().st_size <= _LONGEST_METADATA else ""
-        information = yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))["rosbag2_bagfile_information"]  # noqa: S506 - both are safe
+        information = load_yaml(read_bounded(path, _LONGEST_METADATA))["rosbag2_bagfile_information"]
         named = information.get("relative_file_paths") or []
         reason = "" if isinstance(named, list) else "no list of files"
-    except (yaml.YAMLError, OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         information, reason = {}, f"{type(error).__name__}: {error}"
     if reason:
         what = f"metadata that cannot be read: {' '.join(reason.split())}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
 from roslens.model.qos import Qos
 
 _LONGEST_TEXT = 100_000
@@ -21,11 +22,9 @@ def profiles_of(text: str) -> list[Qos]:
     """Return the profiles in a text, none where it holds none that can be read."""
     if not text or len(text) > _LONGEST_TEXT:
         return []
-    import yaml
-
     try:
-        document = yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506 - both are safe
-    except (yaml.YAMLError, RecursionError, ValueError):
+        document = load_yaml(text)
+    except UnsafeYamlError:
         return []
     if not isinstance(document, list):
         return []

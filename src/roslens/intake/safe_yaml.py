@@ -1,0 +1,67 @@
+"""YAML of strangers as plain values: no objects are made, and neither depth nor aliases can exhaust the machine.
+
+Nine lines of aliases of aliases stand for a thousand million values, and a hundred thousand brackets end the process:
+libyaml composes nested nodes by calling itself. So the events of a document are counted before anything is made of it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+MOST_BYTES = 5_000_000
+MOST_VALUES = 500_000
+"""Values with those that aliases stand for."""
+
+MOST_DEPTH = 100
+
+
+class UnsafeYamlError(ValueError):
+    """The text is no YAML, or is more than is taken in."""
+
+
+def load_yaml(text: str | bytes) -> Any:
+    """Return the values of a document as lists, mappings and scalars.
+
+    Raises:
+        UnsafeYamlError: the text is no YAML of one document, has a tag that asks for an object, is too long, too deep,
+            or stands for too many values.
+    """
+    import yaml
+
+    if len(text) > MOST_BYTES:
+        raise UnsafeYamlError(f"{len(text):,} bytes of YAML; at most {MOST_BYTES:,} are read")
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    try:
+        _count(yaml.parse(text, loader))
+        return yaml.load(text, loader)  # noqa: S506 - both loaders are safe
+    except UnsafeYamlError:
+        raise
+    except (yaml.YAMLError, ValueError, RecursionError, OverflowError) as error:
+        raise UnsafeYamlError(" ".join(str(error).split())) from error
+
+
+def _count(events: Any) -> None:
+    import yaml
+
+    weights: dict[str, int] = {}
+    open_ones: list[tuple[str | None, int]] = []
+    total = 0
+    for event in events:
+        if isinstance(event, yaml.CollectionStartEvent):
+            open_ones.append((event.anchor, total))
+            total += 1
+            if len(open_ones) > MOST_DEPTH:
+                raise UnsafeYamlError(f"lists and tables more than {MOST_DEPTH} deep")
+        elif isinstance(event, yaml.CollectionEndEvent):
+            anchor, before = open_ones.pop()
+            if anchor is not None:
+                weights[anchor] = total - before
+        elif isinstance(event, yaml.AliasEvent):
+            # An alias of what it stands in is one value: it stands for no more than what is there already.
+            total += weights.get(event.anchor or "", 1)
+        elif isinstance(event, yaml.ScalarEvent):
+            total += 1
+            if event.anchor is not None:
+                weights[event.anchor] = 1
+        if total > MOST_VALUES:
+            raise UnsafeYamlError(f"more than {MOST_VALUES:,} values, with those that aliases stand for")

@@ -35,6 +35,8 @@ def main() -> int:
 
 
 def _sample(options: argparse.Namespace) -> int:
+    # What is wrong with them is told before hours are spent.
+    judged = [read(path) for path in options.judged]
     found, commits, not_read = {}, {}, {}
     for one in repositories(options.folder):
         commits[one.name] = one.commit
@@ -48,7 +50,7 @@ def _sample(options: argparse.Namespace) -> int:
         return 2
     wanted = _SEVERITIES[_SEVERITIES.index(options.severity) :]
     on = {name: [one for one in every if one["severity"] in wanted] for name, every in found.items()}
-    rows = taken_over(drawn(on, options.seed, options.per_rule), commits, [read(path) for path in options.judged])
+    rows = taken_over(drawn(on, options.seed, options.per_rule), commits, judged)
     counted = Counter(one["rule"] for every in on.values() for one in every)
     notes = Counter(one["rule"] for every in found.values() for one in every if one["severity"] not in wanted)
     write(

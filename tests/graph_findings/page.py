@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from graph_findings.judgements import ROOT, Judgement, Sample
+from roslens.model.finding import Severity
+from roslens.source.rules.graph.findings import RULES
 
 PAGE = ROOT / "docs" / "accuracy_of_graph_rules.md"
 GOAL = 0.8
@@ -64,6 +66,10 @@ def _section(name: str, sample: Sample) -> list[str]:
         )
     total = sum(true for true, _ in every.values()), sum(judged for _, judged in every.values())
     lines.append(f"| all | {_row(sum(sample.population.values()), *total)} | {sum(sample.notes.values())} |")
+    silent = sorted(one.id for one, _ in RULES if one.severity is not Severity.NOTE and one.id not in every)
+    if silent:
+        named = ", ".join(f"`{rule}`" for rule in silent)
+        lines += ["", f"Nothing is known of these, of which no warning or error was found here: {named}."]
     quiet = sorted(set(sample.notes) - set(every))
     if quiet:
         lines += ["", "Notes only: " + ", ".join(f"`{rule}` ({sample.notes[rule]})" for rule in quiet) + "."]

@@ -61,6 +61,7 @@ def test_a_page_counts_what_is_true():
     assert "1 repositories; no rule was tuned to them." in text
     assert "- `graph.remap`, a/b, `x.py:4`: no" in text
     assert "Notes only: `graph.queue` (2)." in text
+    assert "`graph.qos`" in text.partition("of which no warning or error was found here: ")[2].partition(".\n")[0]
 
 
 def test_the_page_is_that_of_the_tables():

@@ -146,3 +146,10 @@ def test_a_name_that_is_nearly_the_same_outweighs_code_that_was_not_understood()
         "parameter:/a:max_sped": Severity.WARNING,
         "parameter:/a:gain2": Severity.NOTE,
     }
+
+
+def test_what_libraries_read_is_none():
+    own = parameter("/a/x", access="read", proof=CODE)
+    viewer = node("/a", parameters=(own, parameter("/a/image_transport", set_by=FILE)))
+    assert not findings(viewer, generation="ros1")
+    assert findings(node("/a", parameters=(own, parameter("/a/image", set_by=FILE))), generation="ros1")

@@ -23,7 +23,8 @@ What does not fit together once launch files and code are joined: names, types, 
   them is a note, and rules about a whole system are silent.
 - What every node has is left out, and so are names whose other end is usually elsewhere.
 - `roslens check` finds the same in the configurations that `roslens.toml` declares, as part of a run: with a gate, in
-  every report. A comment such as `roslens: ignore[graph.qos]` in the line leaves a finding out, as of any rule.
+  every report. How many findings of each rule are true is [measured](../accuracy_of_graph_rules.md).
+  A comment such as `roslens: ignore[graph.qos]` in the line leaves a finding out, as of any rule.
 
 | rule | severity | finds |
 | --- | --- | --- |

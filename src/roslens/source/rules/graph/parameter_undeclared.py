@@ -29,6 +29,8 @@ RULE = RuleInfo(
     scope="configuration",
 )
 _OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
+_OF_LIBRARIES = frozenset({"image_transport", "tf_prefix"})
+"""Parameters that libraries of a node read, in ROS 1 below its name."""
 _FEW = 3
 """So many of one cause are told one by one."""
 _SHOWN = 3
@@ -134,7 +136,7 @@ def _is_understood(node: ConfiguredNode) -> bool:
 
 
 def _is_of_every_node(name: str) -> bool:
-    return name in _OF_EVERY_NODE or name.startswith(_PREFIXES)
+    return name in _OF_EVERY_NODE or name.startswith(_PREFIXES) or name.rpartition("/")[2] in _OF_LIBRARIES
 
 
 def _is_read(name: str, read: list[str]) -> bool:

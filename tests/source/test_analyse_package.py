@@ -92,3 +92,15 @@ def test_what_cannot_be_lowered_is_measured_all_the_same(tmp_path: Path, monkeyp
     both = measure_task(task(tmp_path, programs=True))
     assert both.entities == plain.entities
     assert len(both.analyses) == 3
+
+
+def test_a_file_is_one_failure_however_many_places_do_not_parse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    broken = b"int f() { return 1; }\n" + b"int @ g(;\nint h() { return 2; }\n" * 12
+    monkeypatch.setitem(FILES, "arm/a.cpp", broken)
+    (failure,) = measure_task(task(tmp_path, programs=False)).failures
+    assert failure.partial
+    assert failure.location is not None
+    assert (failure.location.path, failure.location.line) == ("arm/a.cpp", 2)
+    assert failure.what.startswith("cannot parse ")
+    assert " places: `@` here, then from line " in failure.what
+    assert failure.what.endswith(" more places")

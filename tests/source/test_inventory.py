@@ -65,3 +65,18 @@ def test_a_file_that_went_away_meanwhile_is_a_failure(tmp_path: Path):
     assert failure.location.path == "arm/a.cpp"
     assert failure.package == "arm"
     assert "arm/b.cpp" in msgspec.json.encode(found.files).decode()
+
+
+def test_folders_of_others_are_vendored_but_for_what_the_user_calls_own(tmp_path):
+    for path in ("src/a.cpp", "src/b.cpp", "lib/x/LICENSE", "lib/x/x.cpp", "lib/x/test/y.cpp", "lib/date-3.0.4/d.h"):
+        file = tmp_path / "p" / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.touch()
+    (tmp_path / "p" / "package.xml").write_text("<package><name>p</name></package>")
+
+    def roles(settings):
+        inventory = take_inventory(find_workspace([tmp_path], settings), settings, {})
+        return {file.path: file.role for files in inventory.files.values() for file in files if "lib" in file.path}
+
+    assert set(roles(WorkspaceSettings()).values()) == {Role.VENDORED}
+    assert roles(WorkspaceSettings(own=("**/x.cpp",)))["p/lib/x/x.cpp"] is Role.OWN

@@ -18,7 +18,7 @@ from roslens.source.settings import CountingSettings, MacroSettings
 from roslens.source.workspace.suppress import Suppression
 from roslens.store.cache import Cache
 
-MOST_FAULTS = 10
+MOST_LINES = 8
 """Of a file with more places that cannot be parsed, the first ones are told, and how many more there are."""
 
 
@@ -190,17 +190,23 @@ def _broken(file: SourceFile, package: Package, error: Exception) -> Failure:
 
 
 def _faults(file: SourceFile, package: Package, analysis: FileAnalysis) -> Iterator[Failure]:
+    """Yield what of a file could not be parsed: one failure, however many places there are."""
     faults = analysis.facts.faults
-    more = len(faults) - MOST_FAULTS
-    for number, fault in enumerate(faults[:MOST_FAULTS], 1):
-        rest = f" (and {more} more places further down)" if more > 0 and number == MOST_FAULTS else ""
-        yield Failure(
-            tool="syntax",
-            what=f"cannot parse `{fault.text}`{rest}",
-            expected=f"{file.language.value} source",
-            advice=_ADVICE[file.language.parsed_as],
-            location=Location(file.path, fault.line, fault.column, fault.end_line),
-            entity=str(EntityId(EntityKind.FILE, file.path)),
-            package=package.id,
-            partial=True,
-        )
+    if not faults:
+        return
+    first = faults[0]
+    what = f"cannot parse `{first.text}`"
+    if len(faults) > 1:
+        lines = ", ".join(str(fault.line) for fault in faults[1:MOST_LINES])
+        more = f" and {len(faults) - MOST_LINES} more places" if len(faults) > MOST_LINES else ""
+        what = f"cannot parse {len(faults)} places: `{first.text}` here, then from line {lines}{more}"
+    yield Failure(
+        tool="syntax",
+        what=what,
+        expected=f"{file.language.value} source",
+        advice=_ADVICE[file.language.parsed_as],
+        location=Location(file.path, first.line, first.column, first.end_line),
+        entity=str(EntityId(EntityKind.FILE, file.path)),
+        package=package.id,
+        partial=True,
+    )

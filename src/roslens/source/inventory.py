@@ -11,11 +11,13 @@ from pathlib import Path
 import msgspec
 
 from roslens.model.failure import Failure
-from roslens.model.source import Language, Location, Role, SourceFile
+from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Role, SourceFile
 from roslens.source.keys import content_hash, key_of
 from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
 from roslens.source.workspace.languages import classify, header_language, language_by_name
+from roslens.source.workspace.roles import given_role
+from roslens.source.workspace.vendored import vendored_folders
 from roslens.store.cache import FileStat
 
 LARGEST_UNNAMED_BYTES = 1 << 20
@@ -54,8 +56,23 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
                 kept.append(
                     SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash)
                 )
-        files[found.package.id] = _with_headers(kept)
+        files[found.package.id] = _with_headers(_with_vendored(found, kept, settings))
     return Inventory(files, tuple(failures), learned)
+
+
+def _with_vendored(found: FoundPackage, files: list[SourceFile], settings: WorkspaceSettings) -> list[SourceFile]:
+    """Return the files with those of others told apart which only the package as a whole tells."""
+    if found.package.id == OUTSIDE_PACKAGES:
+        return files
+    folders = vendored_folders(found.package.path, [entry.path for entry in found.files])
+    if not folders:
+        return files
+    return [
+        msgspec.structs.replace(file, role=Role.VENDORED)
+        if file.path.startswith(folders) and given_role(file.path, settings) is None
+        else file
+        for file in files
+    ]
 
 
 def _with_headers(files: list[SourceFile]) -> tuple[SourceFile, ...]:

@@ -150,9 +150,28 @@ def _exit_code(options: argparse.Namespace, configuration: Configuration, view: 
     if _fails(options.fail_on or configuration.fail_on, view, tags):
         return FINDINGS
     accept = configuration.accept_partial if options.accept_partial is None else options.accept_partial
-    if any(not (failure.partial and accept) for failure in view.failures()):
-        return NOT_ANALYSED
-    return CLEAN
+    return NOT_ANALYSED if _left_out(view, accept_partial=accept) else CLEAN
+
+
+def _left_out(view: RunView, *, accept_partial: bool) -> bool:
+    """Whether anything of what is judged was not analysed.
+
+    What a manifest should say otherwise leaves nothing out, and a place that does not parse in code of others, in a
+    test or in what was generated is none of what is judged.
+    """
+    from roslens.model.source import Role
+    from roslens.source.workspace.manifest import MANIFEST
+
+    failures = view.failures()
+    if any(not failure.partial for failure in failures):
+        return True
+    open_ = [failure for failure in failures if failure.tool != MANIFEST]
+    if accept_partial or not open_:
+        return False
+    own = {file.path for _, file in view.files() if file.role is Role.OWN}
+    return any(
+        failure.tool != "syntax" or failure.location is None or failure.location.path in own for failure in open_
+    )
 
 
 def _fails(fail_on: str, view: RunView, tags: TagFilter) -> bool:

@@ -8,9 +8,11 @@ classes are asked for one by one: a pattern with them takes long to compile, and
 
 from __future__ import annotations
 
+import re
 import sys
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from itertools import accumulate
 from operator import attrgetter
 
@@ -33,7 +35,6 @@ _QUERY = """
 (field_declaration_list [(field_declaration) (declaration)] @field)
 (field_declaration_list (template_declaration (declaration) @field))
 (field_declaration_list (_ [(field_declaration) (declaration)] @field))
-(field_declaration default_value: (initializer_list)) @perhaps_function
 (friend_declaration) @friend
 (access_specifier) @access
 (if_statement consequence: (_) @part_body) @if
@@ -135,6 +136,8 @@ class Captures:
         """Run the query over ``tree``."""
         captured = QueryCursor(_COMPILED).captures(tree.root_node)
 
+        if _EMPTY_BODY.search(tree.root_node.text or b""):
+            captured["perhaps_function"] = _with_values(tree)
         captured["class"] = [node for node in captured.get("class", ()) if node.child_by_field_name("body") is not None]
         _tell_functions(captured)
 
@@ -190,6 +193,20 @@ class Captures:
                 starts.add(start)
             else:
                 self.not_executed.append((start, end))
+
+
+_EMPTY_BODY = re.compile(rb"\)[\w\s>-]{0,60}\{[^{};]{0,200}\}\s*;")
+
+
+@cache
+def _value_query() -> Query:
+    query: Query = Query(_LANGUAGE, "(field_declaration default_value: (initializer_list)) @found")
+    return query
+
+
+def _with_values(tree: Tree) -> list[Node]:
+    """Return the members with a value in braces."""
+    return QueryCursor(_value_query()).captures(tree.root_node).get("found", [])
 
 
 _EXTENT: Callable[[Node], Span] = attrgetter("byte_range")

@@ -1,7 +1,8 @@
 """What is tried for a C++ file that does not parse: less of it, at the same places.
 
 First the rarer macros are blanked. Then, where an ``#if`` splits a statement or a block between its arms, no tree can
-hold both: only the first arm of each is left (of ``#if 0`` the second). What gives the fewest faults is taken.
+hold both: only the first arm of each is left (of ``#if 0`` the second). What gives the fewest faults is taken. Where
+there are faults all the same, what the grammar does not know is rewritten, and what is near them looked at.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from itertools import pairwise
 from tree_sitter import Tree
 
 from roslens.source.syntax.cpp_query import fault_nodes, parse_again
+from roslens.source.syntax.fault_repairs import repaired_near_faults
 from roslens.source.syntax.macros import MacroPreset
 
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b[^\n]*", re.MULTILINE)
@@ -48,7 +50,14 @@ def repaired(source: bytes, tree: Tree, macros: MacroPreset) -> tuple[bytes, Tre
             faults = _faults(last[1])
             if faults < fewest:
                 fewest, best = faults, last
-    return best
+    if not fewest:
+        return best
+    text = macros.repair_last(best[0])
+    if text != best[0]:
+        changed = parse_again(text, *best)
+        if _faults(changed) <= fewest:
+            best = (text, changed)
+    return repaired_near_faults(*best) if best[1].root_node.has_error else best
 
 
 def _faults(tree: Tree) -> int:

@@ -15,7 +15,9 @@ _ARGUMENTS = re.compile(rb"[ \t]*\(")
 _DECLARATION_FOLLOWS = re.compile(rb"\s*(?:[A-Za-z_~]|::|\[\[)")
 _NO_STATEMENT = re.compile(rb"\s*[;{\-.,)=:]")
 _NAME_ONLY = re.compile(rb"\s*\w+\s*")
-_STATEMENT = re.compile(rb"\s*(?:\{|(?:const\s+)?[\w:]+(?:\s*<[^;(){}]*>)?[\s*&]+\w+\s*[({=;])")
+_STATEMENT = re.compile(
+    rb"\s*(?:\{|(?:try|for|while|do|if|switch)\b|(?:const\s+)?[\w:]+(?:\s*<[^;(){}]*>)?[\s*&]+\w+\s*[({=;])"
+)
 _EXPRESSION = re.compile(rb"\s*(?:return|throw|new|delete|co_\w+)\b")
 _SEMICOLON = re.compile(rb"\s*;")
 _LINKAGE = re.compile(rb"[ \t]*#[ \t]*if[^\n]*__cplusplus[^\n]*\n")
@@ -32,7 +34,7 @@ def fill(text: bytearray, start: int, end: int, with_: bytes = b"") -> None:
         text[start:end] = with_ + rest
 
 
-def _arguments(content: bytes, end: int) -> tuple[int, int, int] | None:
+def arguments_of(content: bytes, end: int) -> tuple[int, int, int] | None:
     """Return the offsets of ``(``, of the first comma between arguments (or -1) and of ``)``.
 
     None means that there are no arguments; a closing offset of -1 that they do not end.
@@ -56,7 +58,7 @@ def _arguments(content: bytes, end: int) -> tuple[int, int, int] | None:
 
 def behind_arguments(content: bytes, end: int) -> int:
     """Return the offset behind a name that ends at ``end`` or behind its arguments; -1 where they never end."""
-    arguments = _arguments(content, end)
+    arguments = arguments_of(content, end)
     if arguments is None:
         return end
     return arguments[2] + 1 or -1
@@ -91,7 +93,7 @@ def _blank_keyword(content: bytes, text: bytearray, start: int, end: int) -> int
 
 def _loop(content: bytes, text: bytearray, start: int, end: int) -> int:
     """Turn ``NAME(Type variable, container)`` into ``for (Type variable: container)``."""
-    arguments = _arguments(content, end)
+    arguments = arguments_of(content, end)
     if arguments is None:
         return end
     opening, comma, closing = arguments
@@ -106,7 +108,7 @@ def _loop(content: bytes, text: bytearray, start: int, end: int) -> int:
 
 
 def _blank_arguments(content: bytes, text: bytearray, _start: int, end: int) -> int:
-    arguments = _arguments(content, end)
+    arguments = arguments_of(content, end)
     if arguments is None:
         return end
     opening, _, closing = arguments
@@ -117,7 +119,7 @@ def _blank_arguments(content: bytes, text: bytearray, _start: int, end: int) -> 
 
 def _block(content: bytes, text: bytearray, start: int, end: int) -> int:
     """Turn ``NAME(statement, more);`` into ``{statement; };`` where the statement is no expression."""
-    arguments = _arguments(content, end)
+    arguments = arguments_of(content, end)
     if arguments is None:
         return end
     opening, comma, closing = arguments

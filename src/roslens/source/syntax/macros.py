@@ -16,8 +16,10 @@ import sys
 from collections.abc import Callable, Iterable
 from hashlib import blake2b
 from importlib.resources import files
+from typing import Any
 
 from roslens.source.settings import MacroSettings
+from roslens.source.syntax.macro_blocks import name_blocks
 from roslens.source.syntax.macro_edits import EDITS, blank_linkage, fill
 from roslens.source.syntax.macro_statements import blank_statements
 
@@ -33,6 +35,10 @@ _LONGEST_WORD = 200
 _LONGEST_LINE = 400
 _REMEMBERED = 10_000
 _MOST_UNCLOSED = 20
+
+
+_Rewrite = tuple[list[bytes], re.Pattern[bytes], bytes]
+"""Words of which a file has to hold one, a pattern, and what takes the place of its group."""
 
 
 class MacroPreset:
@@ -63,10 +69,8 @@ class MacroPreset:
         self._own = _words({"anywhere": settings.blank, "statement": settings.statement})
         repair = {kind: table["repair"][kind] for kind in _REPAIR_KINDS}
         self._repaired = [(kind, _word(word)) for kind, words in repair.items() for word in words]
-        self._rewrites = [
-            (list(map(str.encode, row.get("words", ()))), re.compile(row["pattern"].encode()), row["with"].encode())
-            for row in table["rewrite"]
-        ]
+        self._rewrites = list(map(_rewrite, table["rewrite"]))
+        self._last_rewrites = list(map(_rewrite, table["last_rewrite"]))
 
     def blank(self, content: bytes) -> bytes:
         """Return ``content`` with the macros of the preset and the project blanked."""
@@ -81,17 +85,11 @@ class MacroPreset:
         found = [(*match.span(), kind) for kind, word in self._repaired for match in word.finditer(content)]
         if found:
             content = _edited(content, found)
-        content = blank_statements(content)
-        for words, pattern, with_ in self._rewrites:
-            if words and not any(word in content for word in words):
-                continue
-            spans = [match.span(1) for match in pattern.finditer(content)]
-            if spans:
-                text = bytearray(content)
-                for start, end in spans:
-                    fill(text, start, end, with_)
-                content = bytes(text)
-        return content
+        return _rewritten(blank_statements(content), self._rewrites)
+
+    def repair_last(self, content: bytes) -> bytes:
+        """Return ``content``, repaired before, with what only files need rewritten that have errors all the same."""
+        return _rewritten(name_blocks(content), self._last_rewrites)
 
     def _kind(self, word: bytes) -> str:
         kind = self._kind_of.get(word)
@@ -100,6 +98,23 @@ class MacroPreset:
             if len(self._kind_of) < _REMEMBERED:
                 self._kind_of[word] = kind
         return kind
+
+
+def _rewrite(row: dict[str, Any]) -> _Rewrite:
+    return list(map(str.encode, row.get("words", ()))), re.compile(row["pattern"].encode()), row["with"].encode()
+
+
+def _rewritten(content: bytes, rewrites: Iterable[_Rewrite]) -> bytes:
+    for words, pattern, with_ in rewrites:
+        if words and not any(word in content for word in words):
+            continue
+        spans = [match.span(1) for match in pattern.finditer(content)]
+        if spans:
+            text = bytearray(content)
+            for start, end in spans:
+                fill(text, start, end, with_)
+            content = bytes(text)
+    return content
 
 
 def load_macros(extra: MacroSettings | None = None) -> MacroPreset:

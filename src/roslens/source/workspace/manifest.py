@@ -74,6 +74,10 @@ def _nameless(path: str) -> Package | None:
     return nameless_package(basename(folder), folder, path) if folder else None
 
 
+MANIFEST = "manifest"
+"""Tool of what a manifest should say otherwise: all that it says was understood."""
+
+
 def _failure(path: str, what: str, expected: str, advice: str, location: Location) -> Failure:
     return Failure("workspace", what, expected, advice, location, entity=f"file:{path}", partial=True)
 
@@ -99,7 +103,7 @@ class _Reader:
             return _nameless(self._path)
         broken = bool(self._document.faults)
         for element, what, expected, advice in faults_of(root, complete=not broken):
-            self._fault(element, what, expected, advice)
+            self._fault(element, what, expected, advice, MANIFEST)
         parts: dict[str, list[Element]] = {}
         for element in root.elements():
             parts.setdefault(element.tag, []).append(element)
@@ -196,8 +200,9 @@ class _Reader:
             self._fault(element, what, error.expected, advice)
             return True
 
-    def _fault(self, element: Element, what: str, expected: str, advice: str) -> None:
-        self.failures.append(_failure(self._path, what, expected, advice, self._location(element)))
+    def _fault(self, element: Element, what: str, expected: str, advice: str, tool: str = "workspace") -> None:
+        failure = _failure(self._path, what, expected, advice, self._location(element))
+        self.failures.append(msgspec.structs.replace(failure, tool=tool))
 
     def _location(self, element: Element) -> Location:
         line, column = self._document.place(element.start)

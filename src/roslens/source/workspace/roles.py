@@ -18,12 +18,17 @@ HEAD = 2048
 """Bytes at the start of a file in which a generator signs."""
 
 
+def given_role(path: str, settings: WorkspaceSettings) -> Role | None:
+    """Return the role that the user's patterns give a path; nothing where none matches."""
+    given = _given(settings.own, settings.vendored, settings.generated, settings.test)
+    return next((role for pattern, role in given if pattern.fullmatch(path)), None)
+
+
 def role_by_path(path: str, settings: WorkspaceSettings) -> Role | None:
     """Return the role that the path below the workspace root tells; nothing where the content decides."""
-    given = _given(settings.own, settings.vendored, settings.generated, settings.test)
-    for pattern, given_role in given:
-        if pattern.fullmatch(path):
-            return given_role
+    given = given_role(path, settings)
+    if given is not None:
+        return given
     folder, _, name = path.rpartition("/")
     role = _of_folder(folder)
     if role is Role.VENDORED or _VENDORED_NAME.fullmatch(name):
@@ -41,8 +46,10 @@ def in_folder_of_tests(path: str) -> bool:
 
 
 def role_by_content(content: bytes) -> Role:
-    """Return ``generated`` where the comments before the first code say so, else ``own``."""
+    """Return ``generated`` or ``vendored`` where the comments before the first code say so, else ``own``."""
     head = content[:HEAD]
+    if b"JSON for Modern C++" in head:
+        return Role.VENDORED
     if b"enerated" not in head and b"GENERATED" not in head:
         return Role.OWN
     return Role.GENERATED if _SIGNED.search(_leading_comments(head)) else Role.OWN
@@ -100,7 +107,9 @@ _FOLDERS = (
 _OF_TESTS = re.compile(r"tests?|testing|unit_?tests?|integration_?tests?|gtests?|.+_tests?|mocks?")
 
 _VENDORED_NAME = re.compile(
-    r"catch(?:_amalgamated)?\.hpp|doctest\.h|stb_\w+\.h|tinyxml2?\.(?:h|cpp)|pugi(?:xml|config)\.[hc]pp|lodepng\.\w+"
+    r"catch(?:_amalgamated)?\.hpp|doctest\.h|robin_hood\.h|magic_enum\w*\.hpp|nanoflann\.hpp|peglib\.h|httplib\.h"
+    r"|cxxopts\.hpp|CLI11\.hpp|SimpleIni\.h|tiny_obj_loader\.h|rapidxml\w*\.hpp|rapidcsv\.h|zmq(?:_addon)?\.hpp"
+    r"|lz4(?:hc|frame)?\.[ch]|concurrentqueue\.h|readerwriterqueue\.h|delaunator\.hpp|earcut\.hpp|stb_\w+\.h|tinyxml2?\.(?:h|cpp)|pugi(?:xml|config)\.[hc]pp|lodepng\.\w+"
     r"|miniz\.[ch]|sqlite3\.[ch]|xxhash\.[ch]|cpplint\.py|ez_setup\.py|distribute_setup\.py|jquery[.\w-]*\.js"
 )
 

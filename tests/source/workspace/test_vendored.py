@@ -1,0 +1,33 @@
+import pytest
+
+from roslens.source.workspace.vendored import vendored_folders
+
+OWN = ["p/package.xml", "p/LICENSE", "p/src/a.cpp", "p/src/b.cpp", "p/src/c.cpp", "p/config/arm-1.2/a.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("more", "found"),
+    [
+        (["p/src/lib/x/LICENSE.txt", "p/src/lib/x/x.cpp", "p/src/lib/x/in/y.h"], ("p/src/lib/x/",)),
+        (["p/src/lib/x/COPYING", "p/src/lib/x/x.cpp"], ("p/src/lib/x/",)),
+        (["p/date-3.0.4/include/date.h"], ("p/date-3.0.4/",)),
+        (["p/include/p/nlohmann/json.hpp"], ("p/include/p/nlohmann/",)),
+        (["p/src/lib/x/license.h", "p/src/lib/x/x.cpp"], ()),
+        (["p/meshes/LICENSE", "p/meshes/a.stl"], ()),
+        (["p/data_2.1/a.cpp", "p/v1.2/b.cpp"], ("p/data_2.1/",)),
+        (["p/glm/third/LICENSE", "p/glm/third/a.h"], ("p/glm/",)),
+        ([], ()),
+    ],
+)
+def test_folders_of_others(more, found):
+    assert vendored_folders("p", [*OWN, *more]) == (*found,)
+
+
+def test_the_folder_of_the_package_is_none():
+    paths = ["src/qwt-6.1.0/LICENSE", "src/qwt-6.1.0/a.cpp"]
+    assert vendored_folders("src/qwt-6.1.0", paths) == ()
+    assert vendored_folders(".", ["LICENSE", "a.cpp"]) == ()
+
+
+def test_a_folder_with_most_of_the_sources_is_the_package_itself():
+    assert vendored_folders("p", ["p/p/LICENSE", "p/p/a.py", "p/p/b.py", "p/setup.py"]) == ()

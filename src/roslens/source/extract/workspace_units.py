@@ -22,6 +22,7 @@ from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.workspace_index import Defined, Index
 
 _REGISTRY = "BT_REGISTER_NODES"
+_TESTS = ("TEST", "SCENARIO", "TEMPLATE_TEST")
 
 
 def facts_of_workspace(

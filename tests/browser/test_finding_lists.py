@@ -111,3 +111,16 @@ def test_packages_are_filtered_by_name_and_tag(visit: Visit) -> None:
     assert all("planner" in name for name in names)
     page.get_by_label("Columns").select_option("all")
     expect(page).to_have_url(re.compile("columns=all"))
+
+
+def test_a_note_beside_code_has_one_line_until_it_is_clicked(visit: Visit, flagged_file: str) -> None:
+    page = visit(flagged_file)
+    note = page.locator(".margin .margin-note").first
+    text = note.locator(".message")
+    line = note.evaluate("one => parseFloat(getComputedStyle(one).lineHeight)")
+    text.evaluate("one => { one.textContent = 'a long message about this line '.repeat(12); }")
+    assert note.evaluate("one => one.clientHeight") < 2 * line
+    note.click(position={"x": 60, "y": 8})
+    assert note.evaluate("one => one.clientHeight") > 2 * line
+    page.locator("h1").click()
+    assert note.evaluate("one => one.clientHeight") < 2 * line

@@ -172,6 +172,16 @@ def test_the_terminal_counts_what_counts_for_gates(run: Run) -> None:
     assert int(aside[1] if aside else 0) == len(run.report["findings"]) - len(counted)
 
 
+def test_the_terminal_shows_the_worst_of_each_rule(run: Run) -> None:
+    worst: dict[str, tuple[float, float]] = {}
+    for one in run.report["findings"]:
+        if one["gated"] and one.get("value", 0) > one.get("bound", float("inf")):
+            worst[one["rule"]] = max(worst.get(one["rule"], (0.0, 0.0)), (one["value"], one["bound"]))
+    assert worst
+    for value, bound in worst.values():
+        assert f" {value:.6g} (at most {bound:.6g}) " in run.text
+
+
 def test_the_terminals_packages_add_up(run: Run) -> None:
     head, *lines = run.text.split("\n\n")[1].splitlines()
     severities = [word.removesuffix("s") for word in head.split() if word in {"errors", "warnings", "notes"}]

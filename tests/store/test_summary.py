@@ -1,6 +1,6 @@
 """Summaries of packages."""
 
-from roslens.model.finding import Finding, Severity
+from roslens.model.finding import MOST_EXCESS, Finding, Severity
 from roslens.model.result import PackageResult, RuleCount
 from roslens.model.source import Location, Package
 from roslens.store.summary import rule_counts, summarise
@@ -23,6 +23,7 @@ def test_the_small_run(sample):
             1,
             "17 (at most 15) drive::Drive::update src/drive/src/drive.cpp:12",
             ("complexity", "metrics", "ros"),
+            1.133333,
         ),
         RuleCount("style.tabs", Severity.NOTE, 1, 0, 'src/drive/test/test_drive.cpp:3: a tab, "quoted"', ("style",)),
     )
@@ -71,3 +72,10 @@ def test_the_example_is_the_worst_that_counts_with_its_number_first():
     assert low.example == "0 (at least 5) ns::f2 p.cpp:2"
     of_file = Finding("r", Severity.NOTE, "m", "p.cpp", entity="file:p.cpp", value=12.34, bound=20)
     assert rule_counts([of_file])[0].example == "12.34 (at least 20) p.cpp"
+
+
+def test_an_infinite_excess_is_a_number():
+    (one,) = rule_counts([Finding("r", Severity.NOTE, "m", "p", value=float("inf"), bound=5.0)])
+    assert one.excess == MOST_EXCESS
+    (one,) = rule_counts([Finding("r", Severity.NOTE, "m", "p", value=float("nan"), bound=5.0)])
+    assert one.excess == 0.0

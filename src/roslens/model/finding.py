@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from enum import Enum
 from hashlib import blake2b
+from math import isnan
 
 import msgspec
+
+MOST_EXCESS = 1e9
+"""What is further beyond its bound is not told apart, so that infinite values have a number too."""
 
 
 class Severity(str, Enum):
@@ -71,10 +75,10 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
 
         A bound or value of 0 counts as 1, so that what is 5 where nothing is allowed is 5 times too much.
         """
-        if self.value is None or self.bound is None:
+        if self.value is None or self.bound is None or isnan(self.value) or isnan(self.bound):
             return 0.0
         high, low = max(self.value, self.bound), min(self.value, self.bound)
-        return high / (low if low > 0 else 1.0)
+        return min(high / (low if low > 0 else 1.0), MOST_EXCESS)
 
 
 def fingerprint(rule: str, place: str, context: str = "", ordinal: int = 0) -> str:

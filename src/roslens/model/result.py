@@ -25,10 +25,10 @@ class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
-    """How often a rule was broken in a package, with its first occurrence as the example.
+    """How often a rule was broken in a package, with its worst occurrence as the example.
 
     A rule has one count for each severity and set of tags that its findings have; ``gated`` is how
-    many of them count for gates.
+    many of them count for gates; ``excess`` is how far the example is beyond its bound.
     """
 
     rule: str
@@ -37,6 +37,7 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     gated: int = 0
     example: str = ""
     tags: tuple[str, ...] = ()
+    excess: float = 0.0
 
 
 class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -36,6 +36,7 @@ class _Group(msgspec.Struct):
     count: int = 0
     packages: int = 0
     example: str = ""
+    excess: float = 0.0
 
 
 def to_text(
@@ -249,7 +250,8 @@ def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tag
             group = groups.setdefault(key, _Group(*key))
             group.count += rule.gated
             group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
-            group.example = group.example or rule.example
+            if not group.example or rule.excess > group.excess:
+                group.example, group.excess = rule.example, rule.excess
             seen.add(key)
     for finding in findings:
         key = (finding.rule, finding.severity)

@@ -80,7 +80,15 @@ def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
         group.count += 1
         group.gated += finding.gated
     counts = [
-        RuleCount(rule, severity, group.count, group.gated, _example(group.example), tags)
+        RuleCount(
+            rule,
+            severity,
+            group.count,
+            group.gated,
+            _example(group.example),
+            tags,
+            round(group.example.excess, 6) if group.example else 0.0,
+        )
         for (rule, severity, tags), group in groups.items()
     ]
     return tuple(sorted(counts, key=_order))
@@ -92,17 +100,13 @@ def with_share(summary: PackageSummary, share: PackageSummary) -> PackageSummary
     for one in share.rules:
         key = (one.rule, one.severity, one.tags)
         own = counts.get(key)
-        counts[key] = (
-            one
-            if own is None
-            else msgspec.structs.replace(
-                own,
-                count=own.count + one.count,
-                gated=own.gated + one.gated,
-                example=own.example if own.gated or not one.gated else one.example,
-            )
-        )
+        counts[key] = one if own is None else _merged(own, one)
     return msgspec.structs.replace(summary, rules=tuple(sorted(counts.values(), key=_order)))
+
+
+def _merged(own: RuleCount, one: RuleCount) -> RuleCount:
+    worse = (one.gated > 0, one.excess) > (own.gated > 0, own.excess)
+    return msgspec.structs.replace(one if worse else own, count=own.count + one.count, gated=own.gated + one.gated)
 
 
 def _order(count: RuleCount) -> tuple[int, int, str, tuple[str, ...]]:

@@ -156,7 +156,7 @@ def _conditions(site: Site) -> Table:
     """What the run's models ask, and how often it does not hold."""
     counts: Counter[str] = Counter()
     for _, count in site.counts():
-        counts[count.rule] += count.count
+        counts[count.rule] += count.gated
     rows = []
     for model in site.run_models:
         for constraint in model.constraints:
@@ -184,6 +184,6 @@ def _conditions(site: Site) -> Table:
         Column("quantity", "Quantity"),
         Column("bound", "Limit"),
         Column("model", "Model"),
-        Column("broken", "Beyond it", "number", bar=True),
+        Column("broken", "Own code beyond it", "number"),
     )
     return Table("conditions", "Limits", columns, tuple(rows), total=len(rows), empty="No models.")

@@ -83,6 +83,8 @@ def test_names_tell_what_decides_them():
     assert not is_named(row(1, "*", decides="_out"), parameter)
     assert not is_named(row(1, "scan"), parameter)
     assert not is_named(row(1, "*", decides="caller"), "{result of read()}")
+    assert is_named(row(1, "*", decides="*.topic"), "{parameter {each of parameter sources}.topic}")
+    assert not is_named(row(1, "*", decides="sources"), "{parameter {each of parameter sources}.topic}")
     assert is_typed(row(1, "x", type_="*"), "p/msg/A")
     assert not is_typed(row(1, "x", type_="*"), "")
     assert relative("{namespace of the node}/scan") == "scan"

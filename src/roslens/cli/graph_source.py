@@ -175,7 +175,11 @@ class GraphSource:
         targets = (one for package in self.facts.packages for one in self.facts.targets(package.name))
         loose = unstarted(self.facts.made(), places_shown(started), self.facts.package_names, targets)
         wanted = set(names) or {*self.facts.package_names.values()}
-        told = {node.package for one in started for node in one.nodes}
+        told = {
+            package.name
+            for package in self.facts.packages
+            if any((one.generation == "ros1") == self._is_of_ros1(package) for one in started)
+        }
         missed = self._missed_beside(sorted(wanted - told))
         code = {one.evidence.path for name in wanted - told for one in self.facts.missed_in_code(name)}
         found = []

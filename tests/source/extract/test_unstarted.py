@@ -200,6 +200,40 @@ template <class T> ros::Publisher offer(ros::NodeHandle & nh, std::string name) 
     assert loose(answer) == [("library", "start", [("/started", "likely")]), ("library", "offer", [("*", "possible")])]
 
 
+def test_members_of_a_base_outside_of_the_workspace(told):
+    code = (
+        HEAD
+        + """class Panel : public outer::Panel {
+  void onInitialize() {
+    pub_ = nh_.advertise<std_msgs::String>("pressed", 1);
+    client_ = create_client<std_srvs::srv::Trigger>("ask");
+  }
+};
+"""
+    )
+    answer, _ = told({"src/panel.cpp": code}, "add_library(panel src/panel.cpp)")
+    assert loose(answer) == [("library", "Panel", [("/pressed", "likely"), ("/ask", "likely")])]
+
+
+def test_a_way_that_nothing_took(told):
+    code = (
+        HEAD
+        + """class Door : public outer::Controller {
+public:
+  Door() : loud_(false) {}
+  bool init(ros::NodeHandle & nh) {
+    if (loud_) { pub_ = nh.advertise<std_msgs::String>("knock", 1); }
+    return true;
+  }
+  bool loud_;
+  ros::Publisher pub_;
+};
+"""
+    )
+    answer, _ = told({"src/door.cpp": code}, "add_library(door src/door.cpp)")
+    assert loose(answer) == [("library", "Door.init", [("/knock", "likely")])]
+
+
 def test_a_call_of_which_nothing_came_is_unresolved_at_its_line(told):
     code = (
         "import rospy\nimport outer\ndef begin():\n    for one in outer.all():\n        one.subscribe('x', one.kind)\n"

@@ -17,7 +17,7 @@ from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.workspace_index import Index
 
 NEVER_FOLLOWED = "this call looks as if it made an endpoint, but nothing that was followed comes to it"
-NOT_KNOWN = "this call looks as if it made an endpoint, but what it is called on is not known to be a node"
+NOT_KNOWN = "this call looks as if it made an endpoint, but following the code around it came to none"
 _TIMERS = frozenset({"create_wall_timer"})
 NAMED_ALIKE = "this calls a function of the workspace that is named as what makes an endpoint, and makes none"
 _LONGEST = 160
@@ -31,6 +31,26 @@ def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached)
         facts: of all its units.
         reached: what evaluating them reached.
     """
+    for path, function, call in _left(index, facts, reached):
+        known = function is None or (path, function.line) in reached
+        reason = NOT_KNOWN if known else NEVER_FOLLOWED
+        reason = NAMED_ALIKE if (path, call.line) in reached.passed_on else reason
+        yield Unresolved(_shown(call), Evidence(path, call.line, call.column), reason)
+
+
+def functions_with_more(
+    index: Index, facts: Iterable[NodeFacts], reached: Reached
+) -> Iterator[tuple[str, Function, set[int]]]:
+    """Yield functions that were followed and the lines of calls in them that nothing came to: on ways not taken."""
+    found: dict[tuple[str, int], tuple[Function, set[int]]] = {}
+    for path, function, call in _left(index, facts, reached):
+        if function is not None and (path, call.line) not in reached.passed_on:
+            found.setdefault((path, function.line), (function, set()))[1].add(call.line)
+    for (path, _), (function, lines) in found.items():
+        yield path, function, lines
+
+
+def _left(index: Index, facts: Iterable[NodeFacts], reached: Reached) -> Iterator[tuple[str, Function | None, Call]]:
     made = {place for one in facts for place in places_of(one)} | {
         site for site, makes in reached.passed_on.items() if makes
     }
@@ -40,14 +60,10 @@ def without_endpoint(index: Index, facts: Iterable[NodeFacts], reached: Reached)
         parts += [(one, (one.initialisers, one.body)) for one in program.functions if not one.name.startswith("TEST")]
         told: set[int] = set()
         for function, inside in parts:
-            known = function is None or (path, function.line) in reached
             for call in calls_that_make(*inside):
                 if (path, call.line) not in made and call.line not in told and not _is_timer(call):
                     told.add(call.line)
-                    place = Evidence(path, call.line, call.column)
-                    reason = NOT_KNOWN if known else NEVER_FOLLOWED
-                    reason = NAMED_ALIKE if (path, call.line) in reached.passed_on else reason
-                    yield Unresolved(_shown(call), place, reason)
+                    yield path, function, call
 
 
 def places_of(facts: NodeFacts) -> Iterator[tuple[str, int]]:

@@ -18,7 +18,7 @@ from roslens.source.extract.program import Call, Expression, Function, Member, N
 from roslens.source.extract.refined_values import refine
 from roslens.source.extract.spread_arguments import spread
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.vocabulary import Called, find_method, find_outer, is_method
+from roslens.source.extract.vocabulary import Called, find_method, find_outer, guessed_method, is_method
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
 
 if TYPE_CHECKING:
@@ -107,6 +107,9 @@ class Calls(Expressions):
                 known = find_method(engine, thing, called)
                 if known is not None:
                     return known(engine, thing, called)
+                guessed = self._guessed(thing, called) if not engine.index.functions_of(*self._place(name)) else None
+                if guessed is not None:
+                    return guessed
         return self._called_elsewhere(name, expression, arguments, keywords, templates)
 
     def _called_elsewhere(
@@ -220,7 +223,8 @@ class Calls(Expressions):
         if known is not None:
             found = known(engine, of, called)
             return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
-        return self._plain_method(expression, function, of, arguments, keywords)
+        guessed = self._guessed(of, called) if isinstance(of, Obj) else None
+        return guessed or self._plain_method(expression, function, of, arguments, keywords)
 
     def _of_ways(
         self, of: Obj, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any],
@@ -267,7 +271,23 @@ class Calls(Expressions):
         beside = self._class_of_module(function.of) if isinstance(function.of, Member) else None
         if beside is not None:
             return self._of_class(beside, expression, function.name, arguments, keywords)
-        return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, (*of.templates, *templates))
+        templates = (*of.templates, *templates)
+        if find_outer(engine, f"{of.name}.{function.name}") is None:
+            called = self._call_of(expression, function.name, arguments, keywords, templates)
+            guessed = self._guessed(of, called)
+            if guessed is not None:
+                return guessed
+        return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, templates)
+
+    def _guessed(self, of: Any, called: Called) -> Any:
+        """Return what a method makes that is known by its name alone; None where it is not."""
+        engine: Evaluation = self  # type: ignore[assignment]
+        word = guessed_method(engine, of, called)
+        return None if word is None else word(engine, Unknown("an object of a class outside of the workspace"), called)
+
+    def _place(self, name: str) -> tuple[str, str, str]:
+        engine: Evaluation = self  # type: ignore[assignment]
+        return name, engine.frame.path, engine.frame.scope
 
     def _class_of_module(self, function: Member) -> Class | None:
         engine: Evaluation = self  # type: ignore[assignment]

@@ -202,7 +202,8 @@ class NodeFacts(msgspec.Struct, frozen=True, omit_defaults=True):
         path: file in which it is.
         line: of the class or function.
         generation: ``ros1`` or ``ros2``.
-        kind: ``node``, ``lifecycle``, ``component``, ``nodelet``, ``plugin``, or ``function`` that nothing calls.
+        kind: ``node``, ``lifecycle``, ``component``, ``nodelet``, ``plugin``, ``function`` that nothing
+            calls, ``part`` of a function on a way that nothing took.
         name: that it gives itself; a hole where it does not.
         namespace: that it gives itself.
         endpoints: in source order.

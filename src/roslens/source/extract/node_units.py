@@ -133,8 +133,13 @@ def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Re
     return _finished(engine, run, reached)
 
 
-def facts_of_function(index: Index, path: str, function: Function, reached: Reached | None = None) -> list[NodeFacts]:
-    """Return the facts of a function that nothing is known to call, with arguments and object that are unknown."""
+def facts_of_function(
+    index: Index, path: str, function: Function, reached: Reached | None = None, *, prepared: bool = True
+) -> list[NodeFacts]:
+    """Return the facts of a function that nothing is known to call, with arguments and object that are unknown.
+
+    Of the members of its object the types are known, and their values at first, unless it is not ``prepared``.
+    """
     building = _building(function.qualified_name, path, function.line, generation_of(index, path), "function")
     building.named = True
     engine = Evaluation(index, building)
@@ -143,7 +148,7 @@ def facts_of_function(index: Index, path: str, function: Function, reached: Reac
         defined = index.class_of(function.class_name, path, "") if function.class_name else None
         thing = None if defined is None else Obj(defined.what.qualified_name, defined, {})
         engine.frame = Frame(path, "")
-        if thing is not None:
+        if thing is not None and prepared:
             engine.prepare(thing)
         engine.call(Callable(function, path, thing), [], {})
         engine.run_later()

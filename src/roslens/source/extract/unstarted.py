@@ -30,6 +30,7 @@ _WORDS = {
     "plugin": "a plug-in that no known program loads",
     "library": "code of a library that no known program uses",
 }
+_ALONE = ("function", "part")
 _UNKNOWN_NAME = "name of the node"
 
 
@@ -63,7 +64,7 @@ def unstarted(
         if one.endpoints
     ]
     # A program tells more than a class that it makes, and a class more than a function.
-    found.sort(key=lambda one: (_ORDER[one.kind], one.facts.kind == "function", one.facts.path, one.facts.line))
+    found.sort(key=lambda one: (_ORDER[one.kind], one.facts.kind in _ALONE, one.facts.path, one.facts.line))
     covered = set(shown)
     kept = []
     for one in found:

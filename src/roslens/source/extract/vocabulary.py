@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from roslens.source.extract.abstract_value import Building, Handle, Made, Obj, QosValue, Unknown
+from roslens.source.extract.abstract_value import Building, Handle, Made, Named, Obj, QosValue, Unknown
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.program import Expression
 from roslens.source.extract.text import Text
@@ -186,6 +186,22 @@ def find_method(engine: Evaluation, receiver: Any, called: Called) -> Word | Non
     if receiver is None or isinstance(receiver, Unknown) or (isinstance(receiver, Obj) and receiver.defined is None):
         return _said(engine, _ANYWHERE.get(name))
     return None
+
+
+def guessed_method(engine: Evaluation, receiver: Any, called: Called) -> Word | None:
+    """Return what a method does that an object may have of a base or a declaration outside of the workspace.
+
+    None where nothing is known of it, or the object has no such base.
+    """
+    _load()
+    word = _ANYWHERE.get(called.name)
+    if word is None:
+        return None
+    if isinstance(receiver, Obj):
+        outside = receiver.defined is not None and receiver.node is None and engine.index.outer_bases(receiver.defined)
+        return _said(engine, word) if outside else None
+    program = engine.index.programs[engine.frame.path]
+    return _said(engine, word) if isinstance(receiver, Named) and program.language == "cpp" else None
 
 
 def kinds_of(engine: Evaluation, receiver: Any) -> tuple[str, ...]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
+from roslens.source.extract.call_sites import functions_with_more
 from roslens.source.extract.makes_endpoints import makes_endpoints
 from roslens.source.extract.node_bases import generation_of
 from roslens.source.extract.node_facts import NodeFacts
@@ -58,6 +59,7 @@ def facts_of_workspace(
         found += facts_of_module(index, path, name, reached)
     for path, function in never_called(index, reached):
         found += facts_of_function(index, path, function, reached)
+    found += not_come_to(index, found, reached)
     return sorted(found, key=lambda one: (one.path, one.line, one.unit))
 
 
@@ -111,3 +113,19 @@ def never_called(index: Index, reached: Reached) -> Iterator[tuple[str, Function
         for one in sorted(index.programs[path].functions, key=lambda one: (one.name == "lambda", one.line)):
             if not one.name.startswith("TEST") and (path, one.line) not in reached and makes_endpoints(one):
                 yield path, one
+
+
+def not_come_to(index: Index, found: Sequence[NodeFacts], reached: Reached) -> Iterator[NodeFacts]:
+    """Yield what functions make on ways that no unit took, by evaluating them alone: only what is missing of endpoints.
+
+    What is known of their object may have kept evaluation from these ways, so it is forgotten where that is needed.
+    """
+    for path, function, lines in list(functions_with_more(index, found, reached)):
+        for prepared in (True, False):
+            for one in facts_of_function(index, path, function, reached, prepared=prepared):
+                ends = tuple(end for end in one.endpoints if end.evidence.path == path and end.evidence.line in lines)
+                lines -= {end.evidence.line for end in ends}
+                if ends:
+                    yield NodeFacts(one.unit, one.path, one.line, one.generation, "part", endpoints=ends)
+            if not lines:
+                break

@@ -55,6 +55,36 @@ def test_paths(command, value):
     assert (found.get("R"), found.get("P")) == (value, "a/b.tar.gz")
 
 
+@pytest.mark.parametrize(
+    ("name", "short", "long"),
+    [
+        ("..", ".|", "..|"), (".", ".|", ".|"), ("....", ".|...", "...|."), (".a.b", ".a|.b", ".a|.b"),
+        ("..a", ".|.a", ".|.a"), ("a.", "a|.", "a|."), ("a..", "a|..", "a.|."), ("...a", ".|..a", "..|.a"),
+    ],
+)  # fmt: skip
+def test_names_of_dots(name, short, long):
+    for last, expected in (("", short), (" LAST_ONLY", long)):
+        found = after(f"cmake_path(GET P STEM{last} S)\ncmake_path(GET P EXTENSION{last} E)", P=f"x/{name}")
+        assert f"{found.get('S')}|{found.get('E')}" == expected
+    has = "ON" if short.partition("|")[2] else "OFF"
+    assert after("cmake_path(HAS_EXTENSION P R)", P=f"x/{name}").get("R") == has
+
+
+@pytest.mark.parametrize(
+    ("path", "more", "value"),
+    [
+        ("x//y", "a//b", "x/y/a/b"),
+        ("//x//y", "a", "/x/y/a"),
+        ("x/y//", '""', "x/y/"),
+        ("x//", "/a", "/a"),
+        ("", "a/", "a/"),
+    ],
+)
+def test_what_is_appended_to(path, more, value):
+    assert after(f"cmake_path(APPEND P {more})", P=path).get("P") == value
+    assert is_unknown(after(f"cmake_path(APPEND P {more})", P="//").get("P"))
+
+
 def test_what_is_not_evaluated_is_unknown_where_it_is_put():
     found = after("cmake_path(NATIVE_PATH P R)\ncmake_path(RELATIVE_PATH P BASE_DIRECTORY /x)", P="a", R="old")
     assert is_unknown(found.get("R"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from posixpath import basename, dirname, isabs, join, normpath, splitext
 
@@ -53,9 +54,9 @@ def _normal(path: str) -> str:
 _GETS: dict[str, Callable[[str], str]] = {
     "FILENAME": basename,
     "STEM": lambda path: _stem(basename(path)),
-    "EXTENSION": lambda path: basename(path)[len(_stem(basename(path))) :],
-    "STEM LAST_ONLY": lambda path: splitext(basename(path))[0],
-    "EXTENSION LAST_ONLY": lambda path: splitext(basename(path))[1],
+    "EXTENSION": lambda path: "" if basename(path) == ".." else basename(path)[len(_stem(basename(path))) :],
+    "STEM LAST_ONLY": lambda path: _last_stem(basename(path)),
+    "EXTENSION LAST_ONLY": lambda path: basename(path)[len(_last_stem(basename(path))) :],
     "PARENT_PATH": dirname,
     "ROOT_NAME": lambda _path: "",
     "ROOT_DIRECTORY": lambda path: "/" if path.startswith("/") else "",
@@ -63,7 +64,7 @@ _GETS: dict[str, Callable[[str], str]] = {
     "RELATIVE_PART": lambda path: path.lstrip("/"),
 }
 _CHANGED: dict[str, Callable[[str, list[str]], str]] = {
-    "APPEND": lambda path, rest: join(path, *rest),
+    "APPEND": lambda path, rest: re.sub("/+", "/", join(path, *rest)),
     "APPEND_STRING": lambda path, rest: path + "".join(rest),
     "REMOVE_FILENAME": lambda path, _rest: path[: len(path) - len(basename(path))],
     "REPLACE_FILENAME": lambda path, rest: (dirname(path) and join(dirname(path), rest[0])) or rest[0],
@@ -74,6 +75,11 @@ _CHANGED: dict[str, Callable[[str, list[str]], str]] = {
 def _stem(name: str) -> str:
     """Return a name up to its first dot, not counting one at its beginning."""
     return name[:at] if (at := name.find(".", 1)) > 0 else name
+
+
+def _last_stem(name: str) -> str:
+    """Return a name up to its last dot, not counting one at its beginning."""
+    return name[:at] if (at := name.rfind(".")) > 0 and name != ".." else name
 
 
 def _path(run: Evaluation, call: Call) -> None:
@@ -95,7 +101,7 @@ def _path(run: Evaluation, call: Call) -> None:
         out = rest[-1]
     if action == "ABSOLUTE_PATH" and not rest and "//" not in value:
         run.set(out, value if is_unknown(value) else join(run.absolute(run.where), value))
-    elif action in _CHANGED and not is_unknown(value + "".join(rest)) and ";" not in value:
+    elif action in _CHANGED and not is_unknown(value + "".join(rest)) and ";" not in value and value != "//":
         run.set(out, _CHANGED[action](value, rest))
     else:
         run.set(out, hole(f"cmake_path({action})"))

@@ -123,6 +123,13 @@ def test_what_was_never_judged_is_counted_with_what_to_do():
     assert summary_of(seen.never([*ok, *never]), 22) == ""
 
 
+def test_the_lines_of_a_step_are_sorted_by_time(tell):
+    late = msgspec.structs.replace(MAP, since=7.0, entity=EntityId(EntityKind.TOPIC, "/late"))
+    events = (Event(5.0, Change.VANISHED, "node:/m"), Event(8.0, Change.APPEARED, "node:/m"))
+    out, _, _ = tell(Step(9.0, changes=(late, MAP), events=events), verbose=True)
+    assert [float(line.split()[0]) for line in out] == [3.0, 5.0, 7.0, 8.0]
+
+
 def test_a_watch_that_could_judge_nothing_is_not_clean(capsys):
     options = argparse.Namespace(output=None, format="text", verbose=False, quiet=False, no_color=True, color=False)
     unknown = msgspec.structs.replace(MAP, state=State.UNKNOWN, evidence="it is published, but nobody observes it")

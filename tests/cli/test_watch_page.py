@@ -90,6 +90,25 @@ def test_a_node_that_is_gone_is_told_before_a_busy_host_with_what_it_leads_to():
     assert [(one["entity"], one["severity"]) for one in others] == [("host:rover", "warning")]
 
 
+def test_an_observer_that_is_not_heard_is_the_first_cause_of_what_is_unknown():
+    robot = ScriptedRobot()
+    robot.cpu["rover"] = 99.0
+    robot.run(3)
+    for step in range(1, 9):
+        robot.page.take(robot.session.look(robot.now + step / 2))
+    robot.page.make(robot.session, robot.now + 4.0, "")
+    found = document(robot)
+    first = found["alerts"][0]
+    assert (first["entity"], first["state"], first["since"]) == ("observer:ros2", "unknown", robot.now)
+    assert first["sentence"].startswith("nothing from the observer ros2")
+    assert {"topic:/scan", "topic:/odom", "host:rover"} <= {one["entity"] for one in first["follows"]}
+    assert not any(one["state"] in ("low", "high", "absent") for one in found["alerts"])
+    assert found["happened"][0]["state"] == "unknown"
+    robot.now += 4.0
+    robot.run(6)
+    assert [one["entity"] for one in document(robot)["alerts"]] == ["host:rover"]
+
+
 def test_the_picture_has_every_line_with_its_rate_and_state():
     robot = ScriptedRobot()
     robot.rates["/scan"] = 4

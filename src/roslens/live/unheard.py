@@ -30,7 +30,7 @@ def observer_id(voice: Voice) -> EntityId:
 def observer_words(name: str) -> str:
     """Return ``the agent of robot`` of an observer that calls itself ``robot/agent``."""
     host, _, what = name.rpartition("/")
-    return _MEANS.get(what, f"the observer {name}").format(host)
+    return _MEANS[what].format(host) if host and what in _MEANS else f"the observer {name}"
 
 
 def silence_words(voice: Voice) -> str:

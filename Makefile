@@ -81,6 +81,7 @@ known-mistakes: .venv/stamp
 graph-findings: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m graph_findings page
 
+# ARGS=--page writes the page only, of what is recorded and judged.
 # Run nodes, compare their graph with what source says of it, and write docs/accuracy.md. What cannot run here keeps the
 # graph that was recorded: clones of public code are looked for in $ROSLENS_CORPORA, a Python with launch_ros in
 # $ROSLENS_ROS2_PYTHON, see CONTRIBUTING.md.

@@ -1,6 +1,6 @@
 """Runs systems, records their graphs, reads their source, and writes docs/accuracy.md.
 
-PYTHONPATH=tests .venv/bin/python -m accuracy [--no-run] [SYSTEM...]
+PYTHONPATH=tests .venv/bin/python -m accuracy [--no-run | --page] [SYSTEM...]
 
 What cannot be run here (its parts are named) keeps the graph that was recorded before.
 """
@@ -18,6 +18,8 @@ from accuracy import ros1, ros2
 from accuracy.comparing import compare, silent_nodes
 from accuracy.document import document
 from accuracy.facts import seen
+from accuracy.held_out import held_out
+from accuracy.held_out_page import section
 from accuracy.kept import keep, kept_facts, kept_graph
 from accuracy.observing import NotThereError
 from accuracy.reading import lay_out, read
@@ -60,13 +62,14 @@ def main(words: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m accuracy", description=__doc__)
     parser.add_argument("system", nargs="*", help="only these; the page is written of all")
     parser.add_argument("--no-run", action="store_true", help="read source only, and keep the graphs that are recorded")
+    parser.add_argument("--page", action="store_true", help="write the page only, of what is recorded and judged")
     options = parser.parse_args(words)
     # Whoever ends this ends the nodes with it.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     known = systems()
     domain = int(os.environ.get("ROS_DOMAIN_ID", "63"))
     failed = False
-    for name in options.system or known:
+    for name in () if options.page else options.system or known:
         reason = renew(known[name], run=not options.no_run, domain=domain)
         failed |= bool(reason)
         _say(f"{name}: {reason or 'renewed'}")
@@ -79,7 +82,7 @@ def main(words: list[str]) -> int:
         found.append((system, one))
         for difference in one.unexplained:
             _say(f"{system.name}: unexplained: {difference.what}: {difference.text}")
-    PAGE.write_text(document(found))
+    PAGE.write_text(document(found, section(held_out())))
     return int(failed)
 
 

@@ -12,8 +12,8 @@ _ROS = {"ros1": "ROS 1", "ros2": "ROS 2"}
 HEAD = HERE / "head.md"
 
 
-def document(found: Sequence[tuple[System, Comparison]]) -> str:
-    """Return the page."""
+def document(found: Sequence[tuple[System, Comparison]], more: str = "") -> str:
+    """Return the page, with a section more at its end."""
     text = [HEAD.read_text()]
     for generation in ("ros1", "ros2"):
         chosen = [(system, one) for system, one in found if system.generation == generation]
@@ -22,7 +22,7 @@ def document(found: Sequence[tuple[System, Comparison]]) -> str:
         rows = total(one.rows for _, one in chosen)
         text.append(f"## {_ROS[generation]}\n\n{len(chosen)} systems together.\n\n{_table(rows)}")
         text += [_section(system, one) for system, one in chosen]
-    return "\n".join(text)
+    return "\n".join([*text, more] if more else text)
 
 
 def _section(system: System, one: Comparison) -> str:

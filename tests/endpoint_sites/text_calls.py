@@ -45,9 +45,14 @@ class TextCall(msgspec.Struct, frozen=True, order=True):
     text: str
 
 
-def text_calls(root: Path) -> list[TextCall]:
-    """Return the calls below a folder, in order of their files."""
-    return sorted(one for path in _sources(root) for one in _calls(root, path))
+def text_calls(root: Path, *, definitions: bool = False) -> list[TextCall]:
+    """Return the calls below a folder, in order of their files.
+
+    Args:
+        root: of the workspace.
+        definitions: whether to take lines of C++ that declare or define a function of such a name for calls too.
+    """
+    return sorted(one for path in _sources(root) for one in _calls(root, path, definitions=definitions))
 
 
 def _sources(root: Path) -> Iterator[Path]:
@@ -66,12 +71,13 @@ def _is_python(path: Path) -> bool:
     return head.startswith(b"#!") and b"python" in head
 
 
-def _calls(root: Path, path: Path) -> Iterator[TextCall]:
+def _calls(root: Path, path: Path, *, definitions: bool) -> Iterator[TextCall]:
     text = path.read_text(errors="replace")
     cpp = path.suffix in _CPP
     text = _LINE.sub(_blank, _BLOCK.sub(_blank, text)) if cpp else _HASH.sub(_blank, _TEXTS.sub(_blank, text))
     for number, line in enumerate(text.split("\n"), 1):
-        if _CALL.search(line) and not _NOT_CALLED.match(line) and not (cpp and _DECLARED.match(line)):
+        declared = cpp and not definitions and _DECLARED.match(line)
+        if _CALL.search(line) and not _NOT_CALLED.match(line) and not declared:
             yield TextCall(path.relative_to(root).as_posix(), number, line.strip())
 
 

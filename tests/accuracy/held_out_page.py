@@ -82,7 +82,8 @@ def _calls(one: HeldOut) -> list[str]:
         "",
         (
             f"Of {calls} calls {_share(shown, calls)} are shown, {_share(shown + named, calls)} shown or named. By the "
-            f"cruder count, of {every} lines {_share(every_shown, every)} and {_share(every_shown + every_named, every)}."
+            f"cruder count, of {every} lines {_share(every_shown, every)} and "
+            f"{_share(every_shown + every_named, every)}."
         ),
     ]
 

@@ -120,8 +120,9 @@ def _findings(one: HeldOut) -> list[str]:
     lines = [
         (
             f"{len(on)} of {population} warnings and errors "
-            f"([`held_out_{one.name}.yaml`](../tests/fixtures/graph_findings/held_out_{one.name}.yaml)), {len(notes)} of "
-            f"{one.about.notes} notes ([`notes.yaml`](../tests/fixtures/held_out/{one.name}/notes.yaml)):"
+            f"([`held_out_{one.name}.yaml`](../tests/fixtures/graph_findings/held_out_{one.name}.yaml)), "
+            f"{len(notes)} of {one.about.notes} notes "
+            f"([`notes.yaml`](../tests/fixtures/held_out/{one.name}/notes.yaml)):"
         ),
         "",
         "| rule | warnings and errors read | true | notes read | true |",

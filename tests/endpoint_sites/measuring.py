@@ -137,21 +137,25 @@ def is_named(row: Row, given: str) -> bool:
         return given in row["name"].split("|")
     if CALLER in decides and ("{" not in given or "{parameter" in given):
         return True
-    told = flat(given)
-    return any(one in told for one in decides)
+    whole, outer = holes(given)
+    return any(one in whole or one in outer for one in decides)
 
 
-def flat(given: str) -> str:
-    """Return what is told of unknown parts of a name, ``*`` for what is unknown of these: ``parameter *.topic``."""
-    depth, told = 0, []
+def holes(given: str) -> tuple[str, str]:
+    """Return what is told of unknown parts of a name, and the same with ``*`` for what is unknown of these.
+
+    ``{parameter {each of sources}.topic}`` is ``parameter each of sources.topic``, and ``parameter *.topic``.
+    """
+    depth, whole, outer = 0, [], []
     for sign in given:
         depth -= sign == "}"
-        if depth == 1 and sign == "}":
-            told.append("*")
-        elif depth == 1 and sign != "{":
-            told.append(sign)
+        if sign in "{}":
+            outer += ["*"] if sign == "}" and depth == 1 else []
+        else:
+            whole += [sign] if depth else []
+            outer += [sign] if depth == 1 else []
         depth += sign == "{"
-    return "".join(told)
+    return "".join(whole), "".join(outer)
 
 
 def relative(given: str) -> str:

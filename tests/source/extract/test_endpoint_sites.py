@@ -11,6 +11,7 @@ from endpoint_sites.measuring import (
     REPOSITORIES,
     Seen,
     found_by_command,
+    holes,
     is_named,
     is_typed,
     measured,
@@ -84,7 +85,7 @@ def test_names_tell_what_decides_them():
     assert not is_named(row(1, "scan"), parameter)
     assert not is_named(row(1, "*", decides="caller"), "{result of read()}")
     assert is_named(row(1, "*", decides="*.topic"), "{parameter {each of parameter sources}.topic}")
-    assert not is_named(row(1, "*", decides="sources"), "{parameter {each of parameter sources}.topic}")
+    assert holes("a/{parameter {each of b}.topic}/c") == ("parameter each of b.topic", "parameter *.topic")
     assert is_typed(row(1, "x", type_="*"), "p/msg/A")
     assert not is_typed(row(1, "x", type_="*"), "")
     assert relative("{namespace of the node}/scan") == "scan"

@@ -32,7 +32,7 @@ from roslens.source.extract.evaluation_frame import Frame, bind_rest, join
 from roslens.source.extract.lookups import Found
 from roslens.source.extract.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.node_bases import NODE_BASES
-from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.node_facts import Evidence, led_to
 from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
@@ -200,9 +200,14 @@ class Evaluation(Objects):
         """Call a function of the workspace; ``written`` are the arguments as expressions, for references."""
         if function.function.name not in MAKE:
             return self._call(function, arguments, keywords, written, templates)
-        site, made = (self.site.path, self.site.line), self._made_so_far()
+        site, before = self.site, {id(one): len(one.endpoints) for one in self._nodes()}
         result = self._call(function, arguments, keywords, written, templates)
-        self.reached.pass_on(site, makes=self._made_so_far() > made)
+        makes = False
+        for one in self._nodes():
+            for place in range(before.get(id(one), 0), len(one.endpoints)):
+                one.endpoints[place] = led_to(one.endpoints[place], site)
+                makes = True
+        self.reached.pass_on((site.path, site.line), makes=makes)
         return result
 
     def _call(
@@ -245,8 +250,8 @@ class Evaluation(Objects):
             changed_by_call(self)
         return result
 
-    def _made_so_far(self) -> int:
-        return sum(len(one.endpoints) for one in (self.first, *self.others))
+    def _nodes(self) -> tuple[Building, ...]:
+        return (self.first, *self.others)
 
     def _given_back(self, parameter: Parameter, written: Expression, value: Any) -> None:
         # A pointer to anything else is the same object, or may point elsewhere by now.

@@ -82,7 +82,8 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
         conditions: what must hold for it to be made, as written, outermost first.
         asked: those of them that parameters decide, and how.
         sites: where it publishes or calls.
-        through: calls in helper functions and classes that pass the name on, the one that makes it last.
+        through: calls in helper functions and classes that pass the name on or are named as what makes an endpoint, the
+            one that makes it last.
     """
 
     role: Role
@@ -100,6 +101,14 @@ class EndpointFact(msgspec.Struct, frozen=True, omit_defaults=True):
     through: tuple[Evidence, ...] = ()
     overrides: Overrides | None = None
     asked: tuple[tuple[str, Asked], ...] = ()
+
+
+def led_to(fact: EndpointFact, site: Evidence) -> EndpointFact:
+    """Return an endpoint that a call of a helper leads to."""
+    places = {(one.path, one.line) for one in (fact.evidence, *fact.through)}
+    if (site.path, site.line) in places:
+        return fact
+    return msgspec.structs.replace(fact, through=(site, *fact.through))
 
 
 class Terms(msgspec.Struct, frozen=True, omit_defaults=True):

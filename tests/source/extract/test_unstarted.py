@@ -170,6 +170,25 @@ def test_a_plug_in_with_the_name_by_which_it_is_loaded(told):
     assert "plugin Layer, loaded as p/People in p/layer.xml:1" in text
 
 
+def test_a_controller_has_its_names_in_its_own_namespace(told):
+    code = (
+        HEAD
+        + """#include <pluginlib/class_list_macros.h>
+class Arm : public controller_interface::Controller<hardware_interface::EffortJointInterface> {
+  bool init(hardware_interface::EffortJointInterface * hw, ros::NodeHandle & root_nh, ros::NodeHandle & n) {
+    state_ = n.advertise<std_msgs::String>("state", 1);
+    all_ = root_nh.advertise<std_msgs::String>("all", 1);
+    return true;
+  }
+  ros::Publisher state_, all_;
+};
+PLUGINLIB_EXPORT_CLASS(Arm, controller_interface::ControllerBase)
+"""
+    )
+    answer, _ = told({"src/arm.cpp": code}, "add_library(arm src/arm.cpp)")
+    assert [ends for _, _, ends in loose(answer)] == [[("*/state", "possible"), ("/all", "likely")]]
+
+
 @pytest.mark.parametrize("name", ["scripts/loose.py", "bin/loose"])
 def test_a_script_that_nothing_installs(told, name):
     answer, _ = told({name: SCRIPT})

@@ -23,6 +23,7 @@ from roslens.source.extract.abstract_value import (
 )
 from roslens.source.extract.captured import Around, names_now, set_around
 from roslens.source.extract.changed_in_ways import Changes
+from roslens.source.extract.controller_handles import is_of_controller
 from roslens.source.extract.decorated import decorated
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
 from roslens.source.extract.evaluated_objects import Objects
@@ -451,6 +452,8 @@ class Evaluation(Objects):
             return unknown(reason)
         if name.endswith("NodeOptions"):
             return options_from_outside()
+        if is_of_controller(what, parameter):
+            return Handle(self.node, unknown("namespace of the controller"))
         return Handle(self.node) if name and self.is_node(name) else Unknown(reason)
 
     def is_node(self, name: str) -> bool:

@@ -28,6 +28,13 @@ def test_collections_bring_their_interfaces():
     assert brought_by(package("a", "navigation2"), "ros_gz_interfaces", ()) == ""
 
 
+def test_clients_and_drivers_bring_what_they_speak():
+    library = package("library", "rclcpp")
+    assert brought_by(package("a", "library"), "rosgraph_msgs", (library,)) == "library"
+    assert brought_by(package("a", "rclpy"), "rosgraph_msgs", ()) == "rclpy"
+    assert brought_by(package("a", "spacenav_node"), "sensor_msgs", ()) == "spacenav_node"
+
+
 def test_packages_of_the_same_family_may_bring_its_interfaces():
     assert may_be_brought_by(package("a", "rclcpp", "arm_driver"), "arm_msgs", ()) == "arm_driver"
     assert may_be_brought_by(package("a", "arm"), "arm_interfaces", ()) == "arm"

@@ -1,7 +1,7 @@
 """Draws what is read of held-out repositories: ``python -m accuracy.held_out_drawing FOLDER SET --seed N``.
 
-Asks ``roslens graph`` about each clone below FOLDER and writes ``calls.csv`` and ``endpoints.csv`` of a set, the
-endpoints not judged yet. Findings are drawn by ``python -m graph_findings sample``.
+Asks ``roslens graph`` and ``roslens check --graph`` about each clone below FOLDER and writes the tables of a set,
+endpoints and findings not judged yet; ``about.yaml`` is written by hand.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from typing import Any
 
 from endpoint_sites.of_command import asked, judged
 from endpoint_sites.text_calls import text_calls
-from graph_findings.judgements import Judgement, drawn
+from graph_findings import collecting
+from graph_findings.judgements import TABLES, Judgement, Sample, drawn, write
 from graph_findings.repositories import repositories
 
 from accuracy.held_out import SETS, Calls, Endpoint, write_rows
@@ -25,6 +26,8 @@ from accuracy.held_out import SETS, Calls, Endpoint, write_rows
 OF_EACH = 8
 """Endpoints of one repository at most."""
 IN_ALL = 100
+PER_RULE = 20
+"""Warnings and errors of one rule at most."""
 
 
 def calls_of(root: Path, name: str, commit: str, answer: Mapping[str, Any]) -> Calls:
@@ -76,7 +79,7 @@ def endpoints_of(
 
 
 def findings_of(
-    found: Mapping[str, list[dict[str, Any]]], seed: int, *, per_rule: int = 20, count: int = IN_ALL
+    found: Mapping[str, list[dict[str, Any]]], seed: int, *, per_rule: int = PER_RULE, count: int = IN_ALL
 ) -> tuple[list[Judgement], list[Judgement]]:
     """Return warnings and errors, at most ``per_rule`` of each rule, and notes that make ``count`` together with them.
 
@@ -95,27 +98,44 @@ def findings_of(
     return on, notes
 
 
-def main() -> int:
+def main(words: list[str], sets: Path = SETS, tables: Path = TABLES) -> int:
     """Measure the clones below a folder and write the tables of a set."""
     parser = argparse.ArgumentParser(prog="python -m accuracy.held_out_drawing", description=__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("name", help="of the set")
     parser.add_argument("--seed", type=int, required=True)
-    options = parser.parse_args()
-    answers, calls = {}, []
+    options = parser.parse_args(words)
+    answers, calls, found, not_read = {}, [], {}, {}
     for one in repositories(options.folder):
         root = one.clone.parent if one.clone.name == ".git" else one.clone
         answers[one.name] = asked(root)
         calls.append(calls_of(root, one.name, one.commit, answers[one.name]))
+        try:
+            found[one.name] = collecting.findings_of(one)
+        except collecting.NotReadError as error:
+            not_read[one.name] = str(error)
         sys.stderr.write(f"{one.name}: {calls[-1].calls} calls, {calls[-1].shown} shown, {calls[-1].named} named\n")
     chosen, every = endpoints_of(answers, options.seed)
-    folder = SETS / options.name
+    folder = sets / options.name
     folder.mkdir(parents=True, exist_ok=True)
     write_rows(folder / "calls.csv", calls)
     write_rows(folder / "endpoints.csv", chosen)
-    sys.stderr.write(f"{len(chosen)} of {every} endpoints: {folder}\n")
+    commits = {row.repository: row.commit for row in calls}
+    on, notes = findings_of(found, options.seed)
+    counts = [
+        Counter(one["rule"] for rows in found.values() for one in rows if (one["severity"] == "note") == quiet)
+        for quiet in (False, True)
+    ]
+    for path, severity, rows, count in (
+        (tables / f"held_out_{options.name}.yaml", "warning", on, counts[0]),
+        (folder / "notes.yaml", "note", notes, counts[1]),
+    ):
+        write(Sample(False, options.seed, PER_RULE, severity, commits, not_read, dict(count), {}, rows), path)
+    sys.stderr.write(
+        f"{len(chosen)} of {every} endpoints, {len(on)} warnings and errors, {len(notes)} notes: {folder}\n"
+    )
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

@@ -1,8 +1,12 @@
 from collections import Counter
 
 import pytest
+from graph_findings import collecting
+from graph_findings.judgements import read
+from graph_findings.repositories import Repository
 
-from accuracy.held_out import OPEN, RIGHT, SETS, WRONG, Calls, held_out, rows_of, write_rows
+from accuracy import held_out_drawing
+from accuracy.held_out import OPEN, RIGHT, SETS, WRONG, Calls, Endpoint, held_out, rows_of, write_rows
 from accuracy.held_out_drawing import IN_ALL, OF_EACH, calls_of, endpoints_of, findings_of
 
 EVERY = {one.name: one for one in held_out()} if SETS.is_dir() else {}
@@ -82,6 +86,24 @@ def test_notes_fill_what_warnings_leave():
 def test_calls_are_counted_with_and_without_definitions(tmp_path):
     (tmp_path / "a.cpp").write_text("void Node::subscribe(int queue);\nint x;\n\n\n\n\n  node.subscribe(queue);\n")
     assert calls_of(tmp_path, "a/b", "c", {}) == Calls("a/b", "c", 1, 0, 0, 2, 0, 0)
+
+
+def test_the_tables_of_a_set_are_written_and_not_judged(tmp_path, monkeypatch, capsys):
+    clone = tmp_path / "clones" / "owner+talk"
+    (clone / ".git").mkdir(parents=True)
+    (clone / "a.cpp").write_text("  node.subscribe(queue);\n")
+    finding = {"rule": "graph.queue", "severity": "note", "path": "a.cpp", "line": 1, "message": "m"}
+    monkeypatch.setattr(held_out_drawing, "repositories", lambda folder: [Repository("owner/talk", clone, "c1")])
+    monkeypatch.setattr(held_out_drawing, "asked", lambda root: answer(2))
+    monkeypatch.setattr(collecting, "findings_of", lambda one: [finding])
+    tables = tmp_path / "tables"
+    tables.mkdir()
+    assert held_out_drawing.main([str(clone.parent), "x", "--seed", "3"], tmp_path / "sets", tables) == 0
+    assert "2 of 2 endpoints, 0 warnings and errors, 1 notes" in capsys.readouterr().err
+    assert rows_of(tmp_path / "sets/x/calls.csv", Calls) == (Calls("owner/talk", "c1", 1, 1, 0, 1, 1, 0),)
+    assert {row.judgement for row in rows_of(tmp_path / "sets/x/endpoints.csv", Endpoint)} == {""}
+    assert [row.verdict for row in read(tmp_path / "sets/x/notes.yaml").findings] == [None]
+    assert read(tables / "held_out_x.yaml").repositories == {"owner/talk": "c1"}
 
 
 def test_rows_are_read_as_they_are_written(tmp_path):

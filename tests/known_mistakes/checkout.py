@@ -36,7 +36,7 @@ def check_out(clone: Path, commit: str, target: Path) -> None:
     ) as reading:  # fmt: skip
         assert reading.stdin is not None
         assert reading.stdout is not None
-        for blob, path in wanted:
+        for blob, name in wanted:
             reading.stdin.write(blob + b"\n")
             reading.stdin.flush()
             head = reading.stdout.readline().split()
@@ -44,6 +44,6 @@ def check_out(clone: Path, commit: str, target: Path) -> None:
                 continue
             content = reading.stdout.read(int(head[2]))
             reading.stdout.read(1)
-            file = target / path
+            file = target / name
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(content)

@@ -17,7 +17,7 @@ def test_code_that_was_copied_reads_what_is_of_another_node():
     (one,) = findings(
         node("/rule", parameters=reads("/navi/size", "/navi/latch")), node("/navi", parameters=reads("/navi/size"))
     )
-    assert (one.severity, one.path, one.line) == (Severity.WARNING, "src/a.cpp", 4)
+    assert (one.severity, one.path, one.line) == (Severity.NOTE, "src/a.cpp", 4)
     assert one.message == (
         "/rule (src/a.cpp:4) reads `/navi/size` and 1 more, private to /navi, which reads it too. Read `~size` if it "
         "is meant to be its own."

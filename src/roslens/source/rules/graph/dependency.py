@@ -18,7 +18,7 @@ RULE = RuleInfo(
     "Interface package that is not declared",
     "Code of a package uses a message, service or action of another package that its package.xml does not depend on. "
     "What a dependency brings along is a note: it is there until that one changes its mind. Add `<depend>`.",
-    Severity.WARNING,
+    Severity.NOTE,
     ("ros", "graph", "dependencies", "package"),
     "It builds where the package happens to be installed and fails on a clean machine or the build farm.",
     tool=TOOL,

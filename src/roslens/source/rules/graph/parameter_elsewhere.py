@@ -15,7 +15,7 @@ RULE = RuleInfo(
     "Private parameter of another node",
     "Code of a node of ROS 1 reads a parameter below the name of another node. It is a warning where the other node "
     "reads it too, as it does where code was copied, and a note otherwise. Read `~name`.",
-    Severity.WARNING,
+    Severity.NOTE,
     ("ros", "graph", "parameters", "names"),
     "What is set for the node has no effect on it, and what is set for the other one has an effect on both.",
     tool=TOOL,

@@ -20,7 +20,8 @@ RULE = RuleInfo(
     "graph.parameter_undeclared",
     "Parameter that nobody knows",
     "A launch file or a file of parameters sets a parameter that the node never declares (ROS 2) or reads (ROS 1). "
-    "Nodes whose code is unknown are left out, and so is what every node has. Correct the name, or remove it. "
+    "Nodes whose code is unknown are left out, and so is what every node has. It is a warning where the node knows a "
+    "name that is nearly the same, else a note: a library or plug-in may read it. Correct the name, or remove it. "
     "Many of one file and one doubt are one finding; `others` in the JSON of `roslens graph --check` names the rest.",
     Severity.WARNING,
     ("ros", "graph", "parameters", "launch"),
@@ -164,7 +165,8 @@ def _told(
         why = f"no parameter of the code of {node.name} is known"
     elif _may_be_of_plugin(one, ros1=ros1):
         why = "a plug-in that the node loads may declare it"
-    severity, doubt = weighed(RULE.severity, (proof,), node.conditions, more=why)
+    # A name that nothing resembles is as often read by a library or a plug-in as it is wrong (docs/accuracy.md).
+    severity, doubt = weighed(RULE.severity if near else Severity.NOTE, (proof,), node.conditions, more=why)
     verb = "reads" if ros1 else "declares"
     advice = f"Did you mean `{near}`?" if near else f"Correct the name or remove it; {_knows(known)}."
     where = f" ({node.defined.place})" if node.defined is not None else ""

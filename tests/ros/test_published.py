@@ -28,6 +28,8 @@ constraints:
 """
 NAME = "roslens: topic /chatter"
 SOON_S = 1.0
+BECAUSE = " (because of node:/talker)"
+"""Told from when it is known that the node is gone: with the silence of its topic, or a moment later."""
 MAIN = "import sys; from roslens.cli.main import main; sys.exit(main(sys.argv[1:]))"
 TALKER1 = """
 import rospy
@@ -171,11 +173,14 @@ def told_soon(watch, listener, end_talker):
     assert bad[1] - verdict["time"] < soon
     assert signal[1] - verdict["time"] < soon
     assert signal[4:] == ["demo.topic.chatter.presence", 2]
-    # Nobody but what the reference is about is judged, our own topics and node least of all.
-    assert {line[2] for line in listener.found} == {NAME, "/chatter"}
-    judged = {line["entity"] for line in watch.found if line["is"] == "verdict"}
+    # Nobody but what the reference is about is judged, our own topics and node least of all; and the node that is gone,
+    # as the cause of what is.
+    gone = {"roslens: node /talker", "/talker"}
+    assert {line[2] for line in listener.found if line[1] < ended} == {NAME, "/chatter"}
+    assert {line[2] for line in listener.found} - gone == {NAME, "/chatter"}
+    judged = {(line["entity"], line["time"] > ended) for line in watch.found if line["is"] == "verdict"}
     nodes = {line["entity"] for line in watch.found if line["is"] == "event" and line["entity"].startswith("node:")}
-    assert judged == {"topic:/chatter"}
+    assert judged - {("node:/talker", True)} == {("topic:/chatter", False), ("topic:/chatter", True)}
     assert nodes <= {"node:/talker", "node:/listener"}
     return bad
 
@@ -192,7 +197,7 @@ def test_ros1(master, messages1, tmp_path):
         (watching(tmp_path, "--ros1"), {**os.environ, **master}),
     ) as (talker, listener, watch):
         status = told_soon(watch, listener, talker.process.terminate)
-        assert status[4] == "is absent, expected >= 1; Look at the cable."
+        assert status[4].replace(BECAUSE, "") == "is absent, expected >= 1; Look at the cable."
         assert ["presence state", "absent"] in status[6]
         # Who comes late is told at once what stands.
         echo = subprocess.run(
@@ -228,4 +233,4 @@ def test_ros2(ros2_python, messages2, tmp_path):
         (watching(tmp_path, "--ros2", "--python", ros2_python), base),
     ) as (talker, listener, watch):
         status = told_soon(watch, listener, talker.process.kill)
-        assert status[4] == "is absent, expected >= 1; Look at the cable."
+        assert status[4].replace(BECAUSE, "") == "is absent, expected >= 1; Look at the cable."

@@ -75,6 +75,33 @@ FORMS = {
         ["TEST(a,b)"],
     ),
     "directives": ("#if defined(A) && \\\n  B < 5 7\n#endif\nint f() { return A(B) \\  // here\n ; }", ["f"]),
+    "macros that stand for types": (
+        (
+            "typedef STD_VECTOR(ns::Item) Items;\nvoid f() { STD_VECTOR(ns::Item) items; g(items); }\n"
+            "Matrix<3, PLAIN(typename V::X)::Options> h() { return x; }"
+        ),
+        ["f", "h"],
+    ),
+    "macros behind a comment": (
+        (
+            "BEGIN_NAMESPACE_X\n\n/**\n * What it is.\n */\nclass A : public B\n{\npublic:\n  void f() { g(); }\n};\n"
+            "END_NAMESPACE_X\n"
+        ),
+        ["A::f"],
+    ),
+    "statements without a semicolon": (
+        'void f() {\n  if (a) { throw_pretty("a" << b) }\n  ASSERT_UNKNOWN(a)\n  // why\n  b.resize(n);\n}',
+        ["f"],
+    ),
+    "a loop in small letters": ("void f() { item_foreach()\n g(); }", ["f"]),
+    "words of a compiler": (
+        (
+            "_x_inline void f(int a);\nstatic const int m[3] PROGMEM = {1, 2, 3};\n"
+            "void g() { *(__IO uint32_t *)a = 1; if (NS_OF_X isZero(b) == 1) { h(); } }\nextern int b __ALIGN_END;"
+        ),
+        ["g"],
+    ),
+    "what is deleted": ("void f() { delete[] (a); delete[] *b; delete[] (int *)c; }", ["f"]),
     "texts": ('void f() { write("a" NEWLINE_A); }', ["f"]),
 }
 

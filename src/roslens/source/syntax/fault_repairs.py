@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import NamedTuple
 
 from tree_sitter import Node, Tree
 
 from roslens.source.syntax.comments import blank_comments
 from roslens.source.syntax.cpp_query import parse_again
 from roslens.source.syntax.macro_edits import behind_arguments, fill
+from roslens.source.syntax.macro_places import BEHIND_PARAMETERS, GOES_ON, KINDS, MACRO, NO_TYPES, MacroKind
 
 Span = tuple[int, int]
 Edit = tuple[int, int, bytes]
@@ -27,81 +27,15 @@ _LONG = 20
 """A fault of so many rows is as bad as two small ones; the places in it are looked at instead."""
 _MOST_PARSED_BYTES = 20_000_000
 """So much is parsed again for a file at most, though a parse of what changed costs less."""
+_LONGEST_COMMENT = 5_000
+_LONGEST_STATEMENT = 1_000
 _MOST_UNCLOSED = 20
 _LONGEST_CALL = 3_000
 _NEAR = 200
-_CAPS = rb"[A-Z_][A-Z0-9_]{2,}\b"
-_MACRO = re.compile(rb"(?<![\w.:])" + _CAPS)
-_KEYWORDS = (
-    rb"(?:static|inline|virtual|explicit|constexpr|unsigned|signed|void|int|float|double|bool|char|short|long|auto"
-    rb"|typename|template|struct|class|enum|union|extern|mutable|friend|operator|using|typedef|namespace)\b"
-)
-_NAME = rb"(?:::)?[A-Za-z_][\w:]*(?:<[^;{}()]{0,200}?>(?:::\w+)*)?"
-_NO_TYPES = frozenset(
-    b"static const virtual inline extern constexpr friend typedef unsigned signed return else new case struct class "
-    b"enum union typename mutable volatile public private protected goto using namespace delete throw do".split()
-)
 _STEERING = frozenset({b"if", b"while", b"for", b"switch", b"catch"})
-
-
-class _Kind(NamedTuple):
-    """Where a macro of a kind stands: what is before it and behind it.
-
-    Attributes:
-        before: a pattern that ends where the macro begins; its group is a word that must not be a keyword.
-        behind: a pattern that begins where the macro or its arguments end.
-        given: whether it must have arguments.
-        with_: what takes its place.
-        everywhere: whether what it tells of a name holds for the name in the whole file.
-    """
-
-    before: re.Pattern[bytes] | None
-    behind: re.Pattern[bytes]
-    given: bool = False
-    with_: bytes = b""
-    everywhere: bool = True
-
-
-_BEHIND_PARAMETERS = _Kind(
-    re.compile(rb"\)\s*(?:(?:const|volatile|override|noexcept|final)\b\s*)*\Z"),
-    re.compile(rb"\s*(?:[;{=]|:(?!:)|->|(?:const|override|final|noexcept)\b|" + _CAPS + rb")"),
-)
-_GOES_ON = rb"\s*[;{+*/.,?:)=&|<>\[(-]"
-_KINDS = (
-    _BEHIND_PARAMETERS,
-    _Kind(re.compile(rb"\b(?:class|struct)\s+[\w:]+(?:<[^;{}]{0,99}?>)?\s+\Z"), re.compile(rb"\s*[:{]")),
-    _Kind(re.compile(rb"\}\s*\Z"), re.compile(rb"\s+\w+\s*;")),
-    _Kind(None, re.compile(rb"\s+" + _KEYWORDS)),
-    _Kind(
-        None,
-        re.compile(
-            rb"\s+(?:(?:\w+::)*(\w+)(?:<[^;{}()]{0,200}>)?::~?\1\s*\("
-            rb"|\w+\s*\((?:[^()]|\([^()]{0,300}\)){0,300}\)\s*:\s*\w+\s*[({])"
-        ),
-    ),
-    _Kind(re.compile(rb"([\w>*&]+)\s+\Z"), re.compile(rb"\s+[\w:~]+\s*[(=;\[]")),
-    _Kind(
-        None,
-        re.compile(
-            rb"\s+(?!(?:volatile|operator|and|or|not)\b|const\s+\w+\s*[(;={,\[):]|const\s*[*&])(?:const\s+)?"
-            + _NAME
-            + rb"(?:\s+const)?(?:\s*[*&]+\s*|\s+)(?:const\s+)?(?:"
-            + _NAME
-            + rb"|operator\b[^;{}]{1,10}?)\s*[(;={,\[):]"
-        ),
-    ),
-    _Kind(re.compile(rb"([\w>*&]+)\s+\w+\s+\Z"), re.compile(rb"\s*[;,)={]"), given=True),
-    _Kind(re.compile(rb"[(,]\s*\Z"), re.compile(rb"\s+\w+\s*[,)=]"), given=True, with_=b"T", everywhere=False),
-    _Kind(
-        re.compile(rb"(?:\A|\n)[ \t]*\Z"),
-        re.compile(rb"[ \t]*\r?(?:\n(?!" + _GOES_ON + rb")|\Z)"),
-        everywhere=False,
-    ),
-    _Kind(re.compile(rb"[;}]\s*\Z"), re.compile(rb"\s*\}"), everywhere=False),
-)
 _CALL = re.compile(rb"(?<![\w.:>])([A-Z][A-Z0-9_]{2,}\w*)\s*\(")
-_BEHIND_CALL = re.compile(_GOES_ON)
-_BEHIND_TEXT = re.compile(rb"\"[ \t]*(" + _CAPS + rb")(?=\s*[;,)])")
+_BEHIND_CALL = re.compile(GOES_ON)
+_BESIDE_TEXT = re.compile(rb"\"\s*([A-Za-z_]\w*)(?=\s*[;,)]|\s+\")|[(,]\s*([A-Za-z_]\w*)\s+(?=\")")
 _STRAY = re.compile(rb"(\\)(?=[ \t]+\r?$)", re.MULTILINE)
 _STATEMENT_BEFORE = re.compile(rb"[;{})>:]\s*\Z|\A\s*\Z")
 _DIRECTIVE = re.compile(rb"[ \t]*#[ \t]*(\w*)")
@@ -120,7 +54,7 @@ class _Text:
     def macros(self, start: int, end: int) -> Iterator[tuple[int, int, int]]:
         """Yield where names in capitals outside of directives begin and end, and where their arguments end."""
         code = self.code
-        for match in _MACRO.finditer(code, start, end):
+        for match in MACRO.finditer(code, start, end):
             first, last = match.span()
             if not _in_directive(code, first):
                 yield first, last, self.behind(last)
@@ -218,9 +152,14 @@ def _windows(code: bytes, faults: Iterable[Node]) -> list[Span]:
     for fault in faults:
         start, end = fault.byte_range
         end = start if fault.end_point.row - fault.start_point.row >= _LONG else end
-        first = code.rfind(b"\n", 0, max(0, code.rfind(b"\n", 0, start))) + 1
-        last = code.find(b"\n", code.find(b"\n", end) + 1)
-        last = len(code) if last < 0 else last
+        # Before a fault there may be a comment, and before that what causes it.
+        line = code.rfind(b"\n", 0, start) + 1
+        before = len(code[max(0, line - _LONGEST_COMMENT) : line].rstrip()) + max(0, line - _LONGEST_COMMENT)
+        begin = max(code.rfind(sign, max(0, before - _LONGEST_STATEMENT), before - 1) for sign in b";{}")
+        first = code.rfind(b"\n", 0, max(0, min(before, begin))) + 1
+        last = end
+        for _ in range(2):
+            last = code.find(b"\n", last) + 1 or len(code)
         if found and found[-1][1] >= first:
             found[-1] = (found[-1][0], max(found[-1][1], last))
         else:
@@ -231,7 +170,7 @@ def _windows(code: bytes, faults: Iterable[Node]) -> list[Span]:
 Rule = Callable[[_Text, list[Node]], Iterator[Edit]]
 
 
-def _of_kind(kind: _Kind) -> Rule:
+def _of_kind(kind: MacroKind) -> Rule:
     """Return a rule that takes away the macros of a kind."""
 
     def rule(text: _Text, faults: list[Node]) -> Iterator[Edit]:
@@ -246,13 +185,13 @@ def _of_kind(kind: _Kind) -> Rule:
             for macro in text.macros(0, len(text.code)):
                 if text.code[macro[0] : macro[1]] in names and _is_of(kind, text.code, *macro):
                     found[macro] = b""
-        for start, _, end in found:
-            yield start, end, kind.with_
+        for start, last, end in found:
+            yield last if kind.a_type else start, last if kind.name_only else end, b""
 
     return rule
 
 
-def _is_of(kind: _Kind, code: bytes, start: int, last: int, end: int) -> bool:
+def _is_of(kind: MacroKind, code: bytes, start: int, last: int, end: int) -> bool:
     if (kind.given and end == last) or not kind.behind.match(code, end):
         return False
     if kind.before is None:
@@ -260,12 +199,12 @@ def _is_of(kind: _Kind, code: bytes, start: int, last: int, end: int) -> bool:
     before = kind.before.search(code[max(0, start - _NEAR) : start])
     if before is None:
         return False
-    if kind is _BEHIND_PARAMETERS:
+    if kind is BEHIND_PARAMETERS:
         closing = start - len(before[0])
         opening = _opening(code, closing)
         word = _WORD_BEFORE.search(code[max(0, opening - _NEAR) : opening])
         return word is None or word[1] not in _STEERING
-    return not before.re.groups or before[1] not in _NO_TYPES
+    return not before.re.groups or before[1] not in NO_TYPES
 
 
 def _opening(code: bytes, closing: int) -> int:
@@ -288,14 +227,13 @@ def _given(text: _Text, faults: list[Node]) -> Iterator[Edit]:
         if found is None:
             continue
         start, opening, closing = found
-        line = code.rfind(b"\n", 0, start) + 1
         statement = _STATEMENT_BEFORE.search(code, max(0, start - _LONGEST_CALL), start) is not None
         behind = _BEHIND_CALL.match(code, closing)
         semicolon = behind is not None and behind[0].endswith(b";")
         if statement and (behind is None or (semicolon and not _in_function(fault))):
             calls[start] = (start, behind.end() if behind else closing, b"")
             names.add(code[start:opening].strip())
-        elif (statement and semicolon) or not statement or code[line:start].strip():
+        else:
             calls[start] = (opening + 1, closing - 1, b"")
     for start, last, end in text.macros(0, len(code)) if names else ():
         behind = _BEHIND_CALL.match(code, end)
@@ -348,14 +286,14 @@ def _directives(text: _Text, faults: list[Node]) -> Iterator[Edit]:
 
 def _logical_line(source: bytes, position: int) -> int:
     start = source.rfind(b"\n", 0, position) + 1
-    while start > 1 and source[:start].rstrip(b"\r\n")[-1:] == b"\\":
+    while start > 1 and source[max(0, start - _NEAR) : start].rstrip()[-1:] == b"\\":
         start = source.rfind(b"\n", 0, start - 1) + 1
     return start
 
 
 def _logical_end(source: bytes, position: int) -> int:
     end = source.find(b"\n", position)
-    while end > 0 and source[max(0, end - 2) : end].rstrip(b"\r")[-1:] == b"\\":
+    while end > 0 and source[max(0, end - _NEAR) : end].rstrip()[-1:] == b"\\":
         end = source.find(b"\n", end + 1)
     return len(source) if end < 0 else end
 
@@ -368,11 +306,35 @@ def _stray(text: _Text, faults: list[Node]) -> Iterator[Edit]:
             yield (*match.span(1), b"")
 
 
-def _behind_texts(text: _Text, faults: list[Node]) -> Iterator[Edit]:
-    """Blank macros that stand for the last part of a text."""
+def _without_semicolons(text: _Text, faults: list[Node]) -> Iterator[Edit]:
+    """Give a macro that stands for a statement its semicolon; one that a block follows is a loop or nothing."""
+    code = text.code
+    for fault in faults:
+        if not fault.is_missing or fault.type != ";":
+            continue
+        end = len(code[max(0, fault.start_byte - _LONGEST_COMMENT) : fault.start_byte].rstrip())
+        end += max(0, fault.start_byte - _LONGEST_COMMENT)
+        opening = _opening(code, end - 1) if code[end - 1 : end] == b")" else 0
+        name = _WORD_BEFORE.search(code[max(0, opening - _NEAR) : opening])
+        if not opening or name is None or name[1] in _STEERING:
+            continue
+        start = opening - len(name[0])
+        if not _STATEMENT_BEFORE.search(code[max(0, start - _NEAR) : start]):
+            continue
+        if code[end : end + _NEAR].lstrip()[:1] == b"{":
+            yield start, end, b"for(;;)" if b"for" in name[1].lower() else b""
+        elif end - opening == 2:
+            yield start, end, b""
+        elif code[end - 2] not in b"\r\n":
+            yield opening + 1, end - 2, b""
+            yield end - 2, end, b");"
+
+
+def _beside_texts(text: _Text, faults: list[Node]) -> Iterator[Edit]:
+    """Blank macros that stand for a part of a text."""
     for start, end in _windows(text.code, faults):
-        for match in _BEHIND_TEXT.finditer(text.source, start, end):
-            yield (*match.span(1), b"")
+        for match in _BESIDE_TEXT.finditer(text.source, start, end):
+            yield (*match.span(match.lastindex or 1), b"")
 
 
 def _in_directive(code: bytes, position: int) -> bool:
@@ -380,4 +342,4 @@ def _in_directive(code: bytes, position: int) -> bool:
     return code[line:position].lstrip()[:1] == b"#"
 
 
-_RULES: tuple[Rule, ...] = (_directives, *map(_of_kind, _KINDS), _given, _behind_texts, _stray)
+_RULES: tuple[Rule, ...] = (_directives, *map(_of_kind, KINDS), _without_semicolons, _given, _beside_texts, _stray)

@@ -18,7 +18,7 @@ _UPSTREAM = re.compile(
     r"|pybind11|spdlog|fmtlib|eigen3|glm|imgui|implot|nanoflann|(?:rt)?flann|sol2|luajit|qwt|qcustomplot|cppzmq|libzmq"
     r"|magic_enum|robin_hood|concurrentqueue|readerwriterqueue|cli11|cxxopts|exprtk|muparserx?|minitrace|flatbuffers"
     r"|backward[-_]cpp|rxcpp|kissfft|sqlite3|libuv|cpp-httplib|civetweb|websocketpp|jwt-cpp|polyclipping|delaunator"
-    r"|optional-lite|span-lite|libb64",
+    r"|absl|abseil-cpp|protobuf|or-tools|ortools|glad|optional-lite|span-lite|libb64",
     re.IGNORECASE,
 )
 _SOURCES = re.compile(r".+\.(?:c|cc|cpp|cxx|h|hh|hpp|hxx|inl|ipp|tpp|cu|cuh|py)")

@@ -20,6 +20,7 @@ def main() -> int:
     parser.add_argument("clones", type=Path)
     parser.add_argument("target", type=Path)
     parser.add_argument("labelled", type=Path, nargs="?")
+    parser.add_argument("--tuned", action="store_true", help="say that roslens was developed on these clones")
     parser.add_argument("-v", action="store_true", help="print the calls that are lost")
     options = parser.parse_args()
     told = {}
@@ -36,7 +37,7 @@ def main() -> int:
             sys.stderr.write(f"{root} is not there: its table is left out\n")
             continue
         labelled[name] = (commit_of(root), measured(rows_of(name), found_by_command(asked(root))))
-    options.target.write_text(page(told, labelled), "utf-8")
+    options.target.write_text(page(told, labelled, tuned=options.tuned), "utf-8")
     return 0
 
 

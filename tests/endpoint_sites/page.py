@@ -30,6 +30,7 @@ another library that is called `subscribe`.
 | named | it is not shown, and is named there as unresolved, with the reason |
 | lost | neither |
 """
+_TUNED = "The evaluation was developed on these repositories: other code may fare worse."
 _LABELLED = """## Endpoints with their names and types
 
 Each call outside of tests that makes an endpoint was labelled by reading the source: file and line, what it makes, its
@@ -54,9 +55,15 @@ The evaluation was mended until the goals were met on these tables (type 95 %, n
 """
 
 
-def page(told: Mapping[str, Told], labelled: Mapping[str, tuple[str, Measured]]) -> str:
-    """Return the page for repositories, and for labelled ones with their commits."""
-    lines = [_HEAD.rstrip("\n"), "", *_told(told)]
+def page(told: Mapping[str, Told], labelled: Mapping[str, tuple[str, Measured]], *, tuned: bool = False) -> str:
+    """Return the page for repositories, and for labelled ones with their commits.
+
+    Args:
+        told: what is said of the calls of each repository.
+        labelled: what is said of the rows of tables.
+        tuned: whether the evaluation was developed on the repositories.
+    """
+    lines = [_HEAD.rstrip("\n"), *(["", _TUNED] if tuned else []), "", *_told(told)]
     if labelled:
         lines += ["", _LABELLED.rstrip("\n")]
     for name, (commit, one) in labelled.items():

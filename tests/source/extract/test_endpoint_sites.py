@@ -156,3 +156,5 @@ def test_the_page_tells_shares_and_what_is_missed():
     assert "| publishers | 2 | 26 | 1 | 1 | 1 |" in text
     assert "`a.cpp:9`" in text
     assert "Endpoints with" not in page(told, {})
+    assert "developed on these" not in page(told, {})
+    assert "developed on these" in page(told, {}, tuned=True)

@@ -56,11 +56,13 @@ def _left(index: Index, facts: Iterable[NodeFacts], reached: Reached) -> Iterato
     }
     for path in sorted(index.programs):
         program = index.programs[path]
-        parts: list[tuple[Function | None, tuple[object, ...]]] = [(None, (program.body,))]
-        parts += [(one, (one.initialisers, one.body)) for one in program.functions if not one.name.startswith("TEST")]
+        parts: list[tuple[Function | None, Iterable[Call]]] = [(None, calls_that_make(program.body))]
+        parts += [
+            (one, index.lookups.calls_that_make(one)) for one in program.functions if not one.name.startswith("TEST")
+        ]
         told: set[int] = set()
-        for function, inside in parts:
-            for call in calls_that_make(*inside):
+        for function, calls in parts:
+            for call in calls:
                 if (path, call.line) not in made and call.line not in told and not _is_timer(call):
                     told.add(call.line)
                     yield path, function, call

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from roslens.source.extract.program import Expression, Field, Function, Statement
+from roslens.source.extract.makes_endpoints import calls_that_make
+from roslens.source.extract.program import Call, Expression, Field, Function, Statement
 from roslens.source.extract.program_text import expression_text
 
 Found = tuple[Function, str] | None
@@ -34,6 +35,7 @@ class Lookups:
             is asked for.
         called: last names of what an expression calls, by its identity, with it.
         set_in_turns: members that methods set which a loop calls, by its identity and that of a class, with it.
+        making: calls in a function that make an endpoint by their name, by its identity, with it.
         function_names: of all functions with a body; None before it is asked for.
     """
 
@@ -50,9 +52,18 @@ class Lookups:
         self.of_modules: dict[str, dict[str, tuple[Statement, ...]]] = {}
         self.set_on_classes: set[tuple[str, str]] | None = None
         self.called: dict[int, tuple[Expression, tuple[str, ...]]] = {}
+        self.making: dict[int, tuple[Function, tuple[Call, ...]]] = {}
         self.function_names: set[str] | None = None
         self.set_in_turns: dict[tuple[int, int], tuple[Statement, tuple[str, ...]]] = {}
         self._texts: dict[int, tuple[Expression, str]] = {}
+
+    def calls_that_make(self, function: Function) -> tuple[Call, ...]:
+        """Return the calls in a function that make an endpoint, by their name."""
+        known = self.making.get(id(function))
+        if known is None or known[0] is not function:
+            found = tuple(calls_that_make(function.initialisers, function.body))
+            known = self.making[id(function)] = (function, found)
+        return known[1]
 
     def text(self, expression: Expression) -> str:
         """Return an expression of a program as text."""

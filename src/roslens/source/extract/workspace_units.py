@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from roslens.source.extract.call_sites import functions_with_more
-from roslens.source.extract.makes_endpoints import makes_endpoints
 from roslens.source.extract.node_bases import generation_of
 from roslens.source.extract.node_facts import NodeFacts
 from roslens.source.extract.node_units import (
@@ -98,7 +97,7 @@ def _makes(index: Index, defined: Defined, reached: Reached, known: dict[int, bo
                 continue
             makes = known.get(id(what))
             if makes is None:
-                makes = known[id(what)] = makes_endpoints(what)
+                makes = known[id(what)] = bool(index.lookups.calls_that_make(what))
             if makes:
                 return True
     return False
@@ -111,21 +110,21 @@ def never_called(index: Index, reached: Reached) -> Iterator[tuple[str, Function
     """
     for path in sorted(index.programs):
         for one in sorted(index.programs[path].functions, key=lambda one: (one.name == "lambda", one.line)):
-            if not one.name.startswith("TEST") and (path, one.line) not in reached and makes_endpoints(one):
+            if (
+                not one.name.startswith("TEST")
+                and (path, one.line) not in reached
+                and index.lookups.calls_that_make(one)
+            ):
                 yield path, one
 
 
 def not_come_to(index: Index, found: Sequence[NodeFacts], reached: Reached) -> Iterator[NodeFacts]:
     """Yield what functions make on ways that no unit took, by evaluating them alone: only what is missing of endpoints.
 
-    What is known of their object may have kept evaluation from these ways, so it is forgotten where that is needed.
+    What is known of the members of their object kept evaluation from these ways, so it is forgotten.
     """
     for path, function, lines in list(functions_with_more(index, found, reached)):
-        for prepared in (True, False):
-            for one in facts_of_function(index, path, function, reached, prepared=prepared):
-                ends = tuple(end for end in one.endpoints if end.evidence.path == path and end.evidence.line in lines)
-                lines -= {end.evidence.line for end in ends}
-                if ends:
-                    yield NodeFacts(one.unit, one.path, one.line, one.generation, "part", endpoints=ends)
-            if not lines:
-                break
+        for one in facts_of_function(index, path, function, reached, prepared=False):
+            ends = tuple(end for end in one.endpoints if end.evidence.path == path and end.evidence.line in lines)
+            if ends:
+                yield NodeFacts(one.unit, one.path, one.line, one.generation, "part", endpoints=ends)

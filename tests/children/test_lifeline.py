@@ -14,6 +14,12 @@ pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="/proc tells which processes are there"),
 ]
 
+HEARS = """\
+import signal
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
+"""
+"""What is started below `nohup` hears no SIGHUP unless it says so."""
+
 POOL = """
 import time
 from roslens.children.worker_pool import worker_pool
@@ -69,6 +75,15 @@ def wait_until(condition, seconds=30.0):
         time.sleep(0.02)
 
 
+def ended_within(process, seconds):
+    """Wait for a process to end; one that does not is ended, or leaving its context would wait for ever."""
+    try:
+        process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        raise
+
+
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize(
     ("code", "children"),
@@ -77,13 +92,13 @@ def wait_until(condition, seconds=30.0):
 )
 def test_nobody_is_left(tmp_path, code, children, how):
     script = tmp_path / "script.py"
-    script.write_text(code)
+    script.write_text(HEARS + code)
     with subprocess.Popen([sys.executable, str(script), str(tmp_path / "log")], stdout=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"begun\n"
         wait_until(lambda: len(below(process.pid)) >= children)
         started = below(process.pid)
         process.send_signal(how)
-        process.wait(30)
+        ended_within(process, 30)
     wait_until(lambda: not are_there(started))
 
 
@@ -103,7 +118,7 @@ sys.exit(guarded(command, []))
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_request_to_end_undoes_what_was_begun(how):
     with subprocess.Popen(
-        [sys.executable, "-c", GUARDED], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-c", HEARS + GUARDED], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
         assert process.stdout.readline() == "begun\n"
         os.kill(process.pid, how)
@@ -121,5 +136,5 @@ def test_an_interrupted_pool_is_ended_and_not_waited_for(tmp_path):
         wait_until(lambda: len(below(process.pid)) >= 4)
         started = below(process.pid)
         process.send_signal(signal.SIGINT)
-        process.wait(30)
+        ended_within(process, 30)
     wait_until(lambda: not are_there(started))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from decimal import Decimal
 
 import msgspec
 
@@ -128,4 +129,7 @@ def _example(finding: Finding | None) -> str:
 
 
 def _plain(value: float) -> str:
-    return f"{value:.6g}"
+    try:
+        return f"{value:.6g}"
+    except OverflowError:  # an integer that no float holds
+        return f"{Decimal(value):.6g}"

@@ -102,8 +102,10 @@ class _Reader:
                 self._fault(root, f'the root is "<{root.tag}>"', "<package>", "Write it as REP-149 says.")
             return _nameless(self._path)
         broken = bool(self._document.faults)
+        # Without a name nobody knows which package it is: then not all of the manifest was understood.
+        tool = (MANIFEST,) if any(one.tag == "name" and one.text() for one in root.elements()) else ()
         for element, what, expected, advice in faults_of(root, complete=not broken):
-            self._fault(element, what, expected, advice, MANIFEST)
+            self._fault(element, what, expected, advice, *tool)
         parts: dict[str, list[Element]] = {}
         for element in root.elements():
             parts.setdefault(element.tag, []).append(element)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import Enum
 from hashlib import blake2b
-from math import isnan
+from math import inf, isnan
 
 import msgspec
 
@@ -75,10 +75,21 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
 
         A bound or value of 0 counts as 1, so that what is 5 where nothing is allowed is 5 times too much.
         """
-        if self.value is None or self.bound is None or isnan(self.value) or isnan(self.bound):
+        if self.value is None or self.bound is None:
             return 0.0
-        high, low = max(self.value, self.bound), min(self.value, self.bound)
-        return min(high / (low if low > 0 else 1.0), MOST_EXCESS)
+        value, bound = _as_float(self.value), _as_float(self.bound)
+        if isnan(value) or isnan(bound):
+            return 0.0
+        high, low = max(value, bound), min(value, bound)
+        return 1.0 if high == low == inf else min(high / (low if low > 0 else 1.0), MOST_EXCESS)
+
+
+def _as_float(number: float) -> float:
+    """Return a number as a float; an integer that none holds is without bound."""
+    try:
+        return float(number)
+    except OverflowError:
+        return inf if number > 0 else -inf
 
 
 def fingerprint(rule: str, place: str, context: str = "", ordinal: int = 0) -> str:

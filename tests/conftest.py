@@ -15,6 +15,8 @@ import pytest
 from hypothesis import HealthCheck, settings
 from tried_again import TriedAgain
 
+from roslens.cli.user_folder import user_folder, user_secret, write_private
+
 settings.register_profile("roslens", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("quick", settings.get_profile("roslens"), max_examples=25)
 settings.register_profile("nightly", settings.get_profile("roslens"), max_examples=1000)
@@ -31,6 +33,9 @@ def pytest_configure(config):
     # What roslens keeps for a user is not that of the user who runs the tests.
     own = tempfile.TemporaryDirectory(prefix="roslens-user-")
     config.add_cleanup(own.cleanup)
+    # But for the secret: the examples may have results of that user, and of the other processes of a run.
+    secret = user_secret(os.environ)
+    write_private(user_folder({"XDG_CONFIG_HOME": own.name}) / "secret", secret)
     os.environ["XDG_CONFIG_HOME"] = own.name
     config.pluginmanager.register(TriedAgain())
     # A shell that starts something in the background has it ignore Ctrl-C, and with it all that tests start and end so.

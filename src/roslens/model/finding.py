@@ -47,6 +47,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     innermost entity known. A finding that a quality model makes carries the ``value``, the
     ``quantity``, the broken ``bound`` and the ``model``. One that stands for several of one cause
     names the ``others``, each with its place; one that holds for several entities alike has the rest in ``also``.
+    ``witnesses`` are the ids of the other rules, of whichever tool, that reported the same at the same place.
     """
 
     rule: str
@@ -68,6 +69,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     gated: bool = True
     others: tuple[str, ...] = ()
     also: tuple[str, ...] = ()
+    witnesses: tuple[str, ...] = ()
 
     @property
     def excess(self) -> float:

@@ -178,6 +178,10 @@ def _finding(package: str, finding: Finding) -> dict[str, Any]:
         "fingerprint": finding.fingerprint,
         "gated": finding.gated,
     }
+    if finding.witnesses:
+        shown["witnesses"] = finding.witnesses
+    if finding.others:
+        shown["others"] = finding.others
     if finding.model:
         shown["model"] = finding.model
         shown["quantity"] = finding.quantity

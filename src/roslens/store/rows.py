@@ -20,7 +20,7 @@ FILE = "path, language, role, size, content_hash"
 ENTITY = "id, kind, name, path, line, end_line, parent, approximate"
 FINDING = (
     'rule, severity, message, path, line, "column", end_line, end_column, entity, tag_set, tool, fingerprint, '
-    "quantity, value, bound, model, gated"
+    "quantity, value, bound, model, gated, witnesses, others"
 )
 FAILURE = "tool, what, expected, advice, location, entity, package, partial, detail"
 RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models'
@@ -31,6 +31,8 @@ _decode_summary = msgspec.json.Decoder(PackageSummary).decode
 _decode_package = msgspec.json.Decoder(Package).decode
 _decode_location = msgspec.json.Decoder(Location).decode
 _decode_texts = msgspec.json.Decoder(tuple[str, ...]).decode
+
+_NONE = "[]"
 
 _KINDS = {kind.value: kind for kind in EntityKind}
 _SEVERITIES = {severity.value: severity for severity in Severity}
@@ -116,12 +118,14 @@ def finding_rows(unit: int, findings: Iterable[Finding], tags_of: Callable[[tupl
             storable_number(finding.bound),
             finding.model,
             finding.gated,
+            to_json(finding.witnesses) if finding.witnesses else _NONE,
+            to_json(finding.others) if finding.others else _NONE,
         )
 
 
 def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
     """Read ``FINDING``; ``tags`` maps numbers to sets of tags."""
-    rule, severity, *middle, tag_set, tool, fingerprint, quantity, value, bound, model, gated = row
+    rule, severity, *middle, tag_set, tool, fingerprint, quantity, value, bound, model, gated, witnesses, others = row
     message, path, line, column, end_line, end_column, entity = middle
     return Finding(
         rule,
@@ -141,6 +145,8 @@ def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
         bound,
         model,
         bool(gated),
+        others=() if others == _NONE else to_texts(others),
+        witnesses=() if witnesses == _NONE else to_texts(witnesses),
     )
 
 

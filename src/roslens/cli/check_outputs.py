@@ -1,0 +1,170 @@
+"""Which formats ``roslens check`` writes, and where each of them goes."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from roslens.cli.streams import wants_color, width_of
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.report.reported import Wanted
+    from roslens.store.read import RunView
+
+Output = tuple[str, str]
+"""Name of a format and the file that it is written to, empty for standard output."""
+
+
+def add_output_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add ``--format`` and ``-o``."""
+    parser.add_argument(
+        "--format",
+        action="append",
+        metavar="NAME[=FILE]",
+        help="of the result: text (default), json, csv, sarif, junit, gitlab, github, checkstyle, markdown or badge; "
+        "with =FILE it is written there besides; may be given again",
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        action="append",
+        metavar="FILE",
+        help="write the result there instead, in the format of --format or of the ending (.json, .sarif, .junit.xml, "
+        ".md, .svg…); a csv name without .csv is a folder for all tables; may be given again",
+    )
+
+
+def outputs(formats: Sequence[str], files: Sequence[str]) -> tuple[Output, ...]:
+    """Return what is written where.
+
+    Args:
+        formats: values of ``--format``, each ``NAME`` or ``NAME=FILE``.
+        files: values of ``-o``.
+
+    Raises:
+        UsageError: a format is unknown, or it is not clear which goes where.
+    """
+    from roslens.report.formats import FORMATS
+
+    beside: list[Output] = []
+    plain: list[str] = []
+    for given in formats:
+        name, separator, file = given.partition("=")
+        if name not in FORMATS:
+            raise _unknown(name, FORMATS)
+        if separator and not file:
+            raise UsageError(f'--format "{given}" names no file', expected=f"{name}=FILE or {name}")
+        if separator:
+            beside.append((name, file))
+        else:
+            plain.append(name)
+    if len(plain) > 1:
+        raise UsageError(
+            f"--format {' --format '.join(plain)}: only one goes to standard output or to -o",
+            expected="NAME=FILE for the others",
+        )
+    chosen = (*_instead(plain, files), *beside)
+    targets = [str(Path(file).absolute()) for _, file in chosen if file]
+    if twice := next((file for file in targets if targets.count(file) > 1), None):
+        raise UsageError(f'"{twice}" is given for two results', expected="a file of its own for each")
+    return chosen
+
+
+def _instead(plain: Sequence[str], files: Sequence[str]) -> tuple[Output, ...]:
+    """Return what is shown on standard output, or in the files given instead."""
+    if not files:
+        return ((plain[0] if plain else "text", ""),)
+    if plain and len(files) > 1:
+        raise UsageError(
+            f"--format {plain[0]} with {len(files)} -o",
+            expected=f"--format {plain[0]}=FILE for one of them; the endings of the others say their format",
+        )
+    return tuple((plain[0] if plain else _by_ending(file), file) for file in files)
+
+
+def _by_ending(file: str) -> str:
+    from roslens.report.formats import ENDINGS, format_of
+
+    found = format_of(file)
+    if found is not None:
+        return found
+    if file.lower().endswith((".html", ".htm")):
+        raise UsageError(
+            f'-o "{file}": roslens check writes no pages', advice=f"Run `roslens report --single-file {file}` after it"
+        )
+    if file.lower().endswith(".xml"):
+        expected = f"--format junit={file} or --format checkstyle={file}"
+    else:
+        expected = f"one of {', '.join(filter(None, ENDINGS))}, or --format NAME={file}"
+    raise UsageError(f'-o "{file}": its ending says no format', expected=expected)
+
+
+def _unknown(name: str, known: Sequence[str] | dict[str, str]) -> UsageError:
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, list(known), 1)
+    return UsageError(
+        f'--format "{name}" is unknown',
+        expected=f"one of {', '.join(known)}",
+        advice=f"Did you mean {near[0]}?" if near else "",
+    )
+
+
+def write_outputs(chosen: Sequence[Output], options: argparse.Namespace, view: RunView, wanted: Wanted) -> None:
+    """Write the run in each format to its place; no file is left half written.
+
+    Raises:
+        StoreError: the store cannot be read.
+        OSError: a file cannot be written.
+    """
+    for name, file in chosen:
+        if not file:
+            _write_to(name, options, view, wanted, sys.stdout)
+        elif name == "csv" and not file.endswith(".csv"):
+            from roslens.report.to_csv import write_folder
+
+            write_folder(view, Path(file), wanted.tags)
+        else:
+            from roslens.report.whole_file import whole_file
+
+            with whole_file(Path(file)) as stream:
+                _write_to(name, options, view, wanted, stream)
+
+
+def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wanted, stream: TextIO) -> None:
+    if name != "text":
+        from roslens.report.formats import write_format
+
+        write_format(name, view, stream, wanted)
+        return
+    from roslens.report.to_text import to_text
+
+    stream.write(
+        to_text(
+            view.header,
+            view.packages(),
+            view.failures(),
+            view.rules(),
+            findings=view.workspace.findings,
+            tags=wanted.tags,
+            width=width_of(stream),
+            color=wants_color(options, stream),
+            unicode=(stream.encoding or "").lower().replace("-", "") == "utf8",
+        )
+    )
+
+
+def below_repository(root: Path) -> str:
+    """Return the folder of a workspace below that of the repository around it, empty or with ``/`` at its end.
+
+    It is empty too where the workspace is in no repository; nothing but folders is looked at.
+    """
+    for above in (root, *root.parents):
+        if (above / ".git").exists():
+            below = root.relative_to(above).as_posix()
+            return "" if below == "." else f"{below}/"
+    return ""

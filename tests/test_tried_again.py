@@ -1,6 +1,5 @@
 """Tests that are tried again where the machine gave them no time; each run is a pytest of its own."""
 
-import os
 import re
 import subprocess
 import sys
@@ -236,5 +235,6 @@ def test_b():
     assert code == 0, said
     assert "2 passed, 1 rerun" in said
     assert "it stood still; 1 processes that it left were killed" in said
-    with pytest.raises(ProcessLookupError):
-        os.kill(int(notes[1]), 0)
+    state = Path("/proc", notes[1], "stat")
+    # Who inherits an orphan takes it off the table in its own time.
+    assert not state.exists() or state.read_text().rpartition(")")[2].split()[0] in "ZX"

@@ -18,7 +18,14 @@ from roslens.intake.bounded_file import TooLargeError, read_bounded
 from roslens.model.errors import DocumentError, UsageError
 from roslens.model.finding import Severity
 from roslens.model.source import Location, Role
-from roslens.source.settings import CountingSettings, GraphSettings, MacroSettings, SourceSettings, WorkspaceSettings
+from roslens.source.settings import (
+    CountingSettings,
+    GraphSettings,
+    MacroSettings,
+    RuleSettings,
+    SourceSettings,
+    WorkspaceSettings,
+)
 
 FILE_NAME = "roslens.toml"
 MOST_BYTES = 5_000_000
@@ -55,6 +62,7 @@ _TABLES: dict[str, type[msgspec.Struct]] = {
     "counting": CountingSettings,
     "macros": MacroSettings,
     "graph": GraphSettings,
+    "rules": RuleSettings,
 }
 FAIL_ON = (*(severity.value for severity in Severity), "never")
 

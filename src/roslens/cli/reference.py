@@ -19,6 +19,8 @@ def pages() -> Mapping[str, str]:
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.rules.graph import plugin as graph
     from roslens.source.rules.graph.page import graph_rules_page
+    from roslens.source.rules.pages import rule_pages
+    from roslens.source.rules.table import native_rules
     from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
 
     known = {**QUANTITIES, **{quantity.key: quantity for quantity in CCCC_QUANTITIES}}
@@ -30,6 +32,7 @@ def pages() -> Mapping[str, str]:
         "references.md": references_page(BY_KEY),
         "reference.schema.json": _json(reference_schema(BY_KEY)),
         "graph.schema.json": _json(graph_schema()),
+        **rule_pages(native_rules()),
         "graph_rules.md": graph_rules_page(graph.manifest.rules, graph.manifest.options),
     }
 

@@ -7,6 +7,8 @@ import msgspec
 from roslens.model.failure import Failure
 from roslens.model.source import Language
 from roslens.source.parsed_file import ParsedFile, parse_file
+from roslens.source.rules.callbacks import callbacks_of
+from roslens.source.rules.match_file import Matched, match_file
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.facts import FileFacts
 from roslens.source.workspace.encoding import encoding_failure
@@ -14,7 +16,9 @@ from roslens.source.workspace.suppress import Suppression, suppressions
 
 
 class FileAnalysis(msgspec.Struct, frozen=True, array_like=True):
-    """The facts of a file, the findings its author asked to leave out, and what is wrong with its bytes.
+    """The facts of a file, the findings its author asked to leave out, what is wrong with its bytes, what rules found.
+
+    ``callbacks`` are the functions that it registers; a rule on the file that declares them may need to know.
 
     It is kept by content: the failure names no file.
     """
@@ -22,6 +26,8 @@ class FileAnalysis(msgspec.Struct, frozen=True, array_like=True):
     facts: FileFacts
     suppressions: tuple[Suppression, ...] = ()
     encoding: Failure | None = None
+    matched: Matched = Matched()
+    callbacks: tuple[str, ...] = ()
 
 
 def analyse_file(content: bytes, language: Language, macros: MacroSettings) -> FileAnalysis:
@@ -35,4 +41,7 @@ def analyse_file(content: bytes, language: Language, macros: MacroSettings) -> F
 
 def analyse_parsed(content: bytes, parsed: ParsedFile) -> FileAnalysis:
     """Take the facts of what was parsed already."""
-    return FileAnalysis(parsed.facts(), suppressions(content), encoding_failure("", content))
+    view = parsed.view()
+    return FileAnalysis(
+        parsed.facts(), suppressions(content), encoding_failure("", content), match_file(view), callbacks_of(view)
+    )

@@ -11,10 +11,12 @@ import msgspec
 
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
+from roslens.model.finding import Finding
 from roslens.model.source import Location, Package, SourceFile
 from roslens.source.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.parsed_file import ParsedFile, parse_file
-from roslens.source.settings import CountingSettings, MacroSettings
+from roslens.source.rules.hit import Hit
+from roslens.source.settings import CountingSettings, MacroSettings, RuleSettings
 from roslens.source.workspace.suppress import Suppression
 from roslens.store.cache import Cache
 
@@ -44,6 +46,7 @@ class PackageTask(msgspec.Struct, frozen=True):
     macros: MacroSettings
     cache: str = ""
     program_keys: dict[str, str] = {}
+    rules: RuleSettings = RuleSettings()
 
 
 class MeasuredPackage(msgspec.Struct, frozen=True):
@@ -54,6 +57,7 @@ class MeasuredPackage(msgspec.Struct, frozen=True):
     failures: tuple[Failure, ...]
     suppressions: dict[str, tuple[Suppression, ...]]
     analyses: dict[str, bytes]
+    findings: tuple[Finding, ...] = ()
 
 
 def measure_task(task: PackageTask) -> MeasuredPackage:
@@ -91,6 +95,8 @@ def nothing_measured(task: PackageTask, error: BaseException) -> MeasuredPackage
 def _measure(task: PackageTask) -> MeasuredPackage:
     from roslens.source.metrics.measure_file import measure_file
     from roslens.source.metrics.measure_package import measure_package
+    from roslens.source.rules.package_findings import rule_findings
+    from roslens.source.rules.package_view import PackageView
     from roslens.source.syntax.facts import FileFacts
 
     known, lowered = _known(task)
@@ -98,15 +104,22 @@ def _measure(task: PackageTask) -> MeasuredPackage:
     failures: list[Failure] = []
     suppressions: dict[str, tuple[Suppression, ...]] = {}
     measured: list[tuple[SourceFile, FileFacts, tuple[Entity, ...]]] = []
+    hits: dict[str, tuple[Hit, ...]] = {}
+    callbacks: set[str] = set()
     for file, analysis in _analyses(task, known, lowered, new, failures):
         if analysis.suppressions:
             suppressions[file.path] = analysis.suppressions
         failures.extend(_faults(file, task.package, analysis))
         if analysis.encoding is not None:
             failures.append(_placed(analysis.encoding, file, task.package))
+        failures.extend(_placed(failure, file, task.package) for failure in analysis.matched.failures)
+        hits[file.path] = analysis.matched.hits
+        callbacks.update(analysis.callbacks)
         measured.append((file, analysis.facts, measure_file(file.path, analysis.facts, task.counting)))
     entities = measure_package(task.package, measured, task.counting)
-    return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new)
+    view = PackageView(task.package, task.root, task.files, {file.path: facts for file, facts, _ in measured})
+    findings = rule_findings(view, task.rules, hits, callbacks, entities, failures)
+    return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new, findings)
 
 
 def _known(task: PackageTask) -> tuple[Mapping[str, bytes], frozenset[str]]:

@@ -48,7 +48,7 @@ class Finisher:
         roles = {file.path: file.role.value for file in files}
         entities = with_measurements(measured.entities, outcome)
         findings = []
-        for finding in (*outcome.findings, *judge_entities(self._models, entities)):
+        for finding in (*measured.findings, *outcome.findings, *judge_entities(self._models, entities)):
             hushed = measured.suppressions.get(finding.path)
             if hushed and suppressed(finding.rule, finding.tags, finding.line, hushed):
                 continue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from roslens.model.source import Language
@@ -12,6 +12,7 @@ from roslens.source.syntax.macros import MacroPreset, load_macros
 
 if TYPE_CHECKING:
     from roslens.source.extract.program import Program
+    from roslens.source.rules.file_view import FileView
 
 _preset = cache(load_macros)
 
@@ -30,6 +31,9 @@ class ParsedFile(Protocol):
     def program(self) -> Program:
         """Return what tells of nodes, topics and parameters."""
 
+    def view(self) -> FileView:
+        """Return the file as rules see it."""
+
 
 class _ParsedCpp:
     def __init__(self, content: bytes, macros: MacroPreset) -> None:
@@ -47,23 +51,41 @@ class _ParsedCpp:
 
         return lower_cpp(self._parsed.source, self._parsed.tree, self._parsed.content)
 
+    def view(self) -> FileView:
+        from roslens.source.rules.file_view import FileView
+
+        parsed = self._parsed
+        return FileView("cpp", parsed.content, parsed.source, parsed.code[0], parsed.tree.root_node)
+
 
 class _ParsedPython:
     def __init__(self, content: bytes) -> None:
         from roslens.source.syntax.python_tree import parse_tree, with_line_feeds
 
         self._content = content
-        self._parsed = parse_tree(with_line_feeds(content))
+        self._text = with_line_feeds(content)
+        self._parsed = parse_tree(self._text)
+
+    @cached_property
+    def _code(self) -> bytes:
+        from roslens.source.syntax.comments import blank_comments
+
+        return blank_comments(self._text, "python")
 
     def facts(self) -> FileFacts:
         from roslens.source.syntax.python import facts_of_python
 
-        return facts_of_python(self._content, self._parsed)
+        return facts_of_python(self._content, self._parsed, self._code)
 
     def program(self) -> Program:
         from roslens.source.extract.python_program import lower_python
 
         return lower_python(self._parsed)
+
+    def view(self) -> FileView:
+        from roslens.source.rules.file_view import FileView
+
+        return FileView("python", self._text, self._parsed.source, self._code, self._parsed.tree.root_node)
 
 
 def parse_file(content: bytes, language: Language, macros: MacroSettings) -> ParsedFile:

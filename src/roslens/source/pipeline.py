@@ -25,7 +25,7 @@ from roslens.source.known_manifests import KnownManifests
 from roslens.source.owned_findings import owned_findings
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
-from roslens.source.settings import SourceSettings
+from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
 
 if TYPE_CHECKING:
@@ -131,6 +131,11 @@ def analyse(
     plugins = discover_plugins(settings, base, log)
     if settings.options:
         check_options({member.name: member.manifest for member in plugins.members}, settings.options)
+    if settings.rules != RuleSettings():
+        from roslens.source.rules.selection import check_rule_settings
+        from roslens.source.rules.table import native_rules
+
+        check_rule_settings(settings.rules, native_rules())
     shaping = _shaping(settings, base, plugins)
     if is_wide([member for member in plugins.members if not member.builtin]):
         # What such a plug-in says of one package may come from a file of any other.
@@ -273,6 +278,7 @@ def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
         },
         counting=run.settings.counting,
         macros=run.settings.macros,
+        rules=run.settings.rules,
         cache=str(cache.path) if cache.path else "",
         program_keys=_program_keys(run, files) if run.programs else {},
     )
@@ -315,13 +321,15 @@ def _workspace_result(
     from roslens.judge.quality_model import rules_of
     from roslens.source.metrics.measure_workspace import measure_workspace
     from roslens.source.metrics.table import QUANTITIES
+    from roslens.source.rules.table import native_rules
 
     failures: list[Failure] = [
         failure for failure in (*run.workspace.failures, *run.inventory.failures) if not failure.package
     ]
     further = run.beyond.rules if run.beyond else ()
     judging = (rule for model in models for rule in rules_of(model))
-    rules = {rule.id: rule for rule in (*stage.rules, *further, *judging)}
+    native = (rule.info for rule in native_rules().values())
+    rules = {rule.id: rule for rule in (*native, *stage.rules, *further, *judging)}
     return WorkspaceResult(
         package_values=measure_workspace([found.package for found in run.workspace.packages]),
         package_findings=owned,

@@ -87,6 +87,19 @@ class GraphSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     hints: dict[str, NodeHint] = {}
 
 
+class RuleSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Which native rules are on, and how much their findings matter.
+
+    ``profiles`` are names of :mod:`roslens.source.rules.profiles`; ``auto`` is ``ros2`` or ``ros1``, by package.
+    ``enable`` and ``disable`` are ids or globs of them, ``severity`` gives a rule another one.
+    """
+
+    profiles: tuple[str, ...] = ("auto",)
+    enable: tuple[str, ...] = ()
+    disable: tuple[str, ...] = ()
+    severity: dict[str, str] = {}
+
+
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that shapes the result of the source half.
 
@@ -98,6 +111,7 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     counting: CountingSettings = CountingSettings()
     macros: MacroSettings = MacroSettings()
     graph: GraphSettings = GraphSettings()
+    rules: RuleSettings = RuleSettings()
     models: tuple[str, ...] = ("ros",)
     gate_roles: tuple[str, ...] = ("own",)
     plugins: tuple[str, ...] = ()

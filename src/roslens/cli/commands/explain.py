@@ -42,10 +42,11 @@ def known(configuration: Configuration) -> Known:
     from roslens.judge.quality_model import builtin_models, load_model, rules_of
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
+    from roslens.source.rules.table import native_rules
 
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     quantities = dict(QUANTITIES)
-    rules: dict[str, RuleInfo] = {}
+    rules: dict[str, RuleInfo] = {rule.id: rule.info for rule in native_rules().values()}
     for member in found.members:
         quantities.update({quantity.key: quantity for quantity in member.manifest.quantities})
         rules.update({rule.id: rule for rule in member.manifest.rules})

@@ -7,6 +7,7 @@ Decisions are counted as written: macros are not expanded, lambdas count for the
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from tree_sitter import Tree
 
@@ -25,7 +26,7 @@ from roslens.source.syntax.tokens import hashes_of, squeezed_lines, token_text
 _LONGEST_QUOTE = 60
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class CppTree:
     """A parsed file: its ``content``, the ``source`` that was parsed, of the same length, and its ``tree``.
 
@@ -36,6 +37,11 @@ class CppTree:
     source: bytes
     tree: Tree
     repaired: bool
+
+    @cached_property
+    def code(self) -> tuple[bytes, bool]:
+        """The content with its comments blanked, and whether its line ends are plain; see :func:`blank_cpp`."""
+        return blank_cpp(self.content)
 
 
 def tree_of_cpp(content: bytes, macros: MacroPreset) -> CppTree:
@@ -66,7 +72,7 @@ def facts_of_cpp(parsed: CppTree) -> FileFacts:
     """
     content, source, tree = parsed.content, parsed.source, parsed.tree
     captures = Captures(tree)
-    code, plain = blank_cpp(content)
+    code, plain = parsed.code
     walk = Walk(source, code, captures)
     lines = LineMap(content, squeezed_lines(code))
     lines.leave_out(captures.not_executed, captures.statements)

@@ -27,7 +27,7 @@ def parse_python(content: bytes) -> FileFacts:
     return facts_of_python(content, parse_tree(with_line_feeds(content)))
 
 
-def facts_of_python(content: bytes, parsed: PythonTree) -> FileFacts:
+def facts_of_python(content: bytes, parsed: PythonTree, code: bytes | None = None) -> FileFacts:
     """Return the facts of a Python file.
 
     Never fails: what cannot be parsed becomes a :class:`~roslens.source.syntax.facts.SyntaxFault`, and the
@@ -36,11 +36,12 @@ def facts_of_python(content: bytes, parsed: PythonTree) -> FileFacts:
     Args:
         content: the bytes of the file.
         parsed: the tree of ``content`` with line feeds.
+        code: the same with its comments blanked, where that is known.
     """
     text = with_line_feeds(content)
     captures = Captures(parsed.tree)
     walk = Walk(parsed.source, captures)
-    code = blank_comments(text, "python")
+    code = blank_comments(text, "python") if code is None else code
     hashes, numbers = hashes_of(code)
     lines = LineMap(parsed.source, hashes, numbers, captures.idle)
     faults = faults_of(parsed, text, lines)

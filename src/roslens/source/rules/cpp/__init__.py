@@ -1,0 +1,1 @@
+"""Rules on C and C++ that any program should follow."""

@@ -1,0 +1,124 @@
+"""A parsed file as rules see it."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from functools import cached_property
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.hit import Hit
+
+_LONGEST_CONTEXT = 200
+
+
+class FileView:
+    """One file: its tree and its text.
+
+    Attributes:
+        syntax: ``cpp`` or ``python``.
+        source: what was parsed; positions of nodes are positions in it.
+        code: the same length with comments blanked and each string one word.
+        root: of the tree.
+    """
+
+    def __init__(self, syntax: str, content: bytes, source: bytes, code: bytes, root: Node) -> None:
+        """Take what the one parse gave; ``content`` is the file as it is."""
+        self.syntax = syntax
+        self.content = content
+        self.source = source
+        self.code = code
+        self.root = root
+
+    @cached_property
+    def lines(self) -> list[bytes]:
+        """The lines of the content, without what ends them."""
+        return self.content.split(b"\n")
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        starts, at = [0], self.content.find(b"\n")
+        while at >= 0:
+            starts.append(at + 1)
+            at = self.content.find(b"\n", at + 1)
+        return starts
+
+    def text(self, node: Node | None) -> str:
+        """Return the source of a node with its white space squeezed; empty for none."""
+        if node is None:
+            return ""
+        return " ".join(self.source[node.start_byte : node.end_byte].decode("utf-8", "replace").split())
+
+    def place(self, position: int) -> tuple[int, int]:
+        """Return the line and column, both 1-based, of a position in bytes."""
+        row = bisect_right(self._starts, position) - 1
+        return row + 1, position - self._starts[row] + 1
+
+    def node_at(self, start: int, end: int) -> Node | None:
+        """Return the smallest node around an extent in bytes."""
+        return self.root.descendant_for_byte_range(start, end)
+
+    def hit(
+        self,
+        rule: str,
+        node: Node,
+        message: str,
+        *,
+        only: str = "",
+        callback: str = "",
+        severity: Severity | None = None,
+    ) -> Hit:
+        """Return a hit at a node; see :class:`Hit` for the rest."""
+        line, column = self.place(node.start_byte)
+        end_line, end_column = self.place(max(node.end_byte - 1, node.start_byte))
+        context = self.text(node)[:_LONGEST_CONTEXT]
+        return Hit(
+            rule,
+            message,
+            line,
+            column,
+            end_line,
+            end_column,
+            context,
+            only=only,
+            callback=callback,
+            severity=severity,
+        )
+
+    def hit_at(self, rule: str, line: int, message: str, *, column: int = 0, only: str = "") -> Hit:
+        """Return a hit at a line."""
+        text = self.lines[line - 1] if 0 < line <= len(self.lines) else b""
+        context = " ".join(text.decode("utf-8", "replace").split())[:_LONGEST_CONTEXT]
+        return Hit(rule, message, line, column, context=context, only=only)
+
+
+def above(node: Node, *types: str) -> Node | None:
+    """Return the nearest node around ``node`` of one of the types."""
+    found = node.parent
+    while found is not None and found.type not in types:
+        found = found.parent
+    return found
+
+
+def all_above(node: Node) -> Iterator[Node]:
+    """Yield the nodes around ``node``, the nearest first."""
+    found = node.parent
+    while found is not None:
+        yield found
+        found = found.parent
+
+
+def below(node: Node, *types: str, inside: tuple[str, ...] = ()) -> Iterator[Node]:
+    """Yield the nodes below ``node`` of one of the types, in source order; not below nodes of a type of ``inside``.
+
+    The walk keeps its own stack: sources are nested deeper than Python calls can be.
+    """
+    waiting = list(reversed(node.children))
+    while waiting:
+        one = waiting.pop()
+        if one.type in types:
+            yield one
+        if one.type not in inside:
+            waiting.extend(reversed(one.children))

@@ -1,0 +1,40 @@
+"""What a native rule found, before it is known whether anybody wants to hear of it."""
+
+from __future__ import annotations
+
+import msgspec
+
+from roslens.model.finding import Severity
+
+HEADER, SOURCE = "header", "source"
+"""Values of ``only``: for files that are included by others, and for those that are compiled."""
+
+
+class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
+    """A place that a rule is about. It is kept by content: of its file it only says the lines, counted from 1.
+
+    Attributes:
+        rule: id.
+        message: what was found, quoted, and what was expected.
+        line: 1-based, as ``column`` (in bytes), ``end_line`` and ``end_column`` are; 0 is unknown.
+        context: the flagged text; with its function it tells the finding again when lines move.
+        path: below the workspace, of hits of rules on packages; empty for the file itself.
+        only: it counts in headers (:data:`HEADER`) or in other files (:data:`SOURCE`) only; which of them a file is,
+            its name tells.
+        callback: it counts where this function, as qualified in the file, is a callback of some file of the package.
+        severity: where it differs from the rule's.
+        entity: text form of the id it is about, where that is not the innermost one around the line.
+    """
+
+    rule: str
+    message: str
+    line: int = 0
+    column: int = 0
+    end_line: int = 0
+    end_column: int = 0
+    context: str = ""
+    path: str = ""
+    only: str = ""
+    callback: str = ""
+    severity: Severity | None = None
+    entity: str = ""

@@ -1,0 +1,140 @@
+"""Native rules on one parsed file: all of them, with one query and a search for each anchor.
+
+Which rules a user wants is asked later: what they find is kept by content, and another profile costs no parse.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+import msgspec
+from tree_sitter import Language, Node, Query, QueryCursor
+
+from roslens.model.failure import Failure
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import TOOL, FileRule
+from roslens.source.rules.table import file_rules
+
+DEEPEST = 60_000
+"""A query counts levels in 16 bits and never ends when they run over: it must not look deeper."""
+
+MOST_HITS = 200
+"""Of one rule in one file; a file with more is generated, or breaks it on every line."""
+
+
+class Matched(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
+    """What the native rules found in a file, and which of them failed; of its file neither says the name."""
+
+    hits: tuple[Hit, ...] = ()
+    failures: tuple[Failure, ...] = ()
+
+
+class _Plan:
+    """The rules of a syntax, arranged by what makes them look."""
+
+    def __init__(self, syntax: str, language: Language) -> None:
+        rules = file_rules(syntax)
+        self.whole = tuple(rule for rule in rules if rule.whole)
+        self.anchored = tuple(
+            (rule, tuple(anchor.encode() for anchor in rule.anchors)) for rule in rules if rule.anchors
+        )
+        self.by_kind: Mapping[str, list[FileRule]] = defaultdict(list)
+        for rule in rules:
+            for kind in rule.kinds:
+                self.by_kind[kind].append(rule)
+        patterns = "".join(f"({kind}) @{kind}\n" for kind in sorted(self.by_kind))
+        self.query = Query(language, patterns) if patterns else None
+
+
+@cache
+def _plan(syntax: str) -> _Plan:
+    if syntax == "cpp":
+        import tree_sitter_cpp
+
+        return _Plan(syntax, Language(tree_sitter_cpp.language()))
+    import tree_sitter_python
+
+    return _Plan(syntax, Language(tree_sitter_python.language()))
+
+
+def match_file(view: FileView) -> Matched:
+    """Return what all native rules find in a file, in order of lines, then of rules.
+
+    A rule that raises is a failure; what the others find stands.
+    """
+    plan = _plan(view.syntax)
+    found: list[Hit] = []
+    broken: dict[str, Failure] = {}
+    asked = _Asked(view, found, broken)
+    for rule in plan.whole:
+        asked.ask(rule, (view.root,))
+    for rule, anchors in plan.anchored:
+        for anchor in anchors:
+            if anchor in view.code:
+                asked.ask(rule, _anchored(view, anchor))
+    if plan.query is not None:
+        cursor = QueryCursor(plan.query)
+        cursor.set_max_start_depth(DEEPEST)
+        for kind, nodes in cursor.captures(view.root).items():
+            for rule in plan.by_kind[kind]:
+                asked.ask(rule, nodes)
+    # Two anchors of one rule may lead to one place.
+    return Matched(tuple(sorted(dict.fromkeys(found), key=_order)), tuple(broken[one] for one in sorted(broken)))
+
+
+class _Asked:
+    """Asks rules about nodes and keeps what they say."""
+
+    def __init__(self, view: FileView, found: list[Hit], broken: dict[str, Failure]) -> None:
+        self._view = view
+        self._found = found
+        self._broken = broken
+
+    def ask(self, rule: FileRule, nodes: Iterator[Node] | list[Node] | tuple[Node, ...]) -> None:
+        """Ask a rule about nodes until it has found :data:`MOST_HITS`."""
+        room = len(self._found) + MOST_HITS
+        try:
+            for node in nodes:
+                self._found.extend(rule.found(node, self._view))
+                if len(self._found) >= room:
+                    del self._found[room:]
+                    return
+        except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
+            self._broken.setdefault(rule.id, _broken(rule, error))
+
+
+def _anchored(view: FileView, anchor: bytes) -> Iterator[Node]:
+    """Yield the nodes at which an anchor stands as whole words."""
+    code = view.code
+    before, after = _is_word(anchor[0]), _is_word(anchor[-1])
+    at = code.find(anchor)
+    while at >= 0:
+        end = at + len(anchor)
+        torn = (before and at > 0 and _is_word(code[at - 1])) or (after and end < len(code) and _is_word(code[end]))
+        if not torn and (node := view.node_at(at, end)) is not None:
+            yield node
+        at = code.find(anchor, end)
+
+
+def _is_word(byte: int) -> bool:
+    return byte >= 0x80 or chr(byte).isalnum() or byte == ord("_")
+
+
+def _order(hit: Hit) -> tuple[int, int, str, str]:
+    return (hit.line, hit.column, hit.rule, hit.message)
+
+
+def _broken(rule: FileRule, error: Exception) -> Failure:
+    import traceback
+
+    return Failure(
+        tool=TOOL,
+        what=f"rule {rule.id} failed: {type(error).__name__}: {error}",
+        expected="findings of this rule, or none",
+        advice="Please report it with the file: this is a fault of roslens",
+        detail="".join(traceback.format_exception(error)),
+        partial=True,
+    )

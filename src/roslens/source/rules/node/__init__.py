@@ -1,0 +1,1 @@
+"""Rules on code of nodes: what goes wrong on robots, in C++ and Python."""

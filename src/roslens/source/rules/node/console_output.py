@@ -1,0 +1,39 @@
+"""Rule ``node.console_output``: a node that writes to its console without a logger."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_ROS = (b"ros/", b"rclcpp/")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each use of a stream of the console in a file that knows ROS."""
+    if any(word in view.content for word in _ROS):
+        yield view.hit(
+            "node.console_output",
+            node,
+            f"`{view.text(node)}` in a node; expected RCLCPP_INFO, ROS_INFO or another macro of the logger",
+        )
+
+
+RULE = FileRule(
+    id="node.console_output",
+    title="Console output past the logger",
+    finds="`std::cout` or `std::cerr` in a file that includes ROS. Use the logging macros instead.",
+    why="What is not logged has no severity, no time and no node name, and is in no log file and on no /rosout: after "
+    "a failure in the field it is gone.",
+    profiles=("ros2", "ros1"),
+    tags=("logging",),
+    bad='#include <rclcpp/rclcpp.hpp>\nvoid f() { std::cout << "stopped"; }\n',
+    good='#include <rclcpp/rclcpp.hpp>\nvoid f() { RCLCPP_INFO(logger, "stopped"); }\n',
+    syntax="cpp",
+    anchors=("std::cout", "std::cerr"),
+    found=found,
+)

@@ -1,0 +1,1 @@
+"""Rules on packages: manifests, builds, launch files, Python packaging."""

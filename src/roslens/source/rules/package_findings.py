@@ -1,0 +1,65 @@
+"""All findings of native rules in a package: what its files were found to have, and what rules on packages find."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from roslens.model.entity import Entity, EntityId, EntityKind
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding
+from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.place_hits import place_hits
+from roslens.source.rules.rule import TOOL, PackageRule
+from roslens.source.rules.selection import selected
+from roslens.source.rules.table import native_rules, package_rules
+from roslens.source.settings import RuleSettings
+
+
+def rule_findings(
+    view: PackageView,
+    settings: RuleSettings,
+    hits: Mapping[str, Iterable[Hit]],
+    callbacks: Iterable[str],
+    entities: Sequence[Entity],
+    failures: list[Failure],
+) -> tuple[Finding, ...]:
+    """Return what native rules find in a package and its files.
+
+    Args:
+        view: the package.
+        settings: which rules are on.
+        hits: of rules on files, by path.
+        callbacks: names of the functions that files of the package register.
+        entities: of the package, measured.
+        failures: is added to where a rule breaks; the others stand.
+    """
+    rules = native_rules()
+    selection = selected(settings, view.package, rules)
+    placed: dict[str, list[Hit]] = {path: list(found) for path, found in hits.items() if found}
+    if view.package.id != OUTSIDE_PACKAGES:
+        for rule in package_rules():
+            if rule.id not in selection:
+                continue
+            try:
+                for hit in rule.found(view):
+                    placed.setdefault(hit.path, []).append(hit)
+            except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
+                failures.append(_broken(rule, view, error))
+    return place_hits(placed, callbacks, selection, rules, entities)
+
+
+def _broken(rule: PackageRule, view: PackageView, error: Exception) -> Failure:
+    import traceback
+
+    return Failure(
+        tool=TOOL,
+        what=f"rule {rule.id} failed: {type(error).__name__}: {error}",
+        expected="findings of this rule, or none",
+        advice="Please report it with the package: this is a fault of roslens",
+        entity=str(EntityId(EntityKind.PACKAGE, view.package.id)),
+        package=view.package.id,
+        detail="".join(traceback.format_exception(error)),
+        partial=True,
+    )

@@ -1,0 +1,68 @@
+"""The reference pages of native rules, made from what declares them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from roslens.source.rules.profiles import PROFILES
+from roslens.source.rules.rule import FileRule, Rule
+
+_HEAD = """\
+# Coding rules
+
+What `roslens check` finds itself, on the one parse that also measures. This page and those of the rules are made from
+`src/roslens/source/rules/`; `make docs` writes them anew. `roslens explain RULE` shows the same in a terminal. Rules of
+the computation graph have [a page of their own](graph_rules.md), limits of metrics are in
+[the quality models](models.md).
+
+Which rules are on is said by a *profile*. The default, `auto`, is `ros2` or `ros1` by package:
+
+```toml
+[rules]
+profiles = ["auto", "misra-cpp-2008"]
+enable = ["cpp.goto"]           # ids, or patterns: cpp.*
+disable = ["node.console_output"]
+severity = { "package.boilerplate" = "error" }
+```
+
+| profile | for | rules |
+| --- | --- | --- |
+"""
+_NAMES = {"cpp": "C and C++", "python": "Python"}
+
+
+def rule_pages(rules: Mapping[str, Rule]) -> Mapping[str, str]:
+    """Return the page of each rule and the one that lists them, by path."""
+    pages = {f"rules/{rule.id}.md": _page(rule) for rule in rules.values()}
+    return {"rules.md": _index(list(rules.values())), **pages}
+
+
+def _index(rules: Sequence[Rule]) -> str:
+    text = _HEAD
+    for name, purpose in PROFILES.items():
+        text += f"| `{name}` | {purpose} | {sum(name in rule.profiles for rule in rules)} |\n"
+    text += "\n| rule | severity | finds | profiles |\n| --- | --- | --- | --- |\n"
+    for rule in rules:
+        profiles = ", ".join(rule.profiles)
+        text += f"| [`{rule.id}`](rules/{rule.id}.md) | {rule.severity.value} | {rule.title} | {profiles} |\n"
+    return text
+
+
+def _page(rule: Rule) -> str:
+    fence = rule.languages[0] if rule.languages else "xml" if rule.bad.startswith("<") else ""
+    reads = _NAMES.get(rule.syntax, rule.syntax) if isinstance(rule, FileRule) else "packages"
+    parts = [
+        f"# {rule.id}\n\n**{rule.title}.** {rule.finds}",
+        f"Why: {rule.why}",
+        f"Reported:\n\n```{fence}\n{rule.bad.strip(chr(10))}\n```",
+        f"In order:\n\n```{fence}\n{rule.good.strip(chr(10))}\n```",
+        f"Severity: {rule.severity.value}. Reads {reads}. On in: {', '.join(rule.profiles) or 'no profile'}.",
+    ]
+    if rule.clauses:
+        parts.append("Covers: " + ", ".join(f"`{clause}`" for clause in rule.clauses))
+    if rule.unlike:
+        parts.append("Requires the opposite of: " + ", ".join(f"[`{other}`]({other}.md)" for other in rule.unlike))
+    comment = "#" if rule.languages == ("python",) else "<!--" if not rule.languages else "//"
+    end = " -->" if comment == "<!--" else ""
+    parts.append(f"To leave one finding out: `{comment} roslens: ignore[{rule.id}] reason{end}`")
+    return "\n\n".join(parts) + "\n"

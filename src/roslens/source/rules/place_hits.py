@@ -1,0 +1,96 @@
+"""From what native rules found to findings: those that are on, with their file, function and fingerprint."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import PurePosixPath
+
+from roslens.model.entity import Entity, EntityKind
+from roslens.model.finding import Finding, fingerprint
+from roslens.source.rules.hit import HEADER, Hit
+from roslens.source.rules.rule import TOOL, Rule
+from roslens.source.rules.selection import Selection
+
+HEADER_ENDINGS = frozenset({".h", ".hh", ".hpp", ".hxx", ".h++", ".cuh", ".ipp", ".tpp", ".inl"})
+"""Endings of files that others include."""
+
+
+def place_hits(
+    hits: Mapping[str, Iterable[Hit]],
+    callbacks: Iterable[str],
+    selection: Selection,
+    rules: Mapping[str, Rule],
+    entities: Sequence[Entity],
+) -> tuple[Finding, ...]:
+    """Return findings in order of their paths, then as they were found.
+
+    Args:
+        hits: by the path of the file, or of what a rule on packages names.
+        callbacks: names of the functions that any file of the package registers.
+        selection: the rules that are on.
+        rules: all of them.
+        entities: of the package, measured.
+    """
+    known = frozenset(callbacks)
+    around = _Around(entities)
+    seen: Counter[tuple[str, str, str]] = Counter()
+    found: list[Finding] = []
+    for path in sorted(hits):
+        is_header = PurePosixPath(path).suffix.lower() in HEADER_ENDINGS
+        for hit in hits[path]:
+            if hit.rule not in selection or (hit.only and (hit.only == HEADER) != is_header):
+                continue
+            if hit.callback and hit.callback not in known:
+                continue
+            entity = hit.entity or around.innermost(path, hit.line) or f"file:{path}"
+            key = (hit.rule, entity, hit.context)
+            found.append(_finding(hit, path, entity, seen[key], selection, rules[hit.rule]))
+            seen[key] += 1
+    return tuple(found)
+
+
+def _finding(hit: Hit, path: str, entity: str, ordinal: int, selection: Selection, rule: Rule) -> Finding:
+    severity = selection[hit.rule]
+    if hit.severity is not None and hit.severity.rank < severity.rank:
+        severity = hit.severity
+    return Finding(
+        rule=hit.rule,
+        severity=severity,
+        message=hit.message,
+        path=path,
+        line=hit.line,
+        column=hit.column,
+        end_line=hit.end_line,
+        end_column=hit.end_column,
+        entity=entity,
+        tags=rule.info.tags,
+        tool=TOOL,
+        fingerprint=fingerprint(hit.rule, entity, hit.context, ordinal),
+    )
+
+
+class _Around:
+    """The innermost function or class around a line."""
+
+    def __init__(self, entities: Sequence[Entity]) -> None:
+        self._inside: dict[str, list[tuple[int, int, str]]] = {}
+        for entity in entities:
+            if entity.line and entity.kind in (EntityKind.FUNCTION, EntityKind.CLASS):
+                self._inside.setdefault(entity.path, []).append((entity.line, entity.end_line, entity.id))
+        for spans in self._inside.values():
+            spans.sort()
+
+    def innermost(self, path: str, line: int) -> str:
+        spans = self._inside.get(path)
+        if not spans or not line:
+            return ""
+        best = min(self._candidates(spans, line), default=None)
+        return best[2] if best is not None else ""
+
+    @staticmethod
+    def _candidates(spans: Sequence[tuple[int, int, str]], line: int) -> Iterator[tuple[int, int, str]]:
+        for start, end, entity in spans[: bisect_right(spans, (line, 1 << 62, ""))]:
+            if end >= line:
+                yield (end - start, -start, entity)

@@ -1,0 +1,1 @@
+"""Rules on Python that any program should follow."""

@@ -1,0 +1,116 @@
+"""What a native rule declares: the page of whoever writes one.
+
+A rule is a module below ``source/rules/<family>`` with a constant ``RULE``; nothing else names it. Its id is the
+family and the name of the module. A :class:`FileRule` reads one file through the tree of the one parse; what it finds
+is kept by content, so it must not depend on any other file nor on the name of its own. A :class:`PackageRule` reads
+what is known of a package: manifest, files, facts.
+
+Beside the module stands a fixture, ``tests/fixtures/rules/<family>/<module>…``; the contract test
+``tests/source/rules/test_every_rule.py`` says what is missing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.model.finding import RuleInfo, Severity
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from roslens.source.rules.file_view import FileView
+    from roslens.source.rules.hit import Hit
+    from roslens.source.rules.package_view import PackageView
+
+TOOL = "roslens"
+"""Tool of the findings of native rules."""
+
+
+class Rule(msgspec.Struct, frozen=True, kw_only=True):
+    """What any native rule says of itself.
+
+    Attributes:
+        id: ``family.module``.
+        title: a heading of a few words.
+        finds: what is reported, and what to do instead, in sentences.
+        why: why it matters on a robot.
+        severity: of its findings; one may be a step lower where the rule is less sure.
+        profiles: in which it is on (:mod:`~roslens.source.rules.profiles`); in none it is on only where it is named.
+        tags: what readers filter by, beside the family and the profiles.
+        clauses: of published standards and checks of peers that it covers: ``misra-cpp-2008 6-4-1``,
+            ``cpplint readability/braces``, ``hicpp 5.1.2``.
+        bad: an example that it reports.
+        good: the same, as it should be.
+        unlike: ids of rules that require the opposite: no profile may have both.
+    """
+
+    id: str
+    title: str
+    finds: str
+    why: str
+    severity: Severity = Severity.WARNING
+    profiles: tuple[str, ...] = ()
+    tags: tuple[str, ...] = ()
+    clauses: tuple[str, ...] = ()
+    bad: str = ""
+    good: str = ""
+    unlike: tuple[str, ...] = ()
+
+    @property
+    def family(self) -> str:
+        """The first part of the id."""
+        return self.id.partition(".")[0]
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """Names of the syntaxes whose files it reads; none where it reads packages."""
+        return ()
+
+    @property
+    def info(self) -> RuleInfo:
+        """What travels with a run and is shown to readers."""
+        return RuleInfo(
+            self.id,
+            self.title,
+            self.finds,
+            self.severity,
+            tuple(dict.fromkeys((self.family, *self.tags, *self.profiles))),
+            self.why,
+            tool=TOOL,
+            languages=self.languages,
+            scope="file" if self.languages else "package",
+        )
+
+
+class FileRule(Rule, frozen=True, kw_only=True):
+    """A rule on one file. It is asked about the nodes that it names, and about nothing where there are none.
+
+    Attributes:
+        syntax: ``cpp`` (C and C++), ``python``.
+        anchors: words or parts of code; ``found`` is called with the smallest node around each place, outside of
+            comments and strings, where one stands. One that begins or ends with a letter, digit or ``_`` is a whole
+            word there.
+        kinds: types of nodes of the grammar; ``found`` is called with each.
+        whole: call ``found`` once with the root.
+        found: yields what it finds; see :meth:`roslens.source.rules.file_view.FileView.hit`.
+    """
+
+    syntax: str
+    anchors: tuple[str, ...] = ()
+    kinds: tuple[str, ...] = ()
+    whole: bool = False
+    found: Callable[[Node, FileView], Iterable[Hit]]
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """Names of the syntaxes whose files it reads."""
+        return (self.syntax,)
+
+
+class PackageRule(Rule, frozen=True, kw_only=True):
+    """A rule on a package as a whole; ``found`` yields what it finds, each with its path."""
+
+    found: Callable[[PackageView], Iterable[Hit]]

@@ -62,6 +62,15 @@ blank = []
 # Macros that stand for a whole statement or declaration without a semicolon.
 statement = []
 
+[rules]
+# Which coding rules are on: auto (ros2 or ros1, by package), google, misra-cpp-2008 … (docs/reference/rules.md).
+profiles = ["auto"]
+# Single rules beside the profiles, by id or pattern (cpp.*), and rules that are off.
+enable = []
+disable = []
+# Another severity for a rule: { "node.console_output" = "note" }
+severity = {}
+
 # Systems that run together, by name: `roslens check` looks for what does not fit together in them, and pages show them.
 # [graph.configurations.robot]
 # launch = "my_bringup/robot.launch.py"

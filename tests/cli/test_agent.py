@@ -28,9 +28,30 @@ def test_no_addresses(text):
 
 def test_a_key_is_made_once(tmp_path, capsys):
     path = tmp_path / "key"
-    assert main(["agent", "--make-key", str(path)]) == 0
-    assert main(["agent", "--make-key", str(path)]) == 2
+    assert main(["agent", "--new-key", str(path)]) == 0
+    assert main(["agent", "--new-key", str(path)]) == 2
     assert "there is a file already" in capsys.readouterr().err
+
+
+def test_a_new_key_has_256_random_bits_and_is_for_its_user_alone(tmp_path):
+    paths = [tmp_path / name for name in ("one", "other")]
+    for path in paths:
+        assert main(["agent", "--new-key", str(path)]) == 0
+        assert path.stat().st_mode & 0o777 == 0o600
+    one, other = (bytes.fromhex(path.read_text("ascii")) for path in paths)
+    assert (len(one) * 8, len(other) * 8) == (256, 256)
+    assert one != other
+
+
+def test_a_word_is_refused_as_a_key_with_what_to_do(tmp_path, capsys):
+    path = tmp_path / "key"
+    path.write_text("our robots are the best robots of all\n")
+    path.chmod(0o600)
+    assert main(["agent", "base", "--key-file", str(path)]) == 2
+    assert main(["watch", "--listen", "127.0.0.1:0", "--key-file", str(path)]) == 2
+    said = capsys.readouterr().err
+    assert said.count("expected 256 random bits") == 2
+    assert said.count(f"`roslens agent --new-key {path}`") == 2
 
 
 def test_what_is_missing_is_said(tmp_path, capsys):

@@ -277,7 +277,7 @@ def test_a_recording_is_served_until_ctrl_c(tmp_path):
 def test_a_running_system_is_served_while_it_is_watched(tmp_path):
     command = [Path(sys.executable).with_name("roslens"), "watch", "--serve", "0", "--for", "60s", "--listen"]
     key = tmp_path / "key"
-    subprocess.run([command[0], "agent", "--make-key", key], check=True, capture_output=True)
+    subprocess.run([command[0], "agent", "--new-key", key], check=True, capture_output=True)
     with subprocess.Popen(
         [*command, "127.0.0.1:0", "--key-file", key, "--format", "json"],
         stderr=subprocess.PIPE,

@@ -19,6 +19,7 @@ from roslens.model.wire import Frame
 pytestmark = pytest.mark.timed
 
 KEY = b"a key of more than sixteen bytes"
+OTHER_KEY = b"another key of thirty-two bytes."
 
 
 class Clock:
@@ -117,7 +118,7 @@ def test_the_clock_of_an_agent_is_known(listener, agent_of):
 
 def test_a_wrong_key_is_named_on_both_sides(listener, agent_of):
     said = []
-    agent = agent_of(listener.port, key=b"another key of sixteen bytes", said=said)
+    agent = agent_of(listener.port, key=b"another key of thirty-two bytes.", said=said)
     records = until(listener, [agent], lambda records: failures(records) and said)
     assert "the same --key-file" in failures(records)[0]
     assert "the same --key-file" in said[0]
@@ -128,7 +129,7 @@ def test_a_wrong_key_is_told_once_however_often_it_is_tried(listener, agent_of):
     told = []
     for _ in range(2):
         said = []
-        agent = agent_of(listener.port, key=b"another key of sixteen bytes", said=said)
+        agent = agent_of(listener.port, key=b"another key of thirty-two bytes.", said=said)
         records = until(listener, [agent], lambda records, said=said: failures(records) and said)
         told += failures(records)
     assert len(told) == 2
@@ -153,7 +154,7 @@ def test_a_thousand_connections_of_garbage_are_one_row(listener, agent_of):
     came += until(listener, [agent], lambda records: samples(records))
     assert [one for one in failures(came) if "127.0.0.1" in one] == failures(came)
     assert len(failures(came)) == 1
-    other = agent_of(listener.port, key=b"another key of sixteen bytes")
+    other = agent_of(listener.port, key=b"another key of thirty-two bytes.")
     assert "the same --key-file" in failures(until(listener, [other], failures))[0]
 
 
@@ -187,6 +188,45 @@ def test_an_agent_is_told_which_processes_hold_nodes(listener, agent_of):
     until(listener, [agent], lambda _: agent._processes._named == {7, 8})
     listener.name("base", frozenset({8}))
     until(listener, [agent], lambda _: agent._processes._named == {8})
+
+
+@pytest.fixture
+def two_keys(clock):
+    made = Listener(("127.0.0.1", 0), KEY, OTHER_KEY, wall=clock, steady=clock)
+    yield made
+    made.close()
+
+
+def test_a_host_belongs_to_the_first_key_that_named_it(two_keys, agent_of):
+    first = agent_of(two_keys.port)
+    until(two_keys, [first], samples)
+    second, arm = agent_of(two_keys.port, key=OTHER_KEY), agent_of(two_keys.port, key=OTHER_KEY, name="arm")
+    records = until(
+        two_keys, [first, second, arm], lambda records: failures(records) and "arm/agent" in two_keys.agents()
+    )
+    assert failures(records) == ["the connection from 127.0.0.1 knows key 2 and speaks for the host 'base'"]
+    assert two_keys.agents() == ("arm/agent", "base/agent")
+    # It tries again and again, and is named once; the first one goes on.
+    second._wait_s = 0.0
+    more = until(two_keys, [first, second], lambda records: len(samples(records)) >= 5)
+    assert failures(more) == []
+    assert {frame.sender for frame in frames(more)} <= {"base/agent", "arm/agent"}
+
+
+def test_a_host_is_told_of_by_its_own_key_alone(two_keys, agent_of):
+    until(two_keys, [agent_of(two_keys.port)], samples)
+    other = agent_of(two_keys.port, key=OTHER_KEY, name="arm")
+    other._host._entity = EntityId(EntityKind.HOST, "base")
+    records = until(two_keys, [other], failures)
+    assert failures(records) == ["the connection from 127.0.0.1 knows key 2 and speaks for the host 'base'"]
+    assert not [sample for frame in frames(records) if frame.sender == "arm/agent" for sample in frame.samples]
+
+
+def test_a_connection_has_one_name(listener, agent_of):
+    agent = agent_of(listener.port)
+    until(listener, [agent], samples)
+    agent._name = "arm"
+    assert "it calls itself 'arm/agent' now" in failures(until(listener, [agent], failures))[0]
 
 
 class Counters:

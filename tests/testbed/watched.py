@@ -93,7 +93,7 @@ class Watched:
         self.robot.start()
         base = self.bed[MONITOR]
         key = self.bed.folder / "key"
-        base.run([ROSLENS, "agent", "--make-key", str(key)])
+        base.run([ROSLENS, "agent", "--new-key", str(key)])
         address = f"{base.address}:{PORT}"
         words = [ROSLENS, "watch", f"--{self.generation}", "--listen", address, "--key-file", str(key)]
         words += ["--reference", str(REFERENCE), "--format", "json"]

@@ -193,15 +193,18 @@ class NoRos:
 def _listener(options: argparse.Namespace) -> Source:
     from roslens.cli.commands.agent import address_of
     from roslens.live.agent.key_file import read_key
+    from roslens.live.agent.link import LinkError
     from roslens.live.listen import Listener
 
-    if options.key_file is None:
+    if not options.key_file:
         raise UsageError(
-            "--listen without a key", expected="--key-file FILE", advice="Make one: roslens agent --make-key"
+            "--listen without a key", expected="--key-file FILE", advice="Make one: roslens agent --new-key FILE"
         )
     address = address_of(options.listen)
     try:
-        return Listener(address, read_key(options.key_file), wall=time.time, steady=time.monotonic)
+        return Listener(address, *map(read_key, options.key_file), wall=time.time, steady=time.monotonic)
+    except LinkError as error:
+        raise UsageError(f"--key-file: {error}") from None
     except OSError as error:
         raise UsageError(f"cannot listen on {options.listen!r}: {error.strerror or error}") from None
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import ipaddress
 import socket
 
 from starlette.datastructures import MutableHeaders
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from roslens.intake.host_header import names_this_machine
 
 POLICY = (
     "default-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'; object-src 'none'; "
@@ -26,8 +27,7 @@ HEADERS = {
 class Guard:
     """Refuses requests under a foreign host name and adds the security headers.
 
-    A page in the user's browser could otherwise read this server through a name that it makes point here (DNS
-    rebinding). Numeric addresses cannot be rebound, so they pass.
+    Otherwise a page of somebody else could read this server, see ``intake/host_header.py``.
     """
 
     def __init__(
@@ -64,13 +64,4 @@ class Guard:
 
     def allows(self, given: str) -> bool:
         """Return whether a Host header names this server."""
-        host = given.strip().lower()
-        if host.startswith("["):
-            host = host.partition("]")[0][1:]
-        elif host.count(":") == 1:
-            host = host.partition(":")[0]
-        try:
-            ipaddress.ip_address(host)
-        except ValueError:
-            return host.rstrip(".") in self._names
-        return True
+        return names_this_machine(given, self._names)

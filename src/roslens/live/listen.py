@@ -10,6 +10,7 @@ from collections.abc import Callable
 import msgspec
 
 from roslens.live.agent.link import Channel, LinkError, StrangerError, named_pids, read_frame, told_time
+from roslens.live.host_keys import HostKeys
 from roslens.model.failure import Failure
 from roslens.model.wire import Frame
 
@@ -48,19 +49,24 @@ class _Line(msgspec.Struct, eq=False):
 
 
 class Listener:
-    """Listens for agents."""
+    """Listens for agents.
+
+    A host belongs to the first key that named it, as long as this listens: who knows another key cannot speak for it.
+    """
 
     def __init__(
-        self, address: tuple[str, int], key: bytes, *, wall: Callable[[], float], steady: Callable[[], float]
+        self, address: tuple[str, int], *keys: bytes, wall: Callable[[], float], steady: Callable[[], float]
     ) -> None:
-        """Listen on ``address`` (port 0 takes a free one).
+        """Listen on ``address`` (port 0 takes a free one) for agents that know one of the keys.
 
         Raises:
-            LinkError: the key is too short.
+            LinkError: a key is too short, or there are too many.
             OSError: the address cannot be listened on.
         """
-        Channel(key, accepting=True)
-        self._key = key
+        Channel(*keys, accepting=True)
+        self._keys = keys
+        self._host_keys = HostKeys()
+        self._impostors: set[tuple[int, str]] = set()
         self._wall = wall
         self._steady = steady
         self._lines: dict[socket.socket, _Line] = {}
@@ -135,7 +141,7 @@ class Listener:
             return
         accepted.setblocking(False)
         accepted.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        channel = Channel(self._key, accepting=True)
+        channel = Channel(*self._keys, accepting=True)
         now = self._steady()
         line = _Line(accepted, f"{peer[0]}:{peer[1]}", channel, now, now, bytearray(channel.hello()))
         self._lines[accepted] = line
@@ -182,7 +188,8 @@ class Listener:
                     line.sending += line.channel.message("t", told_time(body, received, self._wall()))
                 elif letter == "F":
                     frame = read_frame(body)
-                    line.sender = frame.sender
+                    if (refused := self._not_its_own(line, frame)) is not None:
+                        return [*found, *refused]
                     found.append(frame)
         except StrangerError as error:
             return [*found, *self._refuse(line, str(error))]
@@ -192,6 +199,29 @@ class Listener:
         if line.socket in self._lines:
             self._tell_pids(line)
         return found
+
+    def _not_its_own(self, line: _Line, frame: Frame) -> list[Failure] | None:
+        """End the line of who speaks for the host of another key; return what is to be told, once of key and host.
+
+        Raises:
+            LinkError: it has spoken in another name before.
+        """
+        if line.sender and line.sender != frame.sender:
+            raise LinkError(f"it calls itself {frame.sender[:80]!r} now, expected one name for a connection")
+        key = line.channel.key
+        if key is None or (taken := self._host_keys.taken(frame, key)) is None:
+            line.sender = frame.sender
+            return None
+        host, owner = taken
+        self._hang_up(line)
+        if (key, host) in self._impostors or len(self._impostors) >= _MOST_STRANGERS:
+            return []
+        self._impostors.add((key, host))
+        at = line.peer.rpartition(":")[0]
+        what = f"the connection from {at} knows key {key + 1} and speaks for the host {host[:80]!r}"
+        expected = f"key {owner + 1}, with which that host was named first"
+        advice = "Give agents different names with --name, or look who has that key; more of this is refused silently"
+        return [Failure("link", what, expected, advice)]
 
     def _send(self, line: _Line) -> None:
         while line.sending:

@@ -1,7 +1,13 @@
+import random
+
 import pytest
 
 from roslens.live.agent.key_file import read_key, write_key
 from roslens.model.errors import UsageError
+
+
+def random_text():
+    return random.Random(1).randbytes(32).hex().encode() + b"\n"
 
 
 def test_what_is_written_can_be_read_by_the_user_alone(tmp_path):
@@ -20,7 +26,13 @@ def test_a_key_is_never_written_over(tmp_path):
 
 @pytest.mark.parametrize(
     ("content", "mode", "said"),
-    [(b"short", 0o600, "a key of 5 bytes"), (b"x" * 40, 0o644, "others can read the key"), (None, 0, "No such file")],
+    [
+        (b"short", 0o600, "a key of 5 bytes"),
+        (b"", 0o600, "an empty key"),
+        (random_text(), 0o644, "others can read the key"),
+        (random_text(), 0o640, "others can read the key"),
+        (None, 0, "No such file"),
+    ],
 )
 def test_files_that_are_no_keys(tmp_path, content, mode, said):
     path = tmp_path / "key"

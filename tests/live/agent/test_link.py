@@ -1,9 +1,12 @@
+import hmac
 import random
+import struct
 
 import msgspec
 import pytest
 
 from roslens.live.agent.link import (
+    LINK_VERSION,
     Channel,
     LinkError,
     Outbox,
@@ -49,7 +52,7 @@ def test_both_prove_the_key_then_frames_go():
 
 def test_another_key_is_told():
     with pytest.raises(LinkError, match="does not know the key: give both the same --key-file"):
-        joined(monitor_key=b"another key of sixteen bytes")
+        joined(monitor_key=b"another key of thirty-two bytes.")
 
 
 def test_nothing_is_taken_before_the_handshake():
@@ -77,23 +80,96 @@ def test_what_we_say_ourselves_does_not_prove_anything():
     with pytest.raises(LinkError, match="our own greeting"):
         list(one.feed(one.hello()))
     other = Channel(KEY, accepting=True)
-    (answer,) = [body for _, body in one.feed(other.hello())]
+    assert list(one.feed(other.hello())) == []
     list(other.feed(one.hello()))
     with pytest.raises(LinkError, match="does not know the key"):
-        list(other.feed(answer))
+        list(other.feed(one._answer()))
+
+
+def test_nobody_is_told_anything_that_says_back_what_it_hears():
+    """A stranger between an agent and itself, or between two agents, or two monitors, gets no line."""
+    for accepting in (False, True):
+        one, other = Channel(KEY, accepting=accepting), Channel(KEY, accepting=accepting)
+        said = [*one.feed(other.hello()), *other.feed(one.hello())]
+        answers = [body for kind, body in said if kind == "send"]
+        assert bool(answers) is not accepting  # a monitor proves nothing to who has proven nothing
+        for side in (one, other):
+            for answer in answers:
+                with pytest.raises(LinkError, match="does not know the key"):
+                    list(side.feed(answer))
+        assert not one.ready
+        assert not other.ready
+
+
+def test_a_message_that_comes_back_is_refused():
+    agent, monitor = joined()
+    for side, body in ((agent, frame_body(frame())), (monitor, named_pids({1}))):
+        with pytest.raises(LinkError, match="whose code is wrong"):
+            list(side.feed(side.message("F", body)))
+
+
+def bodies(stream):
+    """Cut what was sent into its messages."""
+    found = []
+    while stream:
+        (length,) = struct.unpack(">I", stream[:4])
+        found.append(stream[4 : 4 + length])
+        stream = stream[4 + length :]
+    return found
+
+
+def test_version_and_roles_are_in_the_proof():
+    """The proofs as the description of the protocol has them, made here by hand."""
+    agent, monitor = Channel(KEY, accepting=False, nonce=b"a" * 16), Channel(KEY, accepting=True, nonce=b"m" * 16)
+    version = bytes([LINK_VERSION])
+    said = b"roslens link agent" + version + b"a" * 16 + b"monitor" + version + b"m" * 16
+    session = hmac.digest(KEY, said, "sha256")
+    ((_, proof),) = agent.feed(monitor.hello())
+    assert bodies(proof) == [b"A" + hmac.digest(session, b"proof of agent", "sha256")]
+    assert list(monitor.feed(agent.hello())) == []
+    (_, answer), ready = monitor.feed(proof)
+    assert ready == ("ready", b"")
+    assert bodies(answer) == [b"A" + hmac.digest(session, b"proof of monitor", "sha256")]
+
+
+def test_a_greeting_that_was_changed_on_the_way_ends_the_line(monkeypatch):
+    """Both sides speak another version, and somebody makes each believe that the other one speaks its own."""
+    agent, monitor = Channel(KEY, accepting=False), Channel(KEY, accepting=True)
+    monkeypatch.setattr("roslens.live.agent.link.LINK_VERSION", LINK_VERSION + 1)
+    newer = agent.hello()
+    ((_, proof),) = agent.feed(monitor.hello())
+    monkeypatch.undo()
+    list(monitor.feed(newer[:5] + bytes([LINK_VERSION]) + newer[6:]))
+    with pytest.raises(LinkError, match="does not know the key"):
+        list(monitor.feed(proof))
+
+
+def test_a_monitor_with_several_keys_knows_which_one_is_meant():
+    others = [bytes([number]) * 32 for number in range(3)]
+    for number, key in enumerate(others):
+        agent, monitor = Channel(key, accepting=False), Channel(*others, accepting=True)
+        list(monitor.feed(agent.hello()))
+        ((_, proof),) = agent.feed(monitor.hello())
+        answers = [body for kind, body in monitor.feed(proof) if kind == "send"]
+        list(agent.feed(b"".join(answers)))
+        assert (monitor.key, agent.key, agent.ready) == (number, 0, True)
+    with pytest.raises(LinkError, match="2 keys, expected at most 1"):
+        Channel(*others[:2], accepting=False)
+    with pytest.raises(LinkError, match="65 keys, expected at most 64"):
+        Channel(*others[:1] * 65, accepting=True)
 
 
 def test_another_version_and_another_program():
     hello = bytearray(Channel(KEY, accepting=False).hello())
     hello[5] = 9
-    with pytest.raises(LinkError, match="speaks version 9, expected 2"):
+    with pytest.raises(LinkError, match="speaks version 9, expected 3"):
         list(Channel(KEY, accepting=True).feed(bytes(hello)))
     with pytest.raises(LinkError, match="expected a roslens agent"):
         list(Channel(KEY, accepting=True).feed(b"GET / HTTP/1.1\r\n\r\n"))
 
 
 def test_a_short_key_is_refused():
-    with pytest.raises(LinkError, match="a key of 5 bytes, expected at least 16"):
+    with pytest.raises(LinkError, match="a key of 5 bytes, expected at least 32"):
         Channel(b"short", accepting=True)
 
 

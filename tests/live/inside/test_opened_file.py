@@ -1,6 +1,7 @@
 """Counter files of others: nothing that their owner does to them ends who reads them."""
 
 import os
+import struct
 import time
 
 import pytest
@@ -75,6 +76,65 @@ def test_no_size_that_is_claimed_is_believed(path):
     foreign = open_file(path, os.getuid() + 1)
     assert len(foreign.tokens()) == slots.CAPACITY
     foreign.close()
+
+
+def later(path, *, slot_bytes, version=slots.VERSION + 1):
+    """Make of a file what a later version would write: slots are longer, their last word says when they are whole."""
+    raw = path.read_bytes()
+    header, body = bytearray(raw[: slots.HEADER_BYTES]), raw[slots.HEADER_BYTES :]
+    struct.pack_into("=II", header, 8, version, slot_bytes)
+    ends = range(0, len(body), slots.SLOT_BYTES)
+    more = bytes([0xAB]) * (slot_bytes - slots.SLOT_BYTES)
+    longer = [body[at : at + slots.SLOT_BYTES - 8] + more + body[at + slots.SLOT_BYTES - 8 :][:8] for at in ends]
+    path.write_bytes(bytes(header) + b"".join(longer))
+
+
+@pytest.mark.parametrize("user", [0, 1])
+@pytest.mark.parametrize("slot_bytes", [slots.SLOT_BYTES, slots.SLOT_BYTES + 8, slots.MOST_SLOT_BYTES])
+def test_a_file_of_a_later_version_is_read_as_far_as_it_is_known(path, writer, user, slot_bytes):
+    writer.slot(slots.PUBLISHED, b"", "/plan", "/planner")
+    old = open_file(path, os.getuid() + user)
+    known = [old.slot(number, None) for number in range(2)]
+    old.close()
+    later(path, slot_bytes=slot_bytes)
+    new = open_file(path, os.getuid() + user)
+    assert [new.slot(number, None) for number in range(2)] == known
+    assert len(new.tokens()) == 2
+    new.close()
+
+
+@pytest.mark.parametrize("user", [0, 1])
+@pytest.mark.parametrize(
+    ("slot_bytes", "version"),
+    [
+        (slots.SLOT_BYTES - 8, 2),
+        (slots.SLOT_BYTES + 4, 2),
+        (slots.MOST_SLOT_BYTES + 8, 2),
+        (0, 2),
+        (slots.SLOT_BYTES, 0),
+    ],
+)
+def test_a_layout_with_less_or_too_much_is_refused(path, user, slot_bytes, version):
+    with path.open("r+b") as file:
+        file.seek(8)
+        file.write(struct.pack("=II", version, slot_bytes))
+    with pytest.raises(ValueError, match=f"version {version}, slots of {slot_bytes} bytes"):
+        open_file(path, os.getuid() + user)
+
+
+def test_traffic_of_a_kind_that_is_not_known_is_left_out_and_told_of_once(tmp_path, writer):
+    writer.slot(slots.PUBLISHED, b"", "/plan", "/planner")
+    reader = CounterReader(str(tmp_path), tidy=False)
+    reader.read(1.0)
+    for number, kind in enumerate((slots.KINDS[-1] + 1, 0)):
+        slot = writer._slots[number]
+        slot._numbers[slots.KIND] = kind
+        slot.published(time.time_ns(), 1)
+    assert [one for one in reader.read(2.0) if one.tally.count] == []
+    assert reader.called() == []
+    (failure,) = reader.failures()
+    assert "counts traffic of kind 8, which is left out" in failure.what
+    reader.close()
 
 
 @pytest.mark.parametrize("user", [0, 1])

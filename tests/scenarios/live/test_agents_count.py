@@ -76,7 +76,7 @@ def test_calls_between_two_hosts_are_told_by_their_agents(tmp_path):
     with Bed(("base", "server", "client")) as bed:
         key = str(bed.folder / "key")
         base = bed["base"]
-        base.run([ROSLENS, "agent", "--make-key", key])
+        base.run([ROSLENS, "agent", "--new-key", key])
         python, robot = robot_ros2.python(), robot_ros2.Ros2Robot(bed)
         address = f"{base.address}:7411"
         for name, program in (("server", SERVER), ("client", CLIENT)):

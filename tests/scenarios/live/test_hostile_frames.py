@@ -256,4 +256,4 @@ def test_an_agent_of_another_version_is_named_and_hung_up_on():
                 assert time.monotonic() < end
     finally:
         listener.close()
-    assert [one.what for one in came if isinstance(one, Failure) and "version 9, expected 2" in one.what]
+    assert [one.what for one in came if isinstance(one, Failure) and "version 9, expected 3" in one.what]

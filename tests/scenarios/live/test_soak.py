@@ -95,7 +95,7 @@ def processes(tmp_path):
     """The process ids of observers, agent, monitor, a hooked node and its twin without, by what they are."""
     key = tmp_path / "key"
     tool = [sys.executable, "-c", "from roslens.cli.main import main; import sys; sys.exit(main(sys.argv[1:]))"]
-    subprocess.run([*tool, "agent", "--make-key", key], check=True)
+    subprocess.run([*tool, "agent", "--new-key", key], check=True)
     plain = {
         "PATH": os.environ["PATH"], "HOME": str(tmp_path), "ROS_DOMAIN_ID": own_domain(),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST", slots.VARIABLE: str(tmp_path / "counters"),

@@ -12,7 +12,7 @@ from roslens.model.errors import UsageError
 
 TEXT = "Sample this host and its ROS processes, and tell what its nodes count, for a monitor."
 EXAMPLES = """\
-  roslens agent --make-key ~/.roslens-key       once; copy the file to each host
+  roslens agent --new-key ~/.roslens-key        once; copy the file to each host
   roslens agent base.local:7411 --key-file ~/.roslens-key
   roslens watch --listen 192.168.1.2:7411 --key-file ~/.roslens-key    on the host of the monitor"""
 
@@ -23,7 +23,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the monitor's address and the key."""
     parser.add_argument("monitor", nargs="?", metavar="HOST[:PORT]", help=f"the monitor (port {DEFAULT_PORT})")
     parser.add_argument("--key-file", type=Path, metavar="FILE", help="the key that monitor and agents share")
-    parser.add_argument("--make-key", type=Path, metavar="FILE", help="write a new key and end")
+    parser.add_argument("--new-key", type=Path, metavar="FILE", help="write a key of 256 random bits and end")
+    parser.add_argument("--make-key", dest="new_key", type=Path, metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("--name", default=platform.node(), help="what to call this host (default: its host name)")
     parser.add_argument("--period", type=float, default=1.0, metavar="S", help="seconds between samples (default: 1)")
 
@@ -36,9 +37,9 @@ def run(options: argparse.Namespace) -> int:
     """
     from roslens.live.agent.key_file import read_key, write_key
 
-    if options.make_key is not None:
-        write_key(options.make_key)
-        print(f"roslens: wrote {options.make_key}; copy it to each host, readable for its user alone", file=sys.stderr)
+    if options.new_key is not None:
+        write_key(options.new_key)
+        print(f"roslens: wrote {options.new_key}; copy it to each host, readable for its user alone", file=sys.stderr)
         return 0
     if options.monitor is None or options.key_file is None:
         raise UsageError(

@@ -1,8 +1,12 @@
 """The line from an agent to the monitor: one TCP connection, authenticated by a key that both sides share.
 
-Both sides prove that they know the key before a record is taken, and every message carries a code that only who knows
-the key can make (HMAC-SHA256 over its number and content), so that nothing can be put in between. Contents are
-not encrypted. While the line is down, frames wait in a bounded queue; what does not fit is counted as shed.
+Both sides prove that they know the key before a record is taken, the agent first, and every message carries a code that
+only who knows the key can make (HMAC-SHA256 over its number and content), so that nothing can be put in between. What
+both greetings said, and which side said it, is in every proof and code: the session key is the HMAC with the shared key
+over ``roslens link agent``, the agent's version and nonce, ``monitor``, the monitor's version and nonce. So neither a
+version that was changed on the way nor an answer of one side that is put into the mouth of the other passes. A monitor
+may know several keys, and tells by the agent's proof which one is meant. Contents are not encrypted. While the line is
+down, frames wait in a bounded queue; what does not fit is counted as shed.
 
 A message is a length (4 bytes), a letter, a body and a code (16 bytes)::
 
@@ -21,11 +25,15 @@ from collections.abc import Iterable, Iterator
 
 import msgspec
 
-from roslens.model.wire import MAX_FRAME_BYTES, VERSION, Frame, WireError, decode_frame, encode_frame
+from roslens.model.wire import MAX_FRAME_BYTES, Frame, WireError, decode_frame, encode_frame
 
+LINK_VERSION = 3
+"""Of the handshake. 3 has version and roles in the session key, and the agent proves first."""
 NONCE_BYTES = 16
 CODE_BYTES = 16
-MIN_KEY_BYTES = 16
+MIN_KEY_BYTES = 32
+MOST_KEYS = 64
+"""Keys of a monitor; each costs two codes for everybody who connects."""
 _LENGTH = struct.Struct(">I")
 _NUMBER = struct.Struct(">Q")
 _ONE_TIME = struct.Struct(">d")
@@ -45,21 +53,28 @@ class Channel:
     """One side of a connection, without its socket: bytes in, messages out, and the other way round.
 
     ``accepting`` is the monitor's side. Nothing but the handshake is taken before both have proven the key.
+
+    Attributes:
+        key: the place of the key that both proved among those that were given, None before.
     """
 
-    def __init__(self, key: bytes, *, accepting: bool, nonce: bytes | None = None) -> None:
-        """Begin a connection.
+    def __init__(self, *keys: bytes, accepting: bool, nonce: bytes | None = None) -> None:
+        """Begin a connection, an agent with one key.
 
         Raises:
-            LinkError: the key is too short to be one.
+            LinkError: a key is too short to be one, or there are too many.
         """
-        if len(key) < MIN_KEY_BYTES:
-            raise LinkError(f"a key of {len(key)} bytes, expected at least {MIN_KEY_BYTES}")
-        self._key = key
+        short = min(map(len, keys))
+        if short < MIN_KEY_BYTES:
+            raise LinkError(f"a key of {short} bytes, expected at least {MIN_KEY_BYTES}")
+        if len(keys) > (MOST_KEYS if accepting else 1):
+            raise LinkError(f"{len(keys)} keys, expected at most {MOST_KEYS if accepting else 1}")
+        self._keys = keys
         self._accepting = accepting
         self._nonce = nonce if nonce is not None else secrets.token_bytes(NONCE_BYTES)
+        self._greetings = b""
         self._session = b""
-        self._proven = False
+        self.key: int | None = None
         self._waiting = bytearray()
         self._sent = 0
         self._received = 0
@@ -67,16 +82,16 @@ class Channel:
     @property
     def ready(self) -> bool:
         """Whether both sides have proven that they know the key."""
-        return self._proven
+        return self.key is not None
 
     @property
     def greeted(self) -> bool:
         """Whether the other side has said that it is an agent or a monitor."""
-        return bool(self._session)
+        return bool(self._greetings)
 
     def hello(self) -> bytes:
         """Return the first bytes to send."""
-        body = b"H" + bytes([VERSION]) + self._nonce
+        body = b"H" + bytes([LINK_VERSION]) + self._nonce
         return _LENGTH.pack(len(body)) + body
 
     def feed(self, piece: bytes) -> Iterator[tuple[str, bytes]]:
@@ -88,7 +103,7 @@ class Channel:
         self._waiting += piece
         while len(self._waiting) >= _LENGTH.size:
             (length,) = _LENGTH.unpack_from(self._waiting)
-            if length > (MAX_FRAME_BYTES + _OVERHEAD if self._proven else 64):
+            if length > (MAX_FRAME_BYTES + _OVERHEAD if self.ready else 64):
                 raise self._stranger(f"a message of {length:,} bytes")
             if len(self._waiting) < _LENGTH.size + length:
                 return
@@ -102,7 +117,7 @@ class Channel:
         Raises:
             LinkError: the other side has not proven that it knows the key.
         """
-        if not self._proven:
+        if not self.ready:
             raise LinkError(f"a message {letter!r} before the handshake was done")
         content = letter.encode() + body
         code = self._code(content, self._sent, mine=True)
@@ -111,38 +126,61 @@ class Channel:
 
     def _take(self, message: bytes) -> Iterator[tuple[str, bytes]]:
         letter = message[:1]
-        if self._proven:
+        if self.ready:
             content, code = message[:-CODE_BYTES], message[-CODE_BYTES:]
             if not content or not hmac.compare_digest(code, self._code(content, self._received, mine=False)):
                 raise LinkError("a message whose code is wrong: it was changed, repeated or left out on the way")
             self._received += 1
             yield content[:1].decode("ascii", "replace"), content[1:]
-        elif letter == b"H" and not self._session:
-            yield "send", self._greeted(message)
-        elif letter == b"A" and self._session:
-            if not hmac.compare_digest(message[1:], self._proof(mine=False)):
-                raise LinkError("the other side does not know the key: give both the same --key-file")
-            self._proven = True
+        elif letter == b"H" and not self.greeted:
+            self._greet(message)
+            if not self._accepting:
+                self._session = self._session_of(self._keys[0])
+                yield "send", self._answer()
+        elif letter == b"A" and self.greeted:
+            self._believe(message[1:])
+            if self._accepting:
+                yield "send", self._answer()
             yield "ready", b""
         else:
             raise self._stranger(repr(message[:20]))
 
-    def _greeted(self, message: bytes) -> bytes:
+    def _greet(self, message: bytes) -> None:
         if len(message) != 2 + NONCE_BYTES:
             raise self._stranger(repr(message[:20]))
-        if message[1] != VERSION:
-            raise LinkError(f"the other side speaks version {message[1]}, expected {VERSION}: update the older one")
-        theirs = message[2:]
-        if theirs == self._nonce:
+        if message[1] != LINK_VERSION:
+            raise LinkError(
+                f"the other side speaks version {message[1]}, expected {LINK_VERSION}: update the older one"
+            )
+        if message[2:] == self._nonce:
             raise LinkError("our own greeting came back")
-        nonces = theirs + self._nonce if self._accepting else self._nonce + theirs
-        self._session = hmac.digest(self._key, b"roslens link" + nonces, "sha256")
+        mine, theirs = bytes([LINK_VERSION]) + self._nonce, message[1:]
+        agent, monitor = (theirs, mine) if self._accepting else (mine, theirs)
+        self._greetings = b"roslens link agent" + agent + b"monitor" + monitor
+
+    def _believe(self, proof: bytes) -> None:
+        """Take the other side's proof, of whichever key; a monitor learns from it which one is meant.
+
+        Raises:
+            LinkError: it is one of none of the keys.
+        """
+        for number, key in enumerate(self._keys):
+            self._session = self._session_of(key)
+            if hmac.compare_digest(proof, self._proof(mine=False)):
+                self.key = number
+                return
+        raise LinkError("the other side does not know the key: give both the same --key-file")
+
+    def _session_of(self, key: bytes) -> bytes:
+        return hmac.digest(key, self._greetings, "sha256")
+
+    def _answer(self) -> bytes:
         body = b"A" + self._proof(mine=True)
         return _LENGTH.pack(len(body)) + body
 
     def _stranger(self, what: str) -> LinkError:
         text = f"{what}, expected a roslens agent or monitor to speak"
-        return LinkError(text) if self._proven else StrangerError(text)
+        return LinkError(text) if self.ready else StrangerError(text)
 
     def _side(self, *, mine: bool) -> bytes:
         return b"monitor" if self._accepting == mine else b"agent"

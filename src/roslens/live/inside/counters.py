@@ -159,7 +159,7 @@ class CounterReader:
             Failure(
                 "inside",
                 f"{self._folder / name} cannot be read: {error}",
-                expected=f"a counter file of version {slots.VERSION}",
+                expected=f"a counter file of version {slots.VERSION} or later",
                 advice="Run nodes and monitor with the same version of roslens, or remove the file",
             )
         )
@@ -180,6 +180,9 @@ class CounterReader:
             if after is None:
                 continue
             known.token = token
+            if after.kind not in slots.KINDS:
+                self._tell_unknown(file, after.kind)
+                continue
             if before is None or before.generation != after.generation:
                 before, known.until, known.lost = None, begun, 0
             self._changed(file.pid, known, before, after, now, None if new and self._last is None else found)
@@ -210,6 +213,19 @@ class CounterReader:
             self._called.append(Called(pid, after.kind, tally))
         else:
             found.append(Counted(pid, _gid(after), tally, after.other))
+
+    def _tell_unknown(self, file: OpenedFile, kind: int) -> None:
+        if file.strange:
+            return
+        file.strange = True
+        self._failures.append(
+            Failure(
+                "inside",
+                f"process {file.pid} on {file.host} counts traffic of kind {kind}, which is left out",
+                expected=f"kinds {slots.KINDS[0]} to {slots.KINDS[-1]}",
+                advice="Run nodes and monitor with the same version of roslens",
+            )
+        )
 
     def _watch(self, file: OpenedFile) -> None:
         trouble = file.trouble()

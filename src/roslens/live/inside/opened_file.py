@@ -29,7 +29,7 @@ def open_file(path: Path, user: int | None = None) -> OpenedFile:
 
     Raises:
         OSError: it cannot be opened, or is a link.
-        ValueError: it is no counter file of this version.
+        ValueError: it is no counter file of this version or a later one.
     """
     # Who reads for other users follows no links of theirs, and waits for no pipe.
     handle = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NOFOLLOW | os.O_NONBLOCK)
@@ -39,6 +39,16 @@ def open_file(path: Path, user: int | None = None) -> OpenedFile:
     except BaseException:
         os.close(handle)
         raise
+
+
+def _is_known(magic: bytes, version: int, slot_bytes: int) -> bool:
+    """Return whether a file has at least what this version knows, and no slots that are too long to be copied."""
+    return (
+        magic == slots.MAGIC
+        and version >= slots.VERSION
+        and slots.SLOT_BYTES <= slot_bytes <= slots.MOST_SLOT_BYTES
+        and slot_bytes % 8 == 0
+    )
 
 
 class OpenedFile:
@@ -51,6 +61,7 @@ class OpenedFile:
         host: name of its host.
         known: what the reader keeps of each slot.
         told: what the reader last told of the file's troubles.
+        strange: whether it told that the file has kinds of traffic that it does not know.
     """
 
     def __init__(self, path: Path, handle: int) -> None:
@@ -59,15 +70,17 @@ class OpenedFile:
         size = os.fstat(handle).st_size
         self._map(size)
         header = self._header()
-        if header[:3] != (slots.MAGIC, slots.VERSION, slots.SLOT_BYTES):
+        if not _is_known(*header[:3]):
             self._unmap()
             raise ValueError(f"magic {header[0]!r}, version {header[1]}, slots of {header[2]} bytes")
-        self._most: int = min(header[3], (size - slots.HEADER_BYTES) // slots.SLOT_BYTES)
+        self._stride: int = header[2]
+        self._most: int = min(header[3], (size - slots.HEADER_BYTES) // self._stride)
         self.pid: int = header[5]
         self.started: float = header[6] * 1e-9
         self.host = text_at(header[9], 0)
         self.known: list[Any] = []
         self.told = ""
+        self.strange = False
 
     @property
     def ended(self) -> bool:
@@ -86,8 +99,9 @@ class OpenedFile:
             CutOffError: the file became shorter.
         """
         used: int = struct.unpack_from("=I", self._view, slots.USED_AT)[0]
-        end = _FIRST_TOKEN + min(used, self._most) * slots.WORDS
-        return self._tokens[_FIRST_TOKEN : end : slots.WORDS].tolist()
+        words = self._stride // 8
+        end = _FIRST_TOKEN + min(used, self._most) * words
+        return self._tokens[_FIRST_TOKEN:end:words].tolist()
 
     def slot(self, number: int, before: Snapshot | None) -> Snapshot | None:
         """Copy a slot, of which the last copy is ``before``.
@@ -95,8 +109,8 @@ class OpenedFile:
         Raises:
             CutOffError: the file became shorter.
         """
-        at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
-        return snapshot(self._view[at : at + slots.SLOT_BYTES], before)
+        at = slots.HEADER_BYTES + number * self._stride
+        return snapshot(self._view[at : at + self._stride], before)
 
     def trouble(self) -> str:
         """Return in words what keeps the hook from counting; empty if nothing does.
@@ -151,13 +165,13 @@ class ForeignFile(OpenedFile):
         """See the other."""
         used: int = struct.unpack("=I", bytes(_Piece(self._handle, slots.USED_AT, 4)))[0]
         used = min(used, self._most)
-        copied = memoryview(bytes(_Piece(self._handle, slots.HEADER_BYTES, used * slots.SLOT_BYTES))).cast("q")
-        return copied[:: slots.WORDS].tolist()
+        copied = memoryview(bytes(_Piece(self._handle, slots.HEADER_BYTES, used * self._stride))).cast("q")
+        return copied[:: self._stride // 8].tolist()
 
     def slot(self, number: int, before: Snapshot | None) -> Snapshot | None:
         """See the other."""
-        at = slots.HEADER_BYTES + number * slots.SLOT_BYTES
-        return snapshot(_Piece(self._handle, at, slots.SLOT_BYTES), before)
+        at = slots.HEADER_BYTES + number * self._stride
+        return snapshot(_Piece(self._handle, at, self._stride), before)
 
     def _header(self) -> tuple[Any, ...]:
         header = slots.HEADER.unpack(bytes(_Piece(self._handle, 0, slots.HEADER.size)))

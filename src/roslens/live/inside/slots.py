@@ -12,6 +12,10 @@ and greatest cannot be had from a difference: they lie in a ring of 32 banks, of
 0.27 s in which there is traffic. A reader takes the extremes of the banks begun since its last read, and of the bank
 that was current then those that changed: each extreme is told once, to every reader that reads at least every 8.5 s.
 
+A later version may give slots more words, before their last one, and the header further values behind its own: who
+knows this version reads such a file by what it knows, with the length of a slot that the header says. What changes the
+meaning of a word has another magic.
+
 The process holds an advisory lock (``flock``) on the file; the lock of a process that ended, however it ended, is free.
 """
 
@@ -58,6 +62,8 @@ STATE_BYTES = 128
 
 WORDS = 448
 SLOT_BYTES = WORDS * 8
+MOST_SLOT_BYTES = 4 * SLOT_BYTES
+"""Slots of later versions that are longer are not read: whoever reads for others copies them."""
 CAPACITY = 1024
 
 TAKEN, PUBLISHED, ANSWERED = 1, 2, 3
@@ -65,6 +71,7 @@ TAKEN, PUBLISHED, ANSWERED = 1, 2, 3
 REQUESTED, HEARD, ASKED, REPLIED = 4, 5, 6, 7
 """Kinds of a service, whose name is the topic: requests a client sent, responses it took, requests a server took,
 responses it sent. The preloaded library alone counts them; processing is the time of a call, for client and server."""
+KINDS = range(TAKEN, REPLIED + 1)
 
 SEQUENCE, KIND, GENERATION, GID = 0, 1, 2, 3
 COUNT, BYTES, FIRST, LAST, LOST, PENDING, PENDING_SINCE, BANK = 6, 7, 8, 9, 10, 11, 12, 13

@@ -2,6 +2,7 @@
 
 A test that talks to running nodes, to a browser or to a clock is about when things happen. On a machine that others use
 too, everything may stand still for a second or take thrice its time, and nodes then lose messages as they should.
+What the test itself took, with all that it started, is subtracted (`whose_time.py`): a test that starves itself fails.
 """
 
 from __future__ import annotations
@@ -11,8 +12,11 @@ import select
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 from pace import CALM_NS
+
+HERE = Path(__file__).parent
 
 LATE_S = 0.1
 """A sleeper woken later than this means that no program got its time."""
@@ -22,10 +26,16 @@ CROWDED = 2.0
 """Time for a loop, in what it takes of a processor, from which on others have more of the machine than the test."""
 LOOK_EVERY_S = 2.0
 """How often the sleeper turns a loop; takes a hundredth of one processor."""
+COUNT_EVERY_S = 0.5
+"""How often the sleeper looks who took how much; takes less than a hundredth of one processor."""
 ANSWER_S = 20.0
 """A sleeper that answers later than this has told enough."""
 _SLEEPER = """
-import os, select, time
+import os, select, sys, time
+sys.path.insert(0, HERE)
+from whose_time import Family
+
+family = Family(os.getppid(), os.getpid())
 
 def look():
     begun, used, best = time.monotonic(), time.process_time(), 1.0
@@ -35,20 +45,25 @@ def look():
             pass
         best = min(best, time.process_time() - before)
     taken = time.monotonic() - begun
-    tell("slow", best / 20_000 * 1e9 / CALM_NS)
-    tell("crowded", taken / (time.process_time() - used))
+    slow, crowded = best / 20_000 * 1e9 / CALM_NS, taken / (time.process_time() - used)
+    own = "own " if (slow > SLOW or crowded > CROWDED) and family.was_it(begun) else ""
+    tell(own + "slow", slow)
+    tell(own + "crowded", crowded)
 
 def tell(what, much):
     os.write(1, f"{what} {time.monotonic()} {much}\\n".encode())
 
 def watch():
-    looked = 0.0
+    looked = counted = 0.0
     while True:
         begun = time.monotonic()
         asked = select.select([0], [], [], 0.02)[0]
         late = time.monotonic() - begun - 0.02
         if late > LATE_S:
-            tell("late", late)
+            tell("own late" if family.was_it(begun) else "late", late)
+        elif begun - counted > COUNT_EVERY_S:
+            counted = begun
+            family.look()
         if asked and not os.read(0, 1):
             break
         if asked or begun - looked > LOOK_EVERY_S:
@@ -65,10 +80,14 @@ except (BrokenPipeError, KeyboardInterrupt):
 
 
 class Sleeper:
-    """A process that tells when it was woken late, and how fast a loop turns; ends with its parent."""
+    """A process that tells when it was woken late, and how fast a loop turns; ends with its parent.
+
+    What its parent did itself, and all that this started, is told with the word `own` before it.
+    """
 
     def __init__(self) -> None:
         bounds = f"CALM_NS, LATE_S, LOOK_EVERY_S = {CALM_NS}, {LATE_S}, {LOOK_EVERY_S}\n"
+        bounds += f"SLOW, CROWDED, COUNT_EVERY_S, HERE = {SLOW}, {CROWDED}, {COUNT_EVERY_S}, {str(HERE)!r}\n"
         self._process = subprocess.Popen(
             [sys.executable, "-S", "-c", bounds + _SLEEPER], stdin=subprocess.PIPE, stdout=subprocess.PIPE
         )

@@ -2,10 +2,13 @@
 
 import os
 import signal
+import subprocess
+import sys
 import time
 
 import pytest
-from starved import Sleeper, Watched
+from starved import LATE_S, Sleeper, Watched
+from whose_time import MOSTLY, Family, Taken, is_own
 
 pytestmark = pytest.mark.timed
 
@@ -47,6 +50,67 @@ def test_it_tells_how_fast_a_loop_turns_whenever_it_is_asked(sleeper):
     assert min(found["crowded"]) > 0.9
 
 
+BURN = "import sys, time\nsys.stdin.read(1)\nwhile time.monotonic() < float(sys.argv[1]): pass"
+
+
+def burn(seconds):
+    """Keep all processors busy with many processes; return the share of what was taken that they took."""
+    family, command = Family(os.getpid(), 0), [sys.executable, "-S", "-c", BURN]
+    begun = family.look()
+    until = str(time.monotonic() + seconds)
+    many = range(16 * len(os.sched_getaffinity(0)))
+    burning = [subprocess.Popen([*command, until], stdin=subprocess.DEVNULL) for _ in many]
+    for one in burning:
+        one.wait()
+    ended = family.look()
+    return (ended.own - begun.own) / (ended.all - begun.all)
+
+
+def test_a_test_that_starves_itself_is_not_excused(sleeper):
+    """What it started takes all processors: all is late, and others did not do it."""
+    watched, shares = Watched(sleeper), []
+    for _ in range(5):
+        watched.begin(time.monotonic())
+        shares.append(burn(1.5))
+        told = sleeper.told(watched._begun)
+        own = max(max(told.get(f"own {what}", [0.0])) for what in ("late", "crowded"))
+        if own > LATE_S and watched.starved() == "":
+            return
+    if min(shares) < MOSTLY + 0.1:
+        pytest.skip(f"others have the machine: what the test started got {shares} of what was taken")
+    pytest.fail(f"it is excused by {watched.starved()}")
+
+
+@pytest.mark.parametrize(
+    ("own_s", "all_s", "late_s", "is_it"),
+    [
+        (2.0, 2.0, 1.0, True),
+        (1.8, 2.0, 1.0, True),
+        (1.6, 2.0, 1.0, False),  # others had a fifth
+        (0.2, 2.0, 1.0, False),
+        (0.3, 0.3, 1.0, False),  # the machine stood still, and nobody took it
+        (0.0, 0.0, 0.2, False),
+        (0.3, 0.3, 0.2, True),  # shortly, but all of it
+    ],
+)
+def test_whose_doing_it_was(own_s, all_s, late_s, is_it):
+    assert is_own(Taken(5.0, 100.0, 10.0), Taken(7.0, 100.0 + all_s, 10.0 + own_s), late_s, 2) is is_it
+
+
+def test_what_is_taken_by_those_that_were_started_and_have_ended_counts():
+    family = Family(os.getpid(), 0)
+    before = family.look()
+    spin = "import time\nwhile time.process_time() < 0.3: pass"
+    subprocess.run([sys.executable, "-S", "-c", spin], check=True)
+    assert family.look().own - before.own >= 0.25
+    child = subprocess.Popen([sys.executable, "-S", "-c", spin.replace("0.3", "0.6")])
+    family.look()
+    while child.poll() is None:
+        time.sleep(0.01)
+    assert family.look().own - before.own >= 0.75
+    assert family.look().all >= before.all
+
+
 def test_it_says_so_when_it_has_ended(sleeper):
     sleeper._process.kill()
     sleeper._process.wait()
@@ -74,6 +138,7 @@ class Told:
         ({"late": [0.09], "slow": [1.5, 1.6], "crowded": [1.1, 2.0]}, ""),
         ({"late": [0.12, 0.5]}, "a sleeping process was woken 0.50 s late"),
         ({"slow": [2.44, 1.0]}, "an empty loop took 2.4 times what it takes on a calm machine"),
+        ({"own late": [3.0], "own slow": [9.0], "own crowded": [9.0]}, ""),
         ({"crowded": [3.0]}, "a loop took 3.0 times what it took of a processor, for others had it"),
     ],
 )

@@ -53,7 +53,7 @@ pytestmark = [pytest.mark.heavy, pytest.mark.timed]
 def run(tmp_path):
     """Run tests; returns how it ended, what it printed, and what they noted."""
 
-    def run(text, *words, seen="it stood still"):
+    def run(text, *words, seen="it stood still", more=()):
         (tmp_path / "conftest.py").write_text(HEAD)
         (tmp_path / "test_it.py").write_text(f"import time\nimport pytest\nfrom conftest import note, tries\n{text}")
         (tmp_path / "pytest.ini").write_text("[pytest]\ntimeout = 60\nfilterwarnings = error\n")
@@ -71,7 +71,7 @@ def run(tmp_path):
             "no:rerunfailures",
             *words,
         ]
-        environment = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(Path(__file__).parent), "SEEN": seen}
+        environment = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(Path(__file__).parent), "SEEN": seen, **dict(more)}
         done = subprocess.run(
             command, cwd=tmp_path, env={**environment, "NOTES": str(notes)}, capture_output=True, text=True,
             timeout=240, check=False,
@@ -102,6 +102,25 @@ def test_a_try_begins_where_the_session_began_and_the_first_failure_is_told(run,
     assert "tried again: test_it.py::test_a: it stood still" in said
     fresh = ["+session", "+module", "+function", "try", "-function"]
     assert notes == [*fresh, "-module", "-session", *fresh, "b", "-module", "-session"]
+
+
+MANY = """
+@pytest.mark.real
+@pytest.mark.parametrize("number", range({}))
+def test_a(number):
+    note(f"n{{number}}")
+    from pathlib import Path
+    import os
+    assert Path(os.environ["NOTES"]).read_text().split().count(f"n{{number}}") == 2
+"""
+
+
+@pytest.mark.parametrize(("many", "ci", "code"), [(3, True, 0), (4, True, 1), (4, False, 0)])
+def test_more_than_three_reruns_fail_ci(run, many, ci, code):
+    ended, said, _ = run(MANY.format(many), *(("-n", "2") if ci else ()), more={"CI": "true"} if ci else {})
+    assert f"{many} passed, {many} rerun" in said
+    assert ended == code, said
+    assert ("at most 3 may be" in said) is bool(code)
 
 
 def test_where_it_had_its_time_the_first_failure_counts(run):

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.model.errors import UsageError
-from roslens.model.source import Package, Role
+from roslens.model.source import Role
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration, Unresolved
@@ -93,14 +93,14 @@ class GraphSource:
 
         path, result = self.evaluated(launch, arguments)
         started = sorted({one.package.known for one in result.nodes if one.package.known})
-        facts = self.facts
+        facts = self.facts.of(result.generation)
         missed = told_by_file(
             one for name in started for one in (*facts.missed_in_code(name), *facts.never_called(name))
         )
         result = msgspec.structs.replace(result, unresolved=(*result.unresolved, *missed))
         given = "".join(f" {name}:={value}" for name, value in self.meant(launch, arguments)[1].items())
         return assemble(
-            result, self.facts, title=path + given, known=known_node, files=self.facts.files,
+            result, facts, title=path + given, known=known_node, files=self.facts.files,
             hints=self.settings.graph.hints, hinted_in=self._hinted_in,
         )  # fmt: skip
 
@@ -112,12 +112,15 @@ class GraphSource:
         """
         from roslens.source.extract.launch_ros1 import evaluate_ros1
         from roslens.source.extract.launch_ros2 import evaluate_ros2
+        from roslens.source.extract.launch_version import launch_version
 
         launch, arguments = self.meant(launch, arguments)
         path = self._launch_file(launch)
         key = (path, tuple(sorted(arguments.items())))
         if key not in self._evaluated:
-            evaluate = evaluate_ros1 if self._is_ros1(path) else evaluate_ros2
+            content = self.facts.files.content(path) or b""
+            version = launch_version(path, content, self.facts.versions(self.facts.package_names.get(path, "")))
+            evaluate = evaluate_ros1 if version == "ros1" else evaluate_ros2
             self._evaluated[key] = evaluate(path, self.facts.files, arguments, self.settings.workspace.environment)
         return path, self._evaluated[key]
 
@@ -137,27 +140,28 @@ class GraphSource:
                 raise _no_package(name, known)
         found = []
         for generation in ("ros1", "ros2"):
+            facts = self.facts.of(generation)
             chosen = [
                 one.name
-                for one in self.facts.packages
-                if (one.name in names or not names) and self._is_of_ros1(one) == (generation == "ros1")
+                for one in facts.packages
+                if (one.name in names or not names) and generation in facts.versions(one.name)
             ]
-            nodes = [node for name in chosen for node in targets_started(name, self.facts, generation).nodes]
+            nodes = [node for name in chosen for node in targets_started(name, facts, generation).nodes]
             if not nodes:
                 continue
             from roslens.source.extract.launched import Launch
 
             missed = [
-                *told_once(one for name in chosen for one in self.facts.missed(name)),
-                *(one for name in chosen for one in self.facts.missed_in_code(name)),
+                *told_once(one for name in chosen for one in facts.missed(name)),
+                *(one for name in chosen for one in facts.missed_in_code(name)),
             ]
             title = ", ".join(chosen) if names else f"all packages of {generation.upper().replace('ROS', 'ROS ')}"
             started = Launch(generation, tuple(nodes), unresolved=tuple(missed))
             made = assemble(
-                started, self.facts, title=title, known=known_node, files=self.facts.files,
+                started, facts, title=title, known=known_node, files=facts.files,
                 by_launch=False, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
             )  # fmt: skip
-            found.append(with_roles(made, self.facts.roles))
+            found.append(with_roles(made, facts.roles))
         return tuple(one for one in found if one.nodes)
 
     def unstarted(self, names: Sequence[str], started: Sequence[Configuration] = ()) -> tuple[Configuration, ...]:
@@ -172,47 +176,50 @@ class GraphSource:
         from roslens.source.extract.unstarted import places_shown, unstarted, unstarted_configuration
 
         started = (not names and started) or self.packages(())
-        targets = (one for package in self.facts.packages for one in self.facts.targets(package.name))
-        loose = unstarted(self.facts.made(), places_shown(started), self.facts.package_names, targets)
         wanted = set(names) or {*self.facts.package_names.values()}
-        told = {
-            package.name
-            for package in self.facts.packages
-            if any((one.generation == "ros1") == self._is_of_ros1(package) for one in started)
-        }
-        missed = self._missed_beside(sorted(wanted - told))
-        code = {one.evidence.path for name in wanted - told for one in self.facts.missed_in_code(name)}
         found = []
         for generation in ("ros1", "ros2"):
-            units = [one for one in loose if one.package in wanted and one.facts.generation == generation]
+            facts = self.facts.of(generation)
+            targets = (one for package in facts.packages for one in facts.targets(package.name))
+            # Code for one version alone is shown where it is started, whatever its unit was taken for.
+            own = [one for one in started if one.generation == generation or not facts.file_versions]
+            made_here = [one for one in facts.made() if one.generation == generation]
+            loose = unstarted(made_here, places_shown(own), facts.package_names, targets)
+            shown = any(one.generation == generation for one in started)
+            told = {one.name for one in facts.packages if shown and generation in facts.versions(one.name)}
+            beside = sorted(wanted - told)
+            missed = self._missed_beside(beside, generation)
+            code = {one.evidence.path for name in beside for one in facts.missed_in_code(name)}
             made = unstarted_configuration(
-                generation, units, self.facts, hints=self.settings.graph.hints, hinted_in=self._hinted_in,
-                roles=self.facts.roles, missed=missed.get(generation, ()),
+                generation, [one for one in loose if one.package in wanted], facts,
+                hints=self.settings.graph.hints, hinted_in=self._hinted_in, roles=facts.roles, missed=missed,
             )  # fmt: skip
             if made.nodes or any(one.proof.path in code for one in made.unresolved):
                 found.append(made)
         return tuple(found)
 
-    def _missed_beside(self, packages: Sequence[str]) -> dict[str, list[Unresolved]]:
-        """Return what was not understood of packages whose builds make no node, by generation."""
+    def _missed_beside(self, packages: Sequence[str], generation: str) -> list[Unresolved]:
+        """Return what was not understood of packages whose builds make no node of a version of ROS."""
         from roslens.cli.graph_missed import told_once
         from roslens.model.configuration import Unresolved
         from roslens.source.extract.assemble_proof import launch_proof
 
-        known = {one.name: one for one in self.facts.packages}
-        roles = self.facts.roles
-        found: dict[str, list[Unresolved]] = {}
+        facts = self.facts.of(generation)
+        files = facts.file_versions
+        found: list[Unresolved] = []
         for name in packages:
-            ros1 = self._is_of_ros1(known[name]) if name in known else self._mostly_ros1()
-            for one in (*told_once(self.facts.missed(name)), *self.facts.missed_in_code(name)):
-                role = roles.get(one.evidence.path, "")
-                told = Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens, role=role)
-                found.setdefault("ros1" if ros1 else "ros2", []).append(told)
+            versions = facts.versions(name) or (self._mostly(),)
+            for one in (*told_once(facts.missed(name)), *facts.missed_in_code(name)):
+                path = one.evidence.path
+                if files[path] == generation if path in files else generation in versions:
+                    role = facts.roles.get(path, "")
+                    told = Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens, role=role)
+                    found.append(told)
         return found
 
-    def _mostly_ros1(self) -> bool:
-        ros1 = [self._is_of_ros1(one) for one in self.facts.packages]
-        return sum(ros1) * 2 > len(ros1)
+    def _mostly(self) -> str:
+        ros1 = ["ros1" in self.facts.versions(one.name) for one in self.facts.packages]
+        return "ros1" if sum(ros1) * 2 > len(ros1) else "ros2"
 
     def first_launch_files(self) -> tuple[str, ...]:
         """Return the paths of the launch files that start something and that no other of the users' own includes."""
@@ -280,23 +287,6 @@ class GraphSource:
             expected="PACKAGE/FILE or a path",
             advice=f'Did you mean "{near[0]}"?' if near else "",
         )
-
-    def _is_of_ros1(self, package: Package) -> bool:
-        if package.build_type != "catkin" or any(one.name == "catkin" for one in package.dependencies):
-            return package.build_type == "catkin"
-        # A manifest that says nothing means catkin by REP-149, which is not so where its build asks for ament.
-        content = self.facts.files.content(f"{package.path}/CMakeLists.txt") or b""
-        return b"find_package(catkin" in content or not (b"find_package(ament_" in content or b"(rclcpp" in content)
-
-    def _is_ros1(self, path: str) -> bool:
-        if path.endswith((".py", ".yaml", ".yml")):
-            return False
-        import re
-
-        content = self.facts.files.content(path) or b""
-        if re.search(rb"<(?:node|test)\b[^>]*\s(?:exec|namespace)\s*=|\$\((?:var|find-pkg-share)\s|<let\b", content):
-            return False
-        return not path.endswith(".launch.xml") or re.search(rb"<(?:node|test)\b[^>]*\stype\s*=", content) is not None
 
 
 def _no_package(name: str, known: Sequence[str]) -> UsageError:

@@ -40,6 +40,9 @@ class Units:
     def scripts(self, package, name):
         return ()
 
+    def built_for(self, package, name):
+        return ()
+
     def checksum(self, interface, generation, path):
         return ""
 

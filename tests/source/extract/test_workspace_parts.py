@@ -102,6 +102,6 @@ def test_what_is_declared_beside_code_changes_the_key_of_units(root: Path):
         parts.found["eye"].package.id,
         ["rate"],
     )
-    assert parts.index.parameter_libraries == parts.libraries
+    assert parts.index().parameter_libraries == parts.libraries
     (root / "c" / "eye.yaml").write_text("eye: {rate: {type: int}}\n")
     assert parts_of(root, Cache.open(None)).programs_key != parts.programs_key

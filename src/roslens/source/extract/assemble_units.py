@@ -51,6 +51,9 @@ class Units(Protocol):
     def scripts(self, package: str, name: str) -> Sequence[str]:
         """Return the scripts of a package that have a name as their file name."""
 
+    def built_for(self, package: str, name: str) -> Sequence[str]:
+        """Return for which versions of ROS the build of a package makes what is started by a name."""
+
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return the checksum of an interface, as ``package/msg/Type``, for code in a file; empty where unknown."""
 
@@ -117,6 +120,11 @@ class KnownUnits:
         known = (path for path, _ in self._programs if path.startswith(f"{package}/"))
         return sorted(path for path in set(known) if path.rpartition("/")[2] == name)
 
+    def built_for(self, package: str, name: str) -> Sequence[str]:
+        """Return the versions of the targets of a name."""
+        made = self._targets.get(package, ())
+        return sorted({version for one in made if name in (one.name, one.entry) for version in one.versions})
+
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return nothing: no interface is known."""
         del interface, generation, path
@@ -142,7 +150,7 @@ def meant_by(
         return Meant(reason=f"package {package} is not in the workspace")
     target = _best(units.targets(package), name, _PROGRAMS)
     if target is None:
-        return Meant(reason=f"no build of package {package} makes {name}")
+        return Meant(reason=f"no build of package {package} makes {name}{_elsewhere(units, package, name)}")
     return facts_of_target(target, units, words, chosen)
 
 
@@ -203,7 +211,18 @@ def _loaded(launched: Launched, package: str, units: Units, chosen: Chosen | Non
         return Meant(reason=f"package {owner} is not in the workspace")
     whole = (name.partition("/")[2] if "/" in name else name).replace("::", ".")
     found = units.of_class(whole, (), chosen)
-    return Meant(tuple(found)) if found else Meant(reason=f"package {owner} registers no {name}")
+    reason = f"package {owner} registers no {name}{_elsewhere(units, owner, name)}"
+    return Meant(tuple(found)) if found else Meant(reason=reason)
+
+
+def _elsewhere(units: Units, package: str, name: str) -> str:
+    """Return the end of a reason: for which other version of ROS a build makes what is missing."""
+    versions = units.built_for(package, name)
+    return (
+        f" for this ROS: it is for {', '.join(one.upper().replace('ROS', 'ROS ') for one in versions)}"
+        if versions
+        else ""
+    )
 
 
 def _best(targets: Sequence[Target], name: str, kinds: frozenset[TargetKind]) -> Target | None:

@@ -130,9 +130,18 @@ def _find_package(run: Evaluation, call: Call) -> None:
         if is_unknown(one):
             continue
         run.prefixes.update((one, one.upper()))
-        if one == name and "REQUIRED" in rest:
-            run.set(f"{one}_FOUND", "1")
+        if one == name:
+            version = _ros_of(one)
+            if "REQUIRED" in rest or (version and version == run.environment.get("ROS_VERSION")):
+                run.set(f"{one}_FOUND", "1")
+            elif version:
+                run.set(f"{one}_FOUND", "0")
         load_extras(run, one)
+
+
+def _ros_of(package: str) -> str:
+    """Return the version of ROS that alone has a package; empty of all others."""
+    return "1" if package in ("catkin", "roscpp") else "2" if package.startswith(("ament_cmake", "rclcpp")) else ""
 
 
 _FIND_WORDS = frozenset(

@@ -27,6 +27,7 @@ from roslens.source.extract.program import (
     Opaque,
     Statement,
 )
+from roslens.source.extract.ros_switch import holds
 from roslens.source.syntax.cpp_names import (
     base_names,
     function_declarator,
@@ -339,7 +340,10 @@ class Definitions:
             self._lowered.define_macro(text_of(self._lowered.text(name)), meaning)
 
     def _directive(self, node: Node, out: Statements) -> None:
-        """Add what an ``#if`` holds: definitions of every arm, statements as a branch."""
+        """Add what an ``#if`` holds: definitions of every arm, statements as a branch.
+
+        Of arms that are for versions of ROS only that of the version counts.
+        """
         if self._lowered.too_deep(node):
             return
         self._lowered.depth += 1
@@ -347,8 +351,12 @@ class Definitions:
         alternative = node.child_by_field_name("alternative")
         left_out = {one.start_byte for one in (condition, alternative) if one is not None}
         inner = [child for child in node.named_children if child.start_byte not in left_out]
-        if self._is_guard(condition, inner):
+        written = self._lowered.text(node).partition(b"\n")[0]
+        held = holds(written, self._lowered.version) if self._lowered.version else None
+        if held is True or self._is_guard(condition, inner):
             self.add(inner, out)
+        elif held is False:
+            self.add(() if alternative is None else (alternative,), out)
         else:
             then: Statements = []
             otherwise: Statements = []
@@ -356,8 +364,7 @@ class Definitions:
             if alternative is not None:
                 self.add((alternative,), otherwise)
             if then or otherwise:
-                written = opaque(self._lowered.text(node).partition(b"\n")[0])
-                out.append(Branch(written, tuple(then), tuple(otherwise), node.start_point.row + 1))
+                out.append(Branch(opaque(written), tuple(then), tuple(otherwise), node.start_point.row + 1))
         self._lowered.depth -= 1
 
     def _is_guard(self, condition: Node | None, inner: list[Node]) -> bool:

@@ -22,12 +22,14 @@ class Lowered:
         scope: qualified name of the namespace, class or function around, joined by dots.
         class_name: qualified name of the class around; of a function that of its class.
         depth: how deep the lowering is nested.
+        version: of ROS for which arms of conditions are compiled that ask for it; empty where all arms count.
         left_out: where the bodies of functions begin and end of which not all is lowered, in turn.
     """
 
-    def __init__(self, source: bytes) -> None:
+    def __init__(self, source: bytes, version: str = "") -> None:
         """Begin with an empty program."""
         self.source = source
+        self.version = version
         self.scope = ""
         self.class_name = ""
         self.depth = 0

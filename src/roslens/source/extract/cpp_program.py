@@ -6,6 +6,7 @@ Of functions that name no interface of ROS only calls stay that may lead to one,
 
 from __future__ import annotations
 
+import msgspec
 from tree_sitter import Tree
 
 from roslens.source.extract.cpp_definitions import Definitions
@@ -13,6 +14,7 @@ from roslens.source.extract.cpp_flags import unsettled
 from roslens.source.extract.cpp_lowered import Lowered
 from roslens.source.extract.cpp_macros import registrations
 from roslens.source.extract.program import Program
+from roslens.source.extract.ros_switch import VERSIONS, has_switch
 from roslens.source.syntax.cpp_names import text_of
 from roslens.source.syntax.cpp_query import fault_nodes, parse_tree
 from roslens.source.syntax.cpp_repair import repaired
@@ -29,7 +31,15 @@ def lower_cpp(source: bytes, tree: Tree, content: bytes | None = None) -> Progra
         tree: its tree.
         content: the file as it is, of the same length: macros that register classes are blanked in ``source``.
     """
-    lowered = Lowered(source)
+    whole = _lowered(source, tree, content)
+    if not has_switch(source):
+        return whole
+    variants = {version: _lowered(source, tree, content, version) for version in VERSIONS}
+    return whole if variants["ros1"] == variants["ros2"] else msgspec.structs.replace(whole, variants=variants)
+
+
+def _lowered(source: bytes, tree: Tree, content: bytes | None, version: str = "") -> Program:
+    lowered = Lowered(source, version)
     root = tree.root_node
     definitions = Definitions(lowered)
     definitions.add(root.named_children, lowered.body)

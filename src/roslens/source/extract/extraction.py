@@ -17,7 +17,7 @@ from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target
 from roslens.source.extract.targets import Build
 from roslens.source.extract.workspace_interfaces import KnownInterface
-from roslens.source.extract.workspace_nodes import workspace_nodes
+from roslens.source.extract.workspace_nodes import all_nodes
 from roslens.source.extract.workspace_parts import LaunchFile, WorkspaceParts
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.known_manifests import KnownManifests
@@ -105,7 +105,7 @@ def extract_found(
     """
     parts = WorkspaceParts(workspace, inventory, settings, cache=cache, jobs=jobs, progress=progress)
     builds, interfaces = parts.builds, parts.interfaces
-    nodes = workspace_nodes(parts)
+    nodes = all_nodes(parts)
     return Extraction(
         root=workspace.root,
         packages=parts.packages,

@@ -22,7 +22,12 @@ _ROS1 = re.compile(r"(ros/.*\.h$|roscpp|rospy|nodelet/|tf/|[a-z]\w*/[A-Z]\w*\.h$
 
 
 def generation_of(index: Index, path: str) -> str:
-    """Return the generation of ROS that a file belongs to, as its headers or modules say, else most of its package."""
+    """Return the generation of ROS that a file belongs to, as its headers or modules say, else most of its package.
+
+    An index that is of one version says so for all its files.
+    """
+    if index.version:
+        return index.version
     own = _included(index.programs[path])
     if own:
         return "ros2" if own > 0 else "ros1"

@@ -336,6 +336,7 @@ class Target(msgspec.Struct, frozen=True, omit_defaults=True):
         library: in which a component, nodelet or plug-in lies; empty where unknown.
         installed: whether ``ros2 run`` or ``rosrun`` finds it.
         conditions: under which the build makes it, as written.
+        versions: of ROS for which it is built, ``ros1`` and ``ros2``; empty where that is not known.
     """
 
     kind: TargetKind
@@ -347,3 +348,4 @@ class Target(msgspec.Struct, frozen=True, omit_defaults=True):
     library: str = ""
     installed: bool = True
     conditions: tuple[str, ...] = ()
+    versions: tuple[str, ...] = ()

@@ -63,7 +63,7 @@ def node_classes(index: Index) -> Iterator[tuple[Defined, str, str]]:
         for one in index.programs[path].classes:
             found = Defined(path, one)
             for base in index.outer_bases(found):
-                if base in NODE_BASES:
+                if base in NODE_BASES and index.version in ("", NODE_BASES[base][0]):
                     yield (found, *NODE_BASES[base])
                     break
 

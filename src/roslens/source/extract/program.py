@@ -266,6 +266,8 @@ class Program(msgspec.Struct, frozen=True, omit_defaults=True):
         incomplete: lines at which something could not be lowered, and why.
         declarations: C++: functions declared without a body whose parameters have defaults, which their definition
             elsewhere does not repeat.
+        variants: of a file of C++ with conditions that ask for the version of ROS: what it is for ``ros1`` and
+            ``ros2``; the rest of the program is of all arms. Variants have none themselves.
     """
 
     language: str
@@ -278,3 +280,4 @@ class Program(msgspec.Struct, frozen=True, omit_defaults=True):
     includes: tuple[tuple[str, int], ...] = ()
     incomplete: tuple[tuple[int, str], ...] = ()
     declarations: tuple[Function, ...] = ()
+    variants: dict[str, Program] = {}

@@ -34,6 +34,7 @@ class Build(msgspec.Struct, frozen=True):
         interfaces: files of messages, services and actions that it generates code of.
         installed: files and folders of the workspace, each with where it is then: ``launch`` in ``share/pkg/launch``.
         parameters: files of which it generates code that declares parameters.
+        unresolved_for: what could not be evaluated for each version of ROS, where it is built for several.
     """
 
     targets: tuple[Target, ...] = ()
@@ -41,6 +42,7 @@ class Build(msgspec.Struct, frozen=True):
     interfaces: tuple[str, ...] = ()
     installed: tuple[tuple[str, str], ...] = ()
     parameters: tuple[Generated, ...] = ()
+    unresolved_for: dict[str, tuple[Unresolved, ...]] = {}
 
 
 def targets_of(

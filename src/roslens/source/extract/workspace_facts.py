@@ -6,7 +6,8 @@ what a configuration starts. Programs, builds and what units come to are kept in
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import copy
 from functools import cached_property
 
 import msgspec
@@ -17,8 +18,9 @@ from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
+from roslens.source.extract.workspace_index import Index
 from roslens.source.extract.workspace_interfaces import KnownInterface, nearest
-from roslens.source.extract.workspace_nodes import WorkspaceMissed, workspace_missed, workspace_nodes
+from roslens.source.extract.workspace_nodes import WorkspaceMissed, all_nodes, workspace_missed, workspace_nodes
 from roslens.source.extract.workspace_parts import WorkspaceParts
 from roslens.source.inventory import take_inventory
 from roslens.source.keys import key_of
@@ -79,6 +81,32 @@ class WorkspaceFacts:
         self.broken: list[Failure] = []
         self._interfaces: dict[tuple[str, str], list[KnownInterface]] | None = None
         self._facts: dict[tuple[str, ...], tuple[NodeFacts, ...]] = {}
+        self._version = ""
+        self._of: dict[str, WorkspaceFacts] = {}
+
+    def of(self, version: str) -> WorkspaceFacts:
+        """Return what the workspace is for one version of ROS, ``ros1`` or ``ros2``: no code or target of the other."""
+        if version not in self._of:
+            self._of[version] = found = copy(self)
+            found.limit(version)
+        return self._of[version]
+
+    def limit(self, version: str) -> None:
+        """Leave out code and targets that are not for a version of ROS."""
+        self._version, self._facts = version, {}
+        for name in ("_missed", "_plugin_names", "_described"):
+            self.__dict__.pop(name, None)
+
+    def versions(self, package: str) -> tuple[str, ...]:
+        """Return for which versions of ROS a package is built; nothing where the workspace has none of that name."""
+        same = self._parts.same.get(package, ())
+        known = {version for one in same for version in self._parts.versions[one.package.id]}
+        return tuple(sorted(known))
+
+    @property
+    def file_versions(self) -> Mapping[str, str]:
+        """The version of ROS of each file, where the workspace has code for both."""
+        return self._parts.file_versions
 
     @property
     def packages(self) -> tuple[Package, ...]:
@@ -93,7 +121,7 @@ class WorkspaceFacts:
     def missed(self, package: str) -> tuple[Unresolved, ...]:
         """Return what of the build of a package could not be evaluated."""
         build = self._parts.builds.builds.get(package)
-        return () if build is None else build.unresolved
+        return () if build is None else build.unresolved_for.get(self._version, build.unresolved)
 
     def missed_in_code(self, package: str) -> tuple[Unresolved, ...]:
         """Return parts of the code of a package that were not understood, and calls in it of which no endpoint came."""
@@ -107,7 +135,7 @@ class WorkspaceFacts:
 
     def made(self) -> tuple[NodeFacts, ...]:
         """Return the facts of all units, whether anything starts them or not."""
-        return workspace_nodes(self._parts).nodes
+        return (workspace_nodes(self._parts, self._code) if self._version else all_nodes(self._parts)).nodes
 
     @cached_property
     def package_names(self) -> dict[str, str]:
@@ -123,17 +151,27 @@ class WorkspaceFacts:
 
     @cached_property
     def _missed(self) -> WorkspaceMissed:
-        return workspace_missed(self._parts)
+        if self._version:
+            return workspace_missed(self._parts, self._code)
+        every = [workspace_missed(self._parts, version) for version in self._parts.code_versions()]
+        return WorkspaceMissed(
+            tuple(dict.fromkeys(place for one in every for place in one.missed)),
+            tuple(dict.fromkeys(place for one in every for place in one.never_called)),
+        )
+
+    @property
+    def _code(self) -> str:
+        """The version whose code is looked at by itself; empty where all of the workspace is for one."""
+        return self._version if self._parts.file_versions else ""
 
     def paths(self, package: str) -> tuple[str, ...]:
         """Return the files of a package."""
-        found = self._parts.found.get(package)
-        return () if found is None else tuple(file.path for file in found.files)
+        return tuple(file.path for found in self._parts.same.get(package, ()) for file in found.files)
 
     def launch_files(self, package: str) -> tuple[str, ...]:
         """Return the launch files of a package."""
-        found = self._parts.found.get(package)
-        return tuple(one.path for one in self._parts.launch_files() if found and one.package == found.package.id)
+        ids = {found.package.id for found in self._parts.same.get(package, ())}
+        return tuple(one.path for one in self._parts.launch_files() if one.package in ids)
 
     def role(self, path: str) -> Role:
         """Return whose code a file is; own where the workspace does not have it."""
@@ -146,7 +184,10 @@ class WorkspaceFacts:
     def targets(self, package: str) -> Sequence[Target]:
         """Return what the build of a package makes."""
         build = self._parts.builds.builds.get(package)
-        return () if build is None else build.targets
+        targets = () if build is None else build.targets
+        if not self._version:
+            return targets
+        return [one for one in targets if not one.versions or self._version in one.versions]
 
     def program(
         self, path: str, function: str = "", words: Sequence[Text] | None = None, chosen: Chosen | None = None
@@ -159,13 +200,13 @@ class WorkspaceFacts:
         return self._once(key, lambda: self._of_program(path, function, words, chosen))
 
     def _reads_words(self, path: str) -> bool:
-        key = key_of(self._parts.programs_key, "reads its words", path)
+        key = key_of(self._parts.programs_key, "reads its words", path, self._code)
         return self._parts.kept("unit", key, _Reads, lambda: self._whether_read(path)).words
 
     def _whether_read(self, path: str) -> _Reads:
         from roslens.source.extract.command_words import reads_words
 
-        found = self._parts.index.programs.get(path)
+        found = self._index_for(path).programs.get(path)
         return _Reads(found is not None and reads_words(found), self._parts.programs.lasting)
 
     def of_class(self, name: str, sources: Sequence[str] = (), chosen: Chosen | None = None) -> Sequence[NodeFacts]:
@@ -176,16 +217,16 @@ class WorkspaceFacts:
     @cached_property
     def _plugin_names(self) -> dict[str, str]:
         """Return the class of each plug-in that is described under another name."""
-        builds = self._parts.builds.builds.values()
-        plugins = (one for build in builds for one in build.targets if one.kind is TargetKind.PLUGIN)
-        return {one.name: one.entry for one in plugins if one.entry and one.entry != one.name}
+        return {one.name: one.entry for one in self._plugin_targets() if one.entry and one.entry != one.name}
+
+    def _plugin_targets(self) -> Iterator[Target]:
+        for name in self._parts.builds.builds:
+            yield from (one for one in self.targets(name) if one.kind is TargetKind.PLUGIN)
 
     @cached_property
     def _described(self) -> dict[str, str]:
         """Return the class of each plug-in by the name under which a description has it."""
-        builds = self._parts.builds.builds.values()
-        plugins = (one for build in builds for one in build.targets if one.kind is TargetKind.PLUGIN)
-        return {one.name: (one.entry or one.name).replace("::", ".") for one in plugins}
+        return {one.name: (one.entry or one.name).replace("::", ".") for one in self._plugin_targets()}
 
     def plugins(self) -> frozenset[str]:
         """Return the names under which descriptions have plug-ins of the workspace."""
@@ -198,11 +239,17 @@ class WorkspaceFacts:
 
     def scripts(self, package: str, name: str) -> Sequence[str]:
         """Return the scripts in Python of a package that have a name as their file name, sorted."""
-        found = self._parts.found.get(package)
-        files = () if found is None else self._parts.files.get(found.package.id, ())
+        found = self._parts.same.get(package, ())
+        files = (file for one in found for file in self._parts.files.get(one.package.id, ()))
         return sorted(
             one.path for one in files if one.language is Language.PYTHON and one.path.rpartition("/")[2] == name
         )
+
+    def built_for(self, package: str, name: str) -> Sequence[str]:
+        """Return for which versions of ROS the build of a package makes what is started by a name."""
+        build = self._parts.builds.builds.get(package)
+        made = () if build is None else build.targets
+        return sorted({version for one in made if name in (one.name, one.entry) for version in one.versions})
 
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return the checksum of an interface for code in a file; of two definitions of one name that of the nearer."""
@@ -214,9 +261,12 @@ class WorkspaceFacts:
         known = self._interfaces.get((generation, interface))
         return nearest(known, path).checksum.text if known else ""
 
+    def _index_for(self, path: str) -> Index:
+        return self._parts.index(self._version or self._parts.file_versions.get(path, ""))
+
     def _once(self, what: tuple[str, ...], make: Callable[[], tuple[NodeFacts, ...]]) -> tuple[NodeFacts, ...]:
         if what not in self._facts:
-            key = key_of(self._parts.programs_key, what)
+            key = key_of(self._parts.programs_key, what, self._code)
             self._facts[what] = self._parts.kept("unit", key, _Kept, lambda: self._kept(what[1], make)).nodes
         return self._facts[what]
 
@@ -232,7 +282,7 @@ class WorkspaceFacts:
         from roslens.source.extract.assemble_program import classes_made, joined_facts
         from roslens.source.extract.node_units import NO_NAMES, facts_of_main, facts_of_module, node_classes
 
-        index = self._parts.index
+        index = self._index_for(path)
         program = index.programs.get(path)
         if program is None:
             return ()
@@ -252,7 +302,7 @@ class WorkspaceFacts:
     def _of_class(self, name: str, sources: Sequence[str], chosen: Chosen | None) -> tuple[NodeFacts, ...]:
         from roslens.source.extract.node_units import NO_NAMES, facts_of_class, node_classes
 
-        index = self._parts.index
+        index = self._parts.index(self._version)
         found = list(node_classes(index))
         named = [one for one in found if index.key(one[0]) == name]
         if not named:

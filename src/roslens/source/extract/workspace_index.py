@@ -55,6 +55,7 @@ class Index:
         interfaces: that packages have, by name.
         linkage: which definitions files of C++ can mean.
         parameter_libraries: code that builds generate to declare parameters, which no program holds.
+        version: of ROS for which its programs are; empty where all are looked at together.
         units: what units came to, and the functions that they called; None where none is asked for again.
     """
 
@@ -79,6 +80,7 @@ class Index:
         self.lookups = Lookups()
         self._outer = known_names()
         self.programs = dict(programs)
+        self.version = ""
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()
         self.units: dict[tuple[str, ...], tuple[list[NodeFacts], Reached]] | None = None
         self.interfaces = InterfacesByPackage(packages or {})

@@ -50,11 +50,14 @@ class WorkspaceMissed(msgspec.Struct, frozen=True, array_like=True):
     lasting: bool = True
 
 
-def workspace_missed(parts: WorkspaceParts) -> WorkspaceMissed:
-    """Return what was not understood of the code of a workspace, and what in it makes endpoints of no unit."""
+def workspace_missed(parts: WorkspaceParts, version: str = "") -> WorkspaceMissed:
+    """Return what was not understood of the code of a workspace, and what in it makes endpoints of no unit.
+
+    ``version`` is that of ROS of whose code, where a workspace has code for both.
+    """
 
     def made() -> WorkspaceMissed:
-        nodes = workspace_nodes(parts)
+        nodes = workspace_nodes(parts, version)
         alone = (
             Unresolved(f"{one.unit}()", Evidence(one.path, one.line), NEVER_CALLED)
             for one in nodes.nodes
@@ -62,32 +65,52 @@ def workspace_missed(parts: WorkspaceParts) -> WorkspaceMissed:
         )
         return WorkspaceMissed((*nodes.unresolved, *nodes.without_endpoint), tuple(alone), nodes.lasting)
 
-    return parts.kept("missed", _key(parts), WorkspaceMissed, made)
+    return parts.kept("missed", _key(parts, version), WorkspaceMissed, made)
 
 
-def workspace_nodes(parts: WorkspaceParts) -> WorkspaceNodes:
-    """Return the nodes of a workspace; nothing is read or evaluated where the cache knows the answer."""
-    return parts.kept("nodes", _key(parts), WorkspaceNodes, lambda: _evaluated(parts, _entries(parts)))
+def workspace_nodes(parts: WorkspaceParts, version: str = "") -> WorkspaceNodes:
+    """Return the nodes of a workspace; nothing is read or evaluated where the cache knows the answer.
+
+    ``version`` is that of ROS of whose code, where a workspace has code for both.
+    """
+    key = _key(parts, version)
+    return parts.kept("nodes", key, WorkspaceNodes, lambda: _evaluated(parts, _entries(parts), version))
+
+
+def all_nodes(parts: WorkspaceParts) -> WorkspaceNodes:
+    """Return the nodes of a workspace for all versions of ROS that it has code for."""
+    found = [workspace_nodes(parts, version) for version in parts.code_versions()]
+    if len(found) == 1:
+        return found[0]
+    nodes = [node for one in found for node in one.nodes]
+    return WorkspaceNodes(
+        tuple(sorted(nodes, key=lambda node: (node.path, node.line, node.unit))),
+        tuple(dict.fromkeys(place for one in found for place in one.unresolved)),
+        tuple(dict.fromkeys(place for one in found for place in one.without_endpoint)),
+        (*found[0].failures, *(failure for failure in found[1].failures if failure not in found[0].failures)),
+        all(one.lasting for one in found),
+    )
 
 
 def _entries(parts: WorkspaceParts) -> list[Target]:
     return [target for build in parts.builds.builds.values() for target in build.targets if target.entry]
 
 
-def _key(parts: WorkspaceParts) -> str:
-    return key_of(parts.programs_key, sorted({(target.entry, target.sources) for target in _entries(parts)}))
+def _key(parts: WorkspaceParts, version: str) -> str:
+    return key_of(parts.programs_key, sorted({(target.entry, target.sources) for target in _entries(parts)}), version)
 
 
-def _evaluated(parts: WorkspaceParts, entries: Iterable[Target]) -> WorkspaceNodes:
+def _evaluated(parts: WorkspaceParts, entries: Iterable[Target], version: str) -> WorkspaceNodes:
     from roslens.source.extract.isolated_units import units_of
     from roslens.source.extract.workspace_programs import not_understood
 
     programs = parts.programs
     parts.watch.step("Evaluating nodes", 0)
-    units = units_of(parts.index, entries)
+    index = parts.index(version)
+    units = units_of(index, entries)
     missed = (
         Unresolved(reason, Evidence(path, line), "this part of the file was not understood")
-        for path, line, reason in not_understood(programs.programs)
+        for path, line, reason in not_understood(index.programs)
     )
     placed = (
         msgspec.structs.replace(one, package=parts.owners.get(one.location.path, "") if one.location else "")

@@ -15,10 +15,14 @@ import msgspec
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Package, SourceFile
-from roslens.source.extract.files import FolderFiles
+from roslens.source.extract.build_versions import joined_builds
+from roslens.source.extract.file_versions import file_versions
+from roslens.source.extract.files import FolderFiles, joined
 from roslens.source.extract.kept_program import becomes_nodes, plain, squeezed
 from roslens.source.extract.node_facts import Target
+from roslens.source.extract.package_versions import build_type_for, versions_of
 from roslens.source.extract.parameter_library import ParameterLibrary, parameter_library
+from roslens.source.extract.ros_switch import VERSIONS
 from roslens.source.extract.targets import Build, build_of
 from roslens.source.extract.workspace_index import Index
 from roslens.source.extract.workspace_interfaces import INTERFACES, KnownInterface, interfaces_of, ros_generation
@@ -60,6 +64,11 @@ class Interfaces(msgspec.Struct, frozen=True, array_like=True):
     lasting: bool = True
 
 
+class _FileVersions(msgspec.Struct, frozen=True, array_like=True):
+    versions: dict[str, str]
+    lasting: bool = True
+
+
 class Lasting(Protocol):
     """A part of the result; ``lasting`` is whether the next run would find the same."""
 
@@ -78,6 +87,7 @@ class WorkspaceParts:
         root: absolute folder that paths start from.
         packages: sorted by path.
         found: packages by name; of two of one name the first, none for files outside of packages.
+        same: packages by name; of two of one name both where they are for different versions of ROS.
         files: those that have a language, of each package by its id.
         cached: what earlier runs learned.
         again: whether units are asked for again once they were evaluated; set it before the index is asked for.
@@ -97,9 +107,7 @@ class WorkspaceParts:
         self.root = workspace.root
         self.packages: tuple[Package, ...] = tuple(one.package for one in workspace.packages)
         self.found: dict[str, FoundPackage] = {}
-        for one in workspace.packages:
-            if one.package.id != OUTSIDE_PACKAGES:
-                self.found.setdefault(one.package.name, one)
+        self.same: dict[str, list[FoundPackage]] = {}
         self.files = inventory.files
         self.cached = cache
         self.again = False
@@ -107,6 +115,24 @@ class WorkspaceParts:
         self._all = workspace.packages
         self._macros = settings.macros
         self._jobs = jobs
+        self._indexes: dict[str, Index] = {}
+        for one in workspace.packages:
+            if one.package.id != OUTSIDE_PACKAGES:
+                self.found.setdefault(one.package.name, one)
+        self.versions = {one.package.id: self._versions_of(one) for one in workspace.packages}
+        for one in workspace.packages:
+            if one.package.id != OUTSIDE_PACKAGES:
+                same = self.same.setdefault(one.package.name, [])
+                taken = {version for other in same for version in self.versions[other.package.id]}
+                if not taken.intersection(self.versions[one.package.id]):
+                    same.append(one)
+
+    def _versions_of(self, found: FoundPackage) -> tuple[str, ...]:
+        if found.package.id == OUTSIDE_PACKAGES:
+            return ()
+        folder = "" if found.package.path == "." else found.package.path
+        content = self.reading.content(joined(folder, "CMakeLists.txt"))
+        return versions_of(found.package, content or b"", (file.path for file in found.files))
 
     def kept(self, name: str, key: str, kind: type[Part], make: Callable[[], Part]) -> Part:
         """Return a part from the cache; what is not there is made, and kept if it will last."""
@@ -159,8 +185,9 @@ class WorkspaceParts:
         """A key of what the facts of units depend on: programs and their packages."""
         files = sorted((file.path, file.content_hash, file.language.value) for file in self.sources())
         owners = sorted(self.owners.items())
-        parts = sorted({(one.package, one.name, one.kind.value, one.sources) for one in self.targets})
-        return key_of(analyser_version(), self._macros, files, owners, self.libraries, self.needs, parts)
+        parts = sorted({(one.package, one.name, one.kind.value, one.sources, one.versions) for one in self.targets})
+        versions = sorted(self.versions.items())
+        return key_of(analyser_version(), self._macros, files, owners, self.libraries, self.needs, parts, versions)
 
     @property
     def targets(self) -> list[Target]:
@@ -175,12 +202,43 @@ class WorkspaceParts:
         )
 
     @cached_property
-    def index(self) -> Index:
-        """What the programs of the workspace define."""
-        index = Index(self.programs.programs, self.owners, self.needs, self.targets)
-        index.parameter_libraries = self.libraries
-        index.units = {} if self.again else None
-        return index
+    def file_versions(self) -> dict[str, str]:
+        """The version of ROS of each file, where a workspace has code for both; nothing where it has not."""
+        folders = {one.package.id: one.package.path for one in self._all}
+        key = key_of(self.programs_key, sorted(folders.items()))
+
+        def made() -> _FileVersions:
+            programs = self.programs
+            found = file_versions(
+                programs.programs, self.owners, self.needs, self.versions, folders, self.targets
+            )  # fmt: skip
+            return _FileVersions(found, programs.lasting)
+
+        return self.kept("versions", key, _FileVersions, made).versions
+
+    def code_versions(self) -> tuple[str, ...]:
+        """Return the versions of ROS that are looked at by themselves: both, or an empty text where there is one."""
+        return VERSIONS if self.file_versions else ("",)
+
+    def index(self, version: str = "") -> Index:
+        """Return what the programs of the workspace define; of one that has code for both, those for a version."""
+        version = version if self.file_versions else ""
+        if version not in self._indexes:
+            programs, targets = self.programs.programs, self.targets
+            if version:
+                known = self.file_versions
+                programs = {
+                    path: one.variants.get(version, one)
+                    for path, one in programs.items()
+                    if known.get(path, version) == version
+                }
+                targets = [one for one in targets if version in (one.versions or VERSIONS)]
+            index = Index(programs, self.owners, self.needs, targets)
+            index.parameter_libraries = self.libraries
+            index.units = {} if self.again else None
+            index.version = version
+            self._indexes[version] = index
+        return self._indexes[version]
 
     @cached_property
     def libraries(self) -> tuple[ParameterLibrary, ...]:
@@ -218,7 +276,8 @@ class WorkspaceParts:
         known = {file.path: file for files in self.files.values() for file in files}
         parts: list[object] = []
         for found in self._all:
-            parts.append((found.package.name, found.package.path, found.package.build_type))
+            package = found.package
+            parts.append((package.name, package.path, package.build_type, self.versions[package.id]))
             for entry in found.files:
                 file = known.get(entry.path)
                 if file is None:
@@ -234,14 +293,24 @@ class WorkspaceParts:
         builds: dict[str, Build] = {}
         failures: list[Failure] = []
         for name in sorted(self.found):
-            package, paths = self.found[name].package, [file.path for file in self.found[name].files]
+            package = self.found[name].package
             try:
-                builds[name] = build_of(name, self.folders[name], package.build_type, self.reading, paths)
+                builds[name] = self._build(name)
             except Exception as error:  # noqa: BLE001 - one package must not lose the others
                 failures.append(_broken_build(package, error))
                 builds[name] = Build()
             self.watch.advance(item=name)
         return Builds(builds, tuple(failures))
+
+    def _build(self, name: str) -> Build:
+        made = []
+        for found in self.same[name]:
+            package, paths = found.package, [file.path for file in found.files]
+            folder = "" if package.path == "." else package.path
+            for version in self.versions[package.id]:
+                build_type = build_type_for(package, version)
+                made.append((version, build_of(name, folder, build_type, self.reading, paths)))
+        return joined_builds(made)
 
     def _interfaces_key(self) -> str:
         files = [

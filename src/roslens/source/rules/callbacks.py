@@ -6,7 +6,7 @@ outside of a class: a header declares what another file registers, and neither n
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 from tree_sitter import Node
 
@@ -31,32 +31,54 @@ REGISTERING_PYTHON = frozenset(
 )
 """The same in rospy, rclpy and what stands on them."""
 
+STREAM = "stream "
+"""Before the name of a callback that runs again and again: of a subscription or a timer."""
+
+_STREAM_CPP = frozenset(
+    (
+        *("create_subscription", "create_generic_subscription", "create_wall_timer", "create_timer", "subscribe"),
+        *("createTimer", "createWallTimer", "createSteadyTimer", "registerCallback"),
+    )
+)
+_STREAM_PYTHON = frozenset(("create_subscription", "create_timer", "Subscriber", "Timer", "registerCallback"))
+
 _CPP_FUNCTIONS = ("function_definition",)
 _PYTHON_FUNCTIONS = ("function_definition", "lambda")
 
 
 def callbacks_of(view: FileView) -> tuple[str, ...]:
-    """Return the names of the functions that a file registers as callbacks, sorted."""
+    """Return the names of the functions that a file registers as callbacks, sorted.
+
+    Those of subscriptions and timers are named once more, after :data:`STREAM`.
+    """
     names = REGISTERING_CPP if view.syntax == "cpp" else REGISTERING_PYTHON
     if not any(name.encode() in view.code for name in names):
         return ()
+    streams = _STREAM_CPP if view.syntax == "cpp" else _STREAM_PYTHON
     found: set[str] = set()
     for call in _registrations(view):
-        found.update(_named_cpp(call, view) if view.syntax == "cpp" else _named_python(call, view))
+        named = set(_named_cpp(call, view) if view.syntax == "cpp" else _named_python(call, view))
+        found |= named
+        if callee_name(call, view) in streams:
+            found.update(STREAM + name for name in named)
     return tuple(sorted(found))
 
 
-def callback_around(node: Node, view: FileView) -> str | None:
+def callback_around(node: Node, view: FileView, *, of_stream: bool = False) -> str | None:
     """Return the function around a node that has to be a callback for the node to run in one.
 
     The text is empty where the node certainly runs in one (a lambda that is handed over), None where no function or
-    another lambda is around it.
+    another lambda is around it. With ``of_stream`` only callbacks of subscriptions and timers count.
     """
+    names = REGISTERING_CPP if view.syntax == "cpp" else REGISTERING_PYTHON
+    if of_stream:
+        names = _STREAM_CPP if view.syntax == "cpp" else _STREAM_PYTHON
     for one in all_above(node):
         if one.type == "lambda_expression" or (view.syntax == "python" and one.type == "lambda"):
-            return "" if _is_handed_over(one, view) else None
+            return "" if _is_handed_over(one, view, names) else None
         if one.type == "function_definition":
-            return function_name(one, view)
+            name = function_name(one, view)
+            return (STREAM + name if of_stream else name) if name else None
     return None
 
 
@@ -136,6 +158,12 @@ def _named_python(call: Node, view: FileView) -> Iterator[str]:
     of_class = view.text(around.child_by_field_name("name")) if around is not None else ""
     for one in arguments.named_children if arguments is not None else ():
         value = one.child_by_field_name("value") if one.type == "keyword_argument" else one
+        if value is not None and value.type == "call" and callee_name(value, view) == "partial":
+            listed = value.child_by_field_name("arguments")
+            value = next(iter(listed.named_children), None) if listed is not None else None
+        if value is not None and value.type == "lambda":
+            body = value.child_by_field_name("body")
+            value = body.child_by_field_name("function") if body is not None and body.type == "call" else None
         text = view.text(value)
         if value is not None and value.type == "identifier":
             yield text
@@ -143,11 +171,16 @@ def _named_python(call: Node, view: FileView) -> Iterator[str]:
             yield f"{of_class}.{text.removeprefix('self.')}"
 
 
-def _is_handed_over(function: Node, view: FileView) -> bool:
-    names, kind = (REGISTERING_CPP, "call_expression") if view.syntax == "cpp" else (REGISTERING_PYTHON, "call")
+def _is_handed_over(function: Node, view: FileView, names: Set[str]) -> bool:
+    kind = "call_expression" if view.syntax == "cpp" else "call"
     call = above(function, kind, "compound_statement", "block")
     while call is not None and call.type == kind:
         if callee_name(call, view) in names:
             return True
         call = above(call, kind, "compound_statement", "block")
     return False
+
+
+def spoken(callback: str) -> str:
+    """Return what a message calls the answer of :func:`callback_around`."""
+    return f"callback `{callback.removeprefix(STREAM)}`" if callback else "a callback"

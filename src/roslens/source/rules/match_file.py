@@ -41,6 +41,8 @@ class _Plan:
         self.anchored = tuple(
             (rule, tuple(anchor.encode() for anchor in rule.anchors)) for rule in rules if rule.anchors
         )
+        self.quoted = tuple((rule, tuple(part.encode() for part in rule.quoted)) for rule in rules if rule.quoted)
+        self.mentions = {one: tuple(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
         self.by_kind: Mapping[str, list[FileRule]] = defaultdict(list)
         for rule in rules:
             for kind in rule.kinds:
@@ -69,20 +71,31 @@ def match_file(view: FileView) -> Matched:
     found: list[Hit] = []
     broken: dict[str, Failure] = {}
     asked = _Asked(view, found, broken)
+    concerns = {one: not parts or any(part in view.content for part in parts) for one, parts in plan.mentions.items()}
+    for rule, nodes in _lookouts(plan, view, concerns):
+        asked.ask(rule, nodes)
+    # Two anchors of one rule may lead to one place.
+    return Matched(tuple(sorted(dict.fromkeys(found), key=_order)), tuple(broken[one] for one in sorted(broken)))
+
+
+def _lookouts(
+    plan: _Plan, view: FileView, concerns: Mapping[tuple[str, ...], bool]
+) -> Iterator[tuple[FileRule, Iterator[Node] | list[Node] | tuple[Node, ...]]]:
+    """Yield the rules that concern a file with the nodes that they look at."""
     for rule in plan.whole:
-        asked.ask(rule, (view.root,))
+        if concerns[rule.mentions]:
+            yield rule, (view.root,)
     for rule, anchors in plan.anchored:
-        for anchor in anchors:
-            if anchor in view.code:
-                asked.ask(rule, _anchored(view, anchor))
+        if concerns[rule.mentions]:
+            yield from ((rule, _anchored(view, anchor)) for anchor in anchors if anchor in view.code)
+    for rule, parts in plan.quoted:
+        if concerns[rule.mentions]:
+            yield from ((rule, _quoted(view, part)) for part in parts if part in view.content)
     if plan.query is not None:
         cursor = QueryCursor(plan.query)
         cursor.set_max_start_depth(DEEPEST)
         for kind, nodes in cursor.captures(view.root).items():
-            for rule in plan.by_kind[kind]:
-                asked.ask(rule, nodes)
-    # Two anchors of one rule may lead to one place.
-    return Matched(tuple(sorted(dict.fromkeys(found), key=_order)), tuple(broken[one] for one in sorted(broken)))
+            yield from ((rule, nodes) for rule in plan.by_kind[kind] if concerns[rule.mentions])
 
 
 class _Asked:
@@ -117,6 +130,16 @@ def _anchored(view: FileView, anchor: bytes) -> Iterator[Node]:
         if not torn and (node := view.node_at(at, end)) is not None:
             yield node
         at = code.find(anchor, end)
+
+
+def _quoted(view: FileView, part: bytes) -> Iterator[Node]:
+    """Yield the nodes of strings in which a text stands."""
+    at = view.source.find(part)
+    while at >= 0:
+        node = view.node_at(at, at + len(part))
+        if node is not None and "string" in node.type:
+            yield node
+        at = view.source.find(part, at + len(part))
 
 
 def _is_word(byte: int) -> bool:

@@ -28,6 +28,14 @@ if TYPE_CHECKING:
 TOOL = "roslens"
 """Tool of the findings of native rules."""
 
+ROSCPP = ("ros/ros.h", "ros::")
+RCLCPP = ("rclcpp",)
+ROS_CPP = (*ROSCPP, *RCLCPP)
+ROSPY = ("rospy",)
+RCLPY = ("rclpy",)
+ROS_PYTHON = (*ROSPY, *RCLPY)
+"""Values of ``mentions``: what code of nodes cannot do without."""
+
 
 class Rule(msgspec.Struct, frozen=True, kw_only=True):
     """What any native rule says of itself.
@@ -94,14 +102,18 @@ class FileRule(Rule, frozen=True, kw_only=True):
             comments and strings, where one stands. One that begins or ends with a letter, digit or ``_`` is a whole
             word there.
         kinds: types of nodes of the grammar; ``found`` is called with each.
+        quoted: parts of texts; ``found`` is called with the smallest node around each place inside of a string.
         whole: call ``found`` once with the root.
+        mentions: the rule looks at nothing in a file that holds none of these anywhere; none is every file.
         found: yields what it finds; see :meth:`roslens.source.rules.file_view.FileView.hit`.
     """
 
     syntax: str
     anchors: tuple[str, ...] = ()
     kinds: tuple[str, ...] = ()
+    quoted: tuple[str, ...] = ()
     whole: bool = False
+    mentions: tuple[str, ...] = ()
     found: Callable[[Node, FileView], Iterable[Hit]]
 
     @property

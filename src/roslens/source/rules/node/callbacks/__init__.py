@@ -1,0 +1,1 @@
+"""Rules on what callbacks do: an executor that waits for one runs no other."""

@@ -1,0 +1,66 @@
+"""Rule ``node.future_in_callback``: a callback in rclcpp that waits for the answer of a service."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.callbacks import callback_around, spoken
+from roslens.source.rules.calls import body_of, call_at, function_around, receiver
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_REQUESTS = ("async_send_request", "async_send_goal", "async_get_result", "async_cancel_goal")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a wait for a future that the same function got of a request."""
+    call = call_at(node)
+    of = receiver(call) if call is not None else None
+    function = function_around(node)
+    body = body_of(function) if function is not None else None
+    if call is None or of is None or body is None:
+        return
+    name = re.escape(view.text(of).removesuffix(".future"))
+    if not re.search(rf"(?<![\w.]){name}\s*=[^;]*\b({'|'.join(_REQUESTS)})\b", view.text(body)):
+        return
+    callback = callback_around(call, view)
+    if callback is not None:
+        groups = b"create_callback_group" in view.code or b"MultiThreadedExecutor" in view.code
+        yield view.hit(
+            "node.future_in_callback",
+            call,
+            f"`{view.text(call)}` in {spoken(callback)}: the answer comes by the executor that waits here; expected a "
+            "callback as the second argument of the request",
+            callback=callback,
+            severity=Severity.NOTE if groups else None,
+        )
+
+
+RULE = FileRule(
+    id="node.future_in_callback",
+    title="Waiting for the answer of a service in a callback",
+    finds="A callback that sends a request and waits for its future. Give the request a callback of its own instead.",
+    why="The answer is delivered by the executor that waits for this callback to end. In a single thread, or in the "
+    "same "
+    "callback group, both wait for ever.",
+    severity=Severity.ERROR,
+    profiles=("ros2",),
+    tags=("callbacks", "deadlock"),
+    bad="""#include <rclcpp/rclcpp.hpp>
+void Arm::tick() { auto answer = client_->async_send_request(r_); answer.wait(); }
+void Arm::start() { timer_ = create_wall_timer(1s, std::bind(&Arm::tick, this)); }
+""",
+    good="""#include <rclcpp/rclcpp.hpp>
+void Arm::tick() { client_->async_send_request(r_, [this](Client::SharedFuture answer) { take(answer.get()); }); }
+void Arm::start() { timer_ = create_wall_timer(1s, std::bind(&Arm::tick, this)); }
+""",
+    syntax="cpp",
+    anchors=("wait", "get", "wait_for"),
+    mentions=("async_send_request", "async_send_goal"),
+    found=found,
+)

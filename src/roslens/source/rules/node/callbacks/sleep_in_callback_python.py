@@ -1,0 +1,73 @@
+"""Rule ``node.sleep_in_callback_python``: a callback in Python that sleeps."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.callbacks import callback_around, spoken
+from roslens.source.rules.calls import arguments, call_at, number_of, receiver
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import ROS_PYTHON, FileRule
+
+_SLEEPERS = re.compile(r"^(time|rospy|.*rate|.*Rate\(.*|.*clock.*)$", re.ASCII | re.IGNORECASE)
+_SHORTEST_S = 0.02
+"""Shorter than the period of a usual control loop."""
+
+_SEVERAL_THREADS = (b"MultiThreadedExecutor", b"ReentrantCallbackGroup", b"AsyncIOExecutor")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a call that sleeps in a callback; in rospy services and actions have threads of their own."""
+    call = call_at(node)
+    if call is None or any(one in view.code for one in _SEVERAL_THREADS):
+        return
+    of = receiver(call)
+    if (of is not None and not _SLEEPERS.match(view.text(of))) or (of is None and b"import sleep" not in view.code):
+        return
+    if 0 < (number_of(next(iter(arguments(call)), None), view) or 0.0) < _SHORTEST_S:
+        return
+    callback = callback_around(call, view, of_stream=b"rclpy" not in view.code)
+    if callback is not None:
+        yield view.hit(
+            "node.sleep_in_callback_python",
+            call,
+            f"`{view.text(call)}` in {spoken(callback)}: messages queue up meanwhile; expected a timer that goes on "
+            "later",
+            callback=callback,
+        )
+
+
+RULE = FileRule(
+    id="node.sleep_in_callback_python",
+    title="Sleep in a callback (Python)",
+    finds="A callback that sleeps: of a subscription or timer, in rclpy of a service or action too. Let a timer go on "
+    "later instead.",
+    why="rclpy runs all callbacks in one thread unless told otherwise, rospy all of a connection: messages queue up, "
+    "and "
+    "what is handled afterwards is old.",
+    profiles=("ros2", "ros1"),
+    tags=("callbacks", "real-time"),
+    bad="""import time, rclpy
+class Arm(Node):
+    def __init__(self):
+        self.sub = self.create_subscription(Goal, "goal", self.on_goal, 10)
+    def on_goal(self, goal):
+        time.sleep(2)
+        self.open()
+""",
+    good="""import time, rclpy
+class Arm(Node):
+    def __init__(self):
+        self.sub = self.create_subscription(Goal, "goal", self.on_goal, 10)
+    def on_goal(self, goal):
+        self.opening = self.create_timer(2, self.open)
+""",
+    syntax="python",
+    anchors=("sleep", "sleep_for", "sleep_until"),
+    mentions=ROS_PYTHON,
+    found=found,
+)

@@ -1,0 +1,1 @@
+"""Rules on publishers, subscriptions, timers, services and clients."""

@@ -1,0 +1,1 @@
+"""Rules on how a node begins, runs and ends."""

@@ -1,0 +1,1 @@
+"""Rules on messages: how they are made, filled, handed on."""

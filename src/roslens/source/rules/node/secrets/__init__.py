@@ -1,0 +1,1 @@
+"""Rules on what the source should not know: secrets, machines, paths."""

@@ -1,0 +1,1 @@
+"""Rules on transforms and rotations."""

@@ -1,6 +1,7 @@
 """What every native rule must have: said to whoever adds the next one.
 
-A rule on files has ``tests/fixtures/rules/<family>/<module>.<ending>``, and more as ``<module>.<case>.<ending>``.
+A rule on files has ``tests/fixtures/rules/<family>/<module>.<ending>``, and more as ``<module>.<case>.<ending>``, in
+the folders in which modules are below the family.
 A line that it reports ends with a comment ``flagged``; where a comment would disturb, the file says
 ``flagged lines: 3, 7`` anywhere. What is not marked must not be reported. A rule on packages has a folder
 ``<module>`` of packages, each with a file ``flagged`` of lines ``path:line``, none for a package in order.
@@ -54,7 +55,7 @@ def marked(text):
 
 def fixtures_of(rule):
     family, name = rule.id.split(".")
-    found = {*(FIXTURES / family).glob(f"{name}.*")}
+    found = {*(FIXTURES / family).rglob(f"{name}.*")}
     if (FIXTURES / family / name).is_dir():
         found |= {one for one in (FIXTURES / family / name).rglob("*") if one.is_file()}
     return sorted(found)

@@ -6,8 +6,9 @@ import msgspec
 
 from roslens.model.finding import Severity
 
-HEADER, SOURCE = "header", "source"
-"""Values of ``only``: for files that are included by others, and for those that are compiled."""
+HEADER, SOURCE, GUARDED = "header", "source", "guarded"
+"""Values of ``only``: for files that are included by others, for those that are compiled, and for headers that must be
+guarded: pieces of headers such as ``.ipp`` and ``.inl``, which one header includes at its end, need not be."""
 
 
 class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
@@ -19,8 +20,8 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
         line: 1-based, as ``column`` (in bytes), ``end_line`` and ``end_column`` are; 0 is unknown.
         context: the flagged text; with its function it tells the finding again when lines move.
         path: below the workspace, of hits of rules on packages; empty for the file itself.
-        only: it counts in headers (:data:`HEADER`) or in other files (:data:`SOURCE`) only; which of them a file is,
-            its name tells.
+        only: it counts in headers (:data:`HEADER`, :data:`GUARDED`) or in other files (:data:`SOURCE`) only; which of
+            them a file is, its name tells.
         callback: it counts where this function, as qualified in the file, is a callback of some file of the package.
         severity: where it differs from the rule's.
         entity: text form of the id it is about, where that is not the innermost one around the line.

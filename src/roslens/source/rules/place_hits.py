@@ -9,12 +9,17 @@ from pathlib import PurePosixPath
 
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.finding import Finding, fingerprint
-from roslens.source.rules.hit import HEADER, Hit
+from roslens.source.rules.hit import GUARDED, HEADER, SOURCE, Hit
 from roslens.source.rules.rule import TOOL, Rule
 from roslens.source.rules.selection import Selection
 
 HEADER_ENDINGS = frozenset({".h", ".hh", ".hpp", ".hxx", ".h++", ".cuh", ".ipp", ".tpp", ".inl"})
 """Endings of files that others include."""
+
+PIECE_ENDINGS = frozenset({".ipp", ".tpp", ".inl"})
+"""Those of them that a header includes at its end, and that need no guard."""
+
+_PIECE_STEMS = ("-inl", "_inl", "-impl", "_impl", ".impl", ".inl")
 
 
 def place_hits(
@@ -38,9 +43,9 @@ def place_hits(
     seen: Counter[tuple[str, str, str]] = Counter()
     found: list[Finding] = []
     for path in sorted(hits):
-        is_header = PurePosixPath(path).suffix.lower() in HEADER_ENDINGS
+        counted = _counted(PurePosixPath(path))
         for hit in hits[path]:
-            if hit.rule not in selection or (hit.only and (hit.only == HEADER) != is_header):
+            if hit.rule not in selection or (hit.only and hit.only not in counted):
                 continue
             if hit.callback and hit.callback not in known:
                 continue
@@ -49,6 +54,14 @@ def place_hits(
             found.append(_finding(hit, path, entity, seen[key], selection, rules[hit.rule]))
             seen[key] += 1
     return tuple(found)
+
+
+def _counted(path: PurePosixPath) -> tuple[str, ...]:
+    suffix = path.suffix.lower()
+    if suffix not in HEADER_ENDINGS:
+        return (SOURCE,)
+    is_piece = suffix in PIECE_ENDINGS or path.stem.lower().endswith(_PIECE_STEMS)
+    return (HEADER,) if is_piece else (HEADER, GUARDED)
 
 
 def _finding(hit: Hit, path: str, entity: str, ordinal: int, selection: Selection, rule: Rule) -> Finding:

@@ -1,0 +1,27 @@
+"""Places of a pattern in code without comments and strings, with the node of the tree around each."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+
+
+def places(pattern: re.Pattern[bytes], view: FileView, group: int = 0) -> Iterator[tuple[re.Match[bytes], Node]]:
+    """Yield each match in the code of a file, with the smallest node around one of its groups.
+
+    Strings are single words there (:mod:`~roslens.source.syntax.comments`), comments are spaces.
+    """
+    for match in pattern.finditer(view.code):
+        node = view.node_at(match.start(group), match.end(group))
+        if node is not None:
+            yield match, node
+
+
+def lines_of(pattern: re.Pattern[bytes], view: FileView, group: int = 0) -> Iterator[tuple[re.Match[bytes], int]]:
+    """Yield each match in the code of a file, with its line, 1-based."""
+    for match in pattern.finditer(view.code):
+        yield match, view.place(match.start(group))[0]

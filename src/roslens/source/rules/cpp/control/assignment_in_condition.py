@@ -1,0 +1,57 @@
+"""Rule ``cpp.assignment_in_condition``: an assignment where a comparison was meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a condition that is an assignment with ``=`` and nothing else."""
+    condition = node.child_by_field_name("condition")
+    value = condition.child_by_field_name("value") if condition is not None else None
+    value = value if value is not None or condition is None else next(iter(condition.named_children), None)
+    if value is None or value.type != "assignment_expression":
+        return
+    if view.text(value.child_by_field_name("operator")) == "=":
+        yield view.hit(
+            "cpp.assignment_in_condition",
+            value,
+            f"`{view.text(value)[:60]}` assigns in a condition; expected `==`, or parentheses around it",
+        )
+
+
+RULE = FileRule(
+    id="cpp.assignment_in_condition",
+    title="Assignment as a condition",
+    finds="`if (a = b)` or `while (a = b)` without a second pair of parentheses. Write `==`, or assign before.",
+    why="The state of the robot is overwritten by the test for it, and the branch is taken always or never.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "misra-cpp-2008",
+        "misra-cpp-2023",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+        "paper2016",
+    ),
+    clauses=(
+        "misra-cpp-2008 6-2-1",
+        "misra-cpp-2023 8.18.2",
+        "autosar-cpp14 A6-2-1",
+        "jsf-av 160",
+        "paper2016 harosAssignAssignment",
+        "clang-tidy bugprone-assignment-in-if-condition",
+    ),
+    bad="void f(int a) { if (a = 3) stop(); }\n",
+    good="void f(int a) { if (a == 3) stop(); }\n",
+    syntax="cpp",
+    kinds=("if_statement", "while_statement"),
+    found=found,
+)

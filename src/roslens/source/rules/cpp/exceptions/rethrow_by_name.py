@@ -1,0 +1,49 @@
+"""Rule ``cpp.rethrow_by_name``: an exception that is thrown again as a copy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_class import name_node
+from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each ``throw`` of the name that the handler around it caught."""
+    if node.named_child_count != 1 or node.named_children[0].type != "identifier":
+        return
+    handler = above(node, "catch_clause", "lambda_expression", "function_definition")
+    if handler is None or handler.type != "catch_clause":
+        return
+    for one in (handler.child_by_field_name("parameters") or handler).named_children:
+        declarator = one.child_by_field_name("declarator")
+        name = view.text(node.named_children[0])
+        if (
+            declarator is not None
+            and declarator.type != "pointer_declarator"
+            and view.text(name_node(declarator)).lstrip("&* ") == name
+        ):
+            yield view.hit("cpp.rethrow_by_name", node, f"`throw {name};` throws a copy; expected `throw;`")
+
+
+RULE = FileRule(
+    id="cpp.rethrow_by_name",
+    title="Exception thrown again by its name",
+    finds="`throw e;` in the handler that caught `e`: the copy has the type that was caught, not the one that "
+    "was thrown. Write `throw;`.",
+    why="Callers that handle a more special error, such as a timeout, no longer see it.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "safety",
+    ),
+    bad="void f() { try { g(); } catch (const E& e) { throw e; } }\n",
+    good="void f() { try { g(); } catch (const E& e) { throw; } }\n",
+    syntax="cpp",
+    kinds=("throw_statement",),
+    found=found,
+)

@@ -1,0 +1,47 @@
+"""Rule ``cpp.swallowed``: a handler of everything that does nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_class import function_declarator, has_token, name_node
+from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each handler of anything whose body is empty, without a comment too."""
+    parameters, body = node.child_by_field_name("parameters"), node.child_by_field_name("body")
+    # A comment in the body is a node, too: a reason.
+    if parameters is None or body is None or body.named_child_count or not has_token(parameters, "..."):
+        return
+    line = view.lines[view.place(body.end_byte - 1)[0] - 1]
+    around = above(node, "function_definition")
+    is_last_act = around is not None and "~" in view.text(name_node(function_declarator(around)))
+    if not is_last_act and b"//" not in line and b"/*" not in line:
+        yield view.hit(
+            "cpp.swallowed", node, "`catch (...)` swallows every exception; expected a log, a reason or a narrower type"
+        )
+
+
+RULE = FileRule(
+    id="cpp.swallowed",
+    title="Every exception swallowed",
+    finds="`catch (...)` with an empty body and no comment that says why. Log it, handle it or let it pass.",
+    why="A driver that failed to start goes on as if nothing had happened; even a thread that is being "
+    "cancelled is held up.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "safety",
+    ),
+    clauses=("clang-tidy bugprone-empty-catch",),
+    bad="void f() { try { g(); } catch (...) {} }\n",
+    good='void f() { try { g(); } catch (...) { log("g failed"); } }\n',
+    syntax="cpp",
+    kinds=("catch_clause",),
+    found=found,
+)

@@ -1,0 +1,1 @@
+"""Rules on headers and what is included."""

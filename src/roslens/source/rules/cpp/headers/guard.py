@@ -1,0 +1,79 @@
+"""Rule ``cpp.guard``: a header that can be read twice."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import GUARDED, Hit
+from roslens.source.rules.rule import FileRule
+
+_GUARD = re.compile(
+    rb"^[ \t]*#[ \t]*if(?:ndef[ \t]+(\w+)|[ \t]+!?[ \t]*!defined[ \t]*\(?[ \t]*(\w+)[ \t]*\)?)[^\n]*\n"
+    rb"(?:[ \t]*\n)*[ \t]*#[ \t]*define[ \t]+(\w+)",
+    re.MULTILINE,
+)
+_ONCE = re.compile(rb"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
+_FIRST = re.compile(rb"^[ \t]*(\S[^\n]*)", re.MULTILINE)
+_NO_CODE = re.compile(rb"\A[\s;]*\Z")
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a file that nothing keeps from being read twice; whether it is a header, its name tells."""
+    first = _FIRST.search(view.code)
+    if first is None or _ONCE.search(view.code):
+        return
+    guard = _GUARD.search(view.code)
+    if guard is None:
+        problem = "no `#pragma once` and no `#ifndef` … `#define` around the header"
+        yield view.hit_at(
+            "cpp.guard", view.place(first.start(1))[0], f"{problem}; expected one of the two", only=GUARDED
+        )
+        return
+    tested = guard[1] or guard[2]
+    if tested != guard[3]:
+        line = view.place(guard.start(3))[0]
+        wanted, got = tested.decode("utf-8", "replace"), guard[3].decode("utf-8", "replace")
+        yield view.hit_at(
+            "cpp.guard", line, f"`#define {got}` below `#ifndef {wanted}`; expected `{wanted}`", only=GUARDED
+        )
+
+
+RULE = FileRule(
+    id="cpp.guard",
+    title="Header without a guard",
+    finds="A header with neither `#pragma once` nor `#ifndef` and `#define` of one name around it. Add one of the two.",
+    why="The day two headers include it, nothing compiles, with messages about another file.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "google",
+        "ros-style",
+        "hicpp",
+        "misra-cpp-2008",
+        "misra-cpp-2023",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+        "paper2016",
+    ),
+    tags=("header",),
+    clauses=(
+        "cpplint build/header_guard",
+        "misra-cpp-2008 16-2-3",
+        "misra-cpp-2023 19.2.1",
+        "autosar-cpp14 M16-2-3",
+        "jsf-av 27",
+        "jsf-av 35",
+        "hicpp 16.1.1",
+        "paper2016 header_guard",
+    ),
+    bad="struct Pose { double x; };\n",
+    good="#pragma once\nstruct Pose { double x; };\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

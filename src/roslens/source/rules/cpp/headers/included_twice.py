@@ -1,0 +1,59 @@
+"""Rule ``cpp.included_twice``: a header that is included twice by one file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import lines_of
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_INCLUDE = re.compile(rb"^[ \t]*(?:#[ \t]*(if|endif)|\xa3[\xa0\x89]*include[\xa0\x89]*([^\s]+))", re.MULTILINE)
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each include of what the file has included before, at the same level of ``#if``."""
+    seen: dict[bytes, int] = {}
+    depth = 0
+    outermost = 1 if view.code.lstrip().startswith((b"#ifndef", b"#if !defined")) else 0
+    for match, line in lines_of(_INCLUDE, view):
+        if match[2]:
+            if depth > outermost:
+                continue
+            if (before := seen.setdefault(match[2], line)) != line and not match[2].endswith(
+                (b".inc\xbe", b".def\xa2")
+            ):
+                text = " ".join(view.lines[line - 1].decode("utf-8", "replace").split())[:80]
+                yield view.hit_at("cpp.included_twice", line, f"`{text}` stands on line {before} too; expected it once")
+        else:
+            depth += 1 if match[1] == b"if" else -1
+
+
+RULE = FileRule(
+    id="cpp.included_twice",
+    title="Header included twice",
+    finds="The same `#include` a second time in one file, outside of `#if`. Remove one.",
+    why="It costs nothing but the time of a reader, who asks what is different the second time.",
+    severity=Severity.NOTE,
+    profiles=(
+        "ros2",
+        "ros1",
+        "google",
+        "paper2016",
+    ),
+    clauses=(
+        "cpplint build/include",
+        "paper2016 include_twice",
+        "clang-tidy readability-duplicate-include",
+    ),
+    bad="#include <string>\n#include <vector>\n#include <string>\n",
+    good="#include <string>\n#include <vector>\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

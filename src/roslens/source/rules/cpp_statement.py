@@ -1,0 +1,61 @@
+"""Statements of C++ as rules read them."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView, above
+
+_LEAVES = ("return_statement", "throw_statement", "goto_statement", "break_statement", "continue_statement")
+_NEVER_RETURN = frozenset({"exit", "abort", "std::exit", "std::abort", "_exit", "quick_exit", "std::terminate"})
+_NO_STATEMENTS = ("comment", "preproc_call", "preproc_def")
+
+
+def is_inside_function(node: Node) -> bool:
+    """Return whether a node stands in the body of a function."""
+    return above(node, "compound_statement", "lambda_expression") is not None
+
+
+def last_statement(block: Node) -> Node | None:
+    """Return the last statement of a block or ``case``; of a nested block the last one in it."""
+    found: Node | None = None
+    while True:
+        inside = [one for one in block.named_children if one.type not in _NO_STATEMENTS]
+        if not inside:
+            return found
+        found = inside[-1]
+        if found.type != "compound_statement":
+            return found
+        block = found
+
+
+def ends_flow(statement: Node | None, view: FileView) -> bool:
+    """Return whether what follows a statement is never reached from it."""
+    if statement is None:
+        return False
+    if statement.type in _LEAVES:
+        return True
+    if statement.type == "compound_statement":
+        return ends_flow(last_statement(statement), view)
+    if statement.type == "expression_statement" and statement.named_child_count:
+        inner = statement.named_children[0]
+        return inner.type == "call_expression" and callee(inner, view) in _NEVER_RETURN
+    if statement.type == "if_statement":
+        other = statement.child_by_field_name("alternative")
+        if other is None or not other.named_child_count:
+            return False
+        then = statement.child_by_field_name("consequence")
+        return ends_flow(then, view) and ends_flow(other.named_children[-1], view)
+    return False
+
+
+def callee(call: Node, view: FileView) -> str:
+    """Return what a call calls, as it is written."""
+    return view.text(call.child_by_field_name("function"))
+
+
+def plain(node: Node | None) -> Node | None:
+    """Return an expression without the parentheses around it."""
+    while node is not None and node.type == "parenthesized_expression" and node.named_child_count == 1:
+        node = node.named_children[0]
+    return node

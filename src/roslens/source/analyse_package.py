@@ -35,7 +35,7 @@ class PackageTask(msgspec.Struct, frozen=True):
 
     ``facts_keys`` names the cached analysis of each file that has a syntax; ``cache`` is the path
     of the cache, empty for none. ``program_keys`` names the cached programs likewise, where they are wanted:
-    those that are missing are taken from the same parse.
+    those that are missing are taken from the same parse. ``others`` are paths of files that have no language.
     """
 
     package: Package
@@ -47,6 +47,7 @@ class PackageTask(msgspec.Struct, frozen=True):
     cache: str = ""
     program_keys: dict[str, str] = {}
     rules: RuleSettings = RuleSettings()
+    others: tuple[str, ...] = ()
 
 
 class MeasuredPackage(msgspec.Struct, frozen=True):
@@ -117,7 +118,8 @@ def _measure(task: PackageTask) -> MeasuredPackage:
         callbacks.update(analysis.callbacks)
         measured.append((file, analysis.facts, measure_file(file.path, analysis.facts, task.counting)))
     entities = measure_package(task.package, measured, task.counting)
-    view = PackageView(task.package, task.root, task.files, {file.path: facts for file, facts, _ in measured})
+    of_files = {file.path: facts for file, facts, _ in measured}
+    view = PackageView(task.package, task.root, task.files, of_files, others=task.others)
     findings = rule_findings(view, task.rules, hits, callbacks, entities, failures)
     return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new, findings)
 

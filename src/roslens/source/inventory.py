@@ -25,11 +25,16 @@ LARGEST_UNNAMED_BYTES = 1 << 20
 
 
 class Inventory(msgspec.Struct, frozen=True):
-    """The files of each package id, what could not be read, and what the cache should learn."""
+    """The files of each package id, what could not be read, and what the cache should learn.
+
+    ``others`` are the paths of the files of each package that have no language of interest: licences, meshes,
+    ``setup.cfg``; whether they are there is all that is known of them.
+    """
 
     files: dict[str, tuple[SourceFile, ...]]
     failures: tuple[Failure, ...]
     learned: dict[str, FileStat]
+    others: dict[str, tuple[str, ...]] = {}
 
 
 def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Mapping[str, FileStat]) -> Inventory:
@@ -41,8 +46,10 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
     files: dict[str, tuple[SourceFile, ...]] = {}
     failures: list[Failure] = []
     learned: dict[str, FileStat] = {}
+    others: dict[str, tuple[str, ...]] = {}
     for found in workspace.packages:
         kept: list[SourceFile] = []
+        unnamed: list[str] = []
         for entry in found.files:
             stat = known.get(entry.path)
             if stat is None or not _unchanged(stat, entry, rules):
@@ -52,12 +59,13 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
                     failures.append(_unreadable(found, entry, error))
                     continue
                 learned[entry.path] = stat
-            if stat.language != Language.OTHER.value:
-                kept.append(
-                    SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash)
-                )
+            if stat.language == Language.OTHER.value:
+                unnamed.append(entry.path)
+                continue
+            kept.append(SourceFile(entry.path, Language(stat.language), Role(stat.role), entry.size, stat.content_hash))
+        others[found.package.id] = tuple(unnamed)
         files[found.package.id] = _with_headers(_with_vendored(found, kept, settings))
-    return Inventory(files, tuple(failures), learned)
+    return Inventory(files, tuple(failures), learned, others)
 
 
 def _with_vendored(found: FoundPackage, files: list[SourceFile], settings: WorkspaceSettings) -> list[SourceFile]:

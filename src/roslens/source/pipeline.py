@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,7 +21,7 @@ from roslens.plugins.options import check_options
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
-from roslens.source.keys import analyser_version, key_of
+from roslens.source.keys import analyser_version, content_hash, key_of
 from roslens.source.known_manifests import KnownManifests
 from roslens.source.owned_findings import owned_findings
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
@@ -41,6 +42,9 @@ if TYPE_CHECKING:
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
 
+
+PACKAGING_FILES = ("setup.cfg", "pyproject.toml")
+"""Files at the top of a package that have no language and shape what rules find."""
 
 KEPT_RUNS = 50
 """Older runs are removed when a new one is complete."""
@@ -141,7 +145,13 @@ def analyse(
         # What such a plug-in says of one package may come from a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
     units = {
-        found.package.id: key_of(shaping, found.package, inventory.files[found.package.id])
+        found.package.id: key_of(
+            shaping,
+            found.package,
+            inventory.files[found.package.id],
+            inventory.others[found.package.id],
+            _packaging(found),
+        )
         for found in workspace.packages
     }
     key = key_of(units, workspace.failures, inventory.failures, plugins.failures, *([beyond.key] if beyond else ()))
@@ -182,6 +192,24 @@ def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
     ]
     # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
     return key_of(analyser_version(), msgspec.structs.replace(settings, plugins=(), untrusted=()), models, members)
+
+
+def _packaging(found: FoundPackage) -> list[tuple[str, str]]:
+    """Return the hashes of files that have no language and say how a package is installed."""
+    read = [
+        Path(found.folder, name)
+        for entry in found.files
+        if (name := entry.path.rpartition("/")[2]) in PACKAGING_FILES and "/" not in _inside(found, entry.path)
+    ]
+    held: list[tuple[str, str]] = []
+    for path in read:
+        with suppress(OSError):
+            held.append((path.name, content_hash(path.read_bytes())))
+    return held
+
+
+def _inside(found: FoundPackage, path: str) -> str:
+    return path.removeprefix(f"{found.package.path}/")
 
 
 def _programs(member: Member) -> list[tuple[str, int, int]]:
@@ -279,6 +307,7 @@ def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
         counting=run.settings.counting,
         macros=run.settings.macros,
         rules=run.settings.rules,
+        others=run.inventory.others[found.package.id],
         cache=str(cache.path) if cache.path else "",
         program_keys=_program_keys(run, files) if run.programs else {},
     )

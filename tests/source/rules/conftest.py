@@ -14,12 +14,14 @@ def package_view():
     def view(folder):
         workspace = find_workspace([folder], WorkspaceSettings())
         (found,) = [one for one in workspace.packages if one.package.manifest.path]
-        files = take_inventory(workspace, WorkspaceSettings(), {}).files[found.package.id]
+        inventory = take_inventory(workspace, WorkspaceSettings(), {})
+        files = inventory.files[found.package.id]
         facts = {
             file.path: parse_file((folder / file.path).read_bytes(), file.language, MacroSettings()).facts()
             for file in files
             if file.language.parsed_as
         }
-        return PackageView(found.package, workspace.root, files, facts)
+        others = inventory.others[found.package.id]
+        return PackageView(found.package, workspace.root, files, facts, others=others)
 
     return view

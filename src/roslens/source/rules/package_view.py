@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
 from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.syntax.facts import FileFacts
+
+if TYPE_CHECKING:
+    from roslens.source.rules.cmake_view import CmakeView
 
 MOST_BYTES = 4_000_000
 """Of a file that a rule on packages reads."""
@@ -25,6 +29,7 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
         files: all of the package.
         facts: of those that have a syntax, by path.
         texts: contents by path that tests give instead of files.
+        others: paths of the files that have no language of interest: licences, meshes, ``setup.cfg``.
     """
 
     package: Package
@@ -32,6 +37,7 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
     files: tuple[SourceFile, ...]
     facts: Mapping[str, FileFacts] = {}
     texts: Mapping[str, bytes] = {}
+    others: tuple[str, ...] = ()
 
     @cached_property
     def by_path(self) -> Mapping[str, SourceFile]:
@@ -46,6 +52,33 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
     def inside(self, path: str) -> str:
         """Return a path below the workspace as one below the package."""
         return path.removeprefix(f"{self.folder}/") if self.folder else path
+
+    @cached_property
+    def listing(self) -> frozenset[str]:
+        """Paths of all files below the package."""
+        return frozenset(self.inside(path) for path in (*self.by_path, *self.others))
+
+    @cached_property
+    def cmake(self) -> CmakeView:
+        """The CMake files, parsed."""
+        from roslens.source.rules.cmake_view import CmakeView
+
+        return CmakeView(self)
+
+    def exists(self, path: str) -> bool:
+        """Return whether a path below the workspace is there, also where no walk went."""
+        return self.inside(path) in self.listing or Path(self.root, path).exists()
+
+    def path(self, inside: str) -> str:
+        """Return a path below the package as one below the workspace."""
+        return f"{self.folder}/{inside}" if self.folder else inside
+
+    @cached_property
+    def ros(self) -> frozenset[int]:
+        """The versions of ROS that it is built for: 1, 2 or both."""
+        from roslens.source.rules.profiles import profiles_of
+
+        return frozenset(int(name[-1]) for name in profiles_of(self.package))
 
     def of_language(self, *languages: Language, roles: tuple[Role, ...] = (Role.OWN, Role.TEST)) -> list[SourceFile]:
         """Return the files in one of the languages, in order of their paths."""

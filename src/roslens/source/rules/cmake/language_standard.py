@@ -1,0 +1,40 @@
+"""Rule ``cmake.language_standard``: the standard of C++ is a flag for all that is compiled."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_STANDARD = re.compile(r"-std=(?:c|gnu)\+\+(\w+)")
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each command that adds ``-std=`` to the flags of all targets."""
+    for one in view.cmake.named("add_definitions", "add_compile_options", "set"):
+        if one.name == "set" and one.words[:1] not in (("CMAKE_CXX_FLAGS",), ("CMAKE_C_FLAGS",)):
+            continue
+        if one.defined or one.conditions:
+            continue
+        written = " ".join(argument.written for argument in one.command.arguments)
+        if match := _STANDARD.search(written):
+            message = f"{match[0]!r} for all targets; expected CMAKE_CXX_STANDARD, or target_compile_features()"
+            yield one.hit("cmake.language_standard", message)
+
+
+RULE = PackageRule(
+    id="cmake.language_standard",
+    title="Standard of C++ as a flag for everything",
+    finds="`-std=c++…` in `add_definitions`, `add_compile_options` or `CMAKE_CXX_FLAGS`, outside of any condition. "
+    "Set `CMAKE_CXX_STANDARD`, or ask for `target_compile_features(… cxx_std_17)`.",
+    why="Headers of newer distributions need a newer standard (Noetic's log4cxx and PCL need C++14, ROS 2 needs "
+    "C++17): the flag pins the old one, overrules what dependencies ask for, and the package no longer builds.",
+    profiles=("ros2", "ros1"),
+    tags=("build",),
+    bad="add_compile_options(-std=c++11)",
+    good="set(CMAKE_CXX_STANDARD 17)",
+    found=found,
+)

@@ -1,0 +1,43 @@
+"""Rule ``cmake.machine_flags``: code for the processor that happens to compile it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_NATIVE = re.compile(r"(?<![\w-])-m(?:arch|tune|cpu)=native\b|(?<![\w-])-xHost\b")
+_TUNE = "-mtune"
+_SWITCH = re.compile(r"native|march|simd|sse|avx|optimi", re.IGNORECASE)
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each flag that makes code of the building processor, where no option asks for it."""
+    for one in view.cmake.commands:
+        if one.name in ("message", "check_cxx_compiler_flag", "option", "if"):
+            continue
+        written = " ".join(argument.written for argument in one.command.arguments)
+        match = _NATIVE.search(written)
+        if match is None or match[0].startswith(_TUNE) or any(_SWITCH.search(each) for each in one.conditions):
+            continue
+        message = f"{match[0]!r} makes code of the processor that builds; expected an option that is off by default"
+        yield one.hit("cmake.machine_flags", message)
+
+
+RULE = PackageRule(
+    id="cmake.machine_flags",
+    title="Code of the processor that happens to build it",
+    finds="`-march=native` (or `-mcpu=native`) without an option that turns it off.",
+    why="What is built on a workstation or in CI ends with an illegal instruction on the robot's smaller "
+    "processor; and Eigen lays its types out differently with it, so that packages built without it crash when "
+    "they meet.",
+    profiles=("ros2", "ros1"),
+    tags=("build",),
+    bad='set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -march=native")',
+    good='option(USE_NATIVE "Code of this processor only" OFF)\nif(USE_NATIVE)\n  add_compile_options(-march=native)\n'
+    "endif()",
+    found=found,
+)

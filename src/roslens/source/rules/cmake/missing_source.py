@@ -1,0 +1,67 @@
+"""Rule ``cmake.missing_source``: a target is made of a file that does not exist."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from posixpath import basename
+
+from roslens.model.finding import Severity
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_MAKES = ("add_executable", "add_library", "ament_add_gtest", "catkin_add_gtest", "cuda_add_executable", "nodelet")
+_SOURCE = re.compile(r"[\w./+-]+\.(?:c|cc|cpp|cxx|cu)$")
+_GENERATES = (
+    "add_custom_command",
+    "configure_file",
+    "execute_process",
+    "qt5_wrap_ui",
+    "qt_wrap_cpp",
+    "externalproject_add",
+)
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each source that is written out, not in the package and made by no command."""
+    cmake = view.cmake
+    made = " ".join(" ".join(one.words) for one in cmake.named(*_GENERATES, "file"))
+    for one in cmake.named(*_MAKES):
+        if one.defined:
+            continue
+        for argument in one.command.arguments[1:]:
+            word = argument.literal
+            if word is None or not _SOURCE.fullmatch(word) or basename(word) in made:
+                continue
+            path = cmake.inside(word, one.path)
+            if path is None or view.exists(path) or not _is_below(path, view.folder):
+                continue
+            sure = not one.conditions and one.name in ("add_executable", "add_library")
+            message = f"source {word!r} of target {one.words[0]!r} does not exist; expected a file of the package"
+            yield _weighed(one.hit("cmake.missing_source", message, word), sure=sure)
+
+
+def _is_below(path: str, folder: str) -> bool:
+    return not path.startswith("..") and (not folder or path.startswith(f"{folder}/"))
+
+
+def _weighed(hit: Hit, *, sure: bool) -> Hit:
+    import msgspec
+
+    return hit if sure else msgspec.structs.replace(hit, severity=Severity.WARNING)
+
+
+RULE = PackageRule(
+    id="cmake.missing_source",
+    title="Target of a source that does not exist",
+    finds="A source that `add_executable` or `add_library` names and that is neither in the package nor made by a "
+    "command. Correct the path, or remove the target. Inside a condition it is a warning: that arm may never run.",
+    why="CMake stops: the package cannot be built at all.",
+    severity=Severity.ERROR,
+    profiles=("ros2", "ros1"),
+    tags=("build",),
+    bad="add_executable(driver src/drvier.cpp)",
+    good="add_executable(driver src/driver.cpp)",
+    found=found,
+)

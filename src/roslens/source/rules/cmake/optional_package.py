@@ -1,0 +1,73 @@
+"""Rule ``cmake.optional_package``: a package is looked for as if it were optional, and used as if it were there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.source.rules.cmake_view import Written
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_CHECKS = frozenset({"find_package_handle_standard_args", "ament_auto_find_build_dependencies"})
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each ``find_package`` without ``REQUIRED`` whose result nobody asks for."""
+    cmake = view.cmake
+    text = cmake.text
+    for one in cmake.named("find_package"):
+        if _is_required(one) or one.defined or not one.command.arguments or one.for_tests:
+            continue
+        name = one.command.arguments[0].literal
+        if name is None or _is_asked(name, text) or cmake.first(*_CHECKS):
+            continue
+        if any(_required_too(other, name) for other in cmake.named("find_package")):
+            continue
+        if _is_used(name, view):
+            message = f"{name!r} is looked for without REQUIRED, used, and nobody asks whether it was found"
+            yield one.hit("cmake.optional_package", message)
+
+
+def _is_required(command: Written) -> bool:
+    # What is not REQUIRED and QUIET is meant to be optional.
+    return any(word in ("REQUIRED", "QUIET", "OPTIONAL_COMPONENTS") for word in command.words)
+
+
+def _required_too(command: Written, name: str) -> bool:
+    return "REQUIRED" in command.words and command.words[:1] == (name,)
+
+
+def _is_asked(name: str, text: str) -> bool:
+    return re.search(rf"\b{re.escape(name)}_(?:FOUND|DIR|VERSION)\b", text, re.IGNORECASE) is not None or (
+        re.search(rf"TARGET\s+{re.escape(name)}::", text) is not None
+    )
+
+
+def _is_used(name: str, view: PackageView) -> bool:
+    pattern = re.compile(rf"\$\{{{re.escape(name)}_\w+\}}|\b{re.escape(name)}::", re.IGNORECASE)
+    uses = view.cmake.named(
+        "target_link_libraries", "include_directories", "target_include_directories", "ament_target_dependencies"
+    )
+    return any(
+        pattern.search(argument.written) or (one.name == "ament_target_dependencies" and argument.literal == name)
+        for one in uses
+        if not one.conditions
+        for argument in one.command.arguments
+    )
+
+
+RULE = PackageRule(
+    id="cmake.optional_package",
+    title="Needed package looked for as if it were optional",
+    finds="A `find_package()` without `REQUIRED` of what is then linked or included in any case, and whose "
+    "`…_FOUND` is never asked. Add `REQUIRED`.",
+    why="Where it is missing, configuring goes on and the build ends with a header or symbol that cannot be found, "
+    "far from the cause, or links without it.",
+    profiles=("ros2", "ros1"),
+    tags=("build",),
+    bad="find_package(Eigen3)\ninclude_directories(${EIGEN3_INCLUDE_DIRS})",
+    good="find_package(Eigen3 REQUIRED)\ninclude_directories(${EIGEN3_INCLUDE_DIRS})",
+    found=found,
+)

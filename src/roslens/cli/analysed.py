@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.check_graph import graph_look
+from roslens.cli.tools_option import with_tools
 from roslens.cli.workplace import CACHE, FOLDER, own_folder
 
 if TYPE_CHECKING:
@@ -97,6 +98,7 @@ def _settings(
     if options.model:
         names = [name for given in options.model for name in given.split(",") if name]
         settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
+    settings = with_tools(options, settings)
     # Conditions of manifests (REP-149) see what the user sourced, unless the configuration says otherwise.
     seen = {**environment_of(environment), **settings.workspace.environment}
     workspace = msgspec.structs.replace(settings.workspace, environment=seen)

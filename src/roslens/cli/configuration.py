@@ -150,7 +150,7 @@ class _Reader:
         self._prefix = prefix
 
     def read(self, document: Mapping[str, Any]) -> Configuration:
-        valid = (*_TOP, *_TABLES, "options")
+        valid = (*_TOP, *_TABLES, "options", "tools")
         for key in document:
             if key not in valid:
                 raise self._unknown((key,), valid)
@@ -160,6 +160,10 @@ class _Reader:
         tables: dict[str, Any] = {
             key: self._table(key, document[key], kind) for key, kind in _TABLES.items() if key in document
         }
+        if "tools" in document:
+            from roslens.cli.tools_table import read_tools
+
+            tables["tools"] = read_tools(document["tools"], self._value, self._where)
         fail_on = str(top.pop("fail_on", "error"))
         if fail_on not in FAIL_ON:
             raise DocumentError(

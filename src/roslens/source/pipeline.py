@@ -7,7 +7,7 @@ packages that changed -> let plug-ins look at them -> judge -> keep -> measure t
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,6 +27,7 @@ from roslens.source.owned_findings import owned_findings
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
 from roslens.source.settings import RuleSettings, SourceSettings
+from roslens.source.tools.used import tool_stage
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
 
 if TYPE_CHECKING:
@@ -38,7 +39,9 @@ if TYPE_CHECKING:
     from roslens.plugins.discovery import Discovered
     from roslens.plugins.member import Member
     from roslens.plugins.outcome import Outcome
+    from roslens.plugins.points import Manifest
     from roslens.source.analyse_package import MeasuredPackage, PackageTask
+    from roslens.source.tools.tool_stage import ToolStage
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
 
@@ -134,7 +137,7 @@ def analyse(
     inventory = take_inventory(workspace, settings.workspace, known)
     plugins = discover_plugins(settings, base, log)
     if settings.options:
-        check_options({member.name: member.manifest for member in plugins.members}, settings.options)
+        check_options(_manifests(settings, plugins), settings.options)
     if settings.rules != RuleSettings():
         from roslens.source.rules.selection import check_rule_settings
         from roslens.source.rules.table import native_rules
@@ -144,6 +147,7 @@ def analyse(
     if is_wide([member for member in plugins.members if not member.builtin]):
         # What such a plug-in says of one package may come from a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
+    tools = tool_stage(settings, workspace, inventory.files, cache, jobs=jobs or os.cpu_count() or 1)
     units = {
         found.package.id: key_of(
             shaping,
@@ -151,10 +155,12 @@ def analyse(
             inventory.files[found.package.id],
             inventory.others[found.package.id],
             _packaging(found),
+            *([tools.key_of_package(found.package.id)] if tools else ()),
         )
         for found in workspace.packages
     }
-    key = key_of(units, workspace.failures, inventory.failures, plugins.failures, *([beyond.key] if beyond else ()))
+    further = (*([beyond.key] if beyond else ()), *([tools.failures] if tools else ()))
+    key = key_of(units, workspace.failures, inventory.failures, plugins.failures, *further)
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
     if gone := known.keys() - {file.path for found in workspace.packages for file in found.files}:
@@ -162,7 +168,7 @@ def analyse(
     if (before := store.run_with(key)) is not None:
         return Answer(before, fresh=False, measured=0, packages=number_of_packages(units))
     return _run(
-        _Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log, programs, beyond),
+        _Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log, programs, beyond, tools),
         store,
         cache,
         watch,
@@ -182,6 +188,20 @@ class _Run(msgspec.Struct, frozen=True):
     log: Path | None
     programs: bool
     beyond: Beyond | None
+    tools: ToolStage | None
+
+    def key_kept(self, key: str) -> str:
+        """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
+        return key_of(key, self.clock.epoch_s) if self.tools is not None and self.tools.has_failed else key
+
+
+def _manifests(settings: SourceSettings, plugins: Discovered) -> dict[str, Manifest]:
+    """Return the manifests of all that options may be for."""
+    from roslens.source.tools.table import tool_named
+    from roslens.source.tools.used import TOOLS
+
+    tools = {name: tool_named(name).manifest for name in TOOLS if name in settings.options}
+    return {**tools, **{member.name: member.manifest for member in plugins.members}}
 
 
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
@@ -242,18 +262,27 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     packages = {found.package.id: found.package for found in run.workspace.packages}
     finisher = Finisher(run.settings, models, packages, files, (*run.workspace.failures, *run.inventory.failures))
     changed = [found for found in run.workspace.packages if not store.has_unit(run.units[found.package.id])]
+    if run.tools is not None:
+        run.tools.run((found.package.id for found in changed), watch)
     header = _header(run)
     rest: list[Outcome] = []
     stage = PluginStage(
         run.plugins, run.settings, wanted, run.workspace, files, jobs=run.jobs or os.cpu_count() or 1, log=run.log
     )
+    seen: set[str] = set()
     with stage, store.writing(header) as writer:
         for measured, said in _looked_at(stage, _measured(run, changed, cache, watch), rest):
-            writer.add(run.units[measured.package], finisher.finish(measured, said))
+            if run.tools is not None:
+                said += run.tools.outcome(measured)
+            result = finisher.finish(measured, said)
+            seen.update(finding.rule for finding in result.findings)
+            writer.add(run.key_kept(run.units[measured.package]), result)
         fresh = {found.package.id for found in changed}
         for found in run.workspace.packages:
             if found.package.id not in fresh:
                 writer.reuse(run.units[found.package.id])
+                if run.tools is not None and (summary := store.unit_summary(run.units[found.package.id])) is not None:
+                    seen.update(count.rule for count in summary.rules)
         configurations: tuple[JudgedConfiguration, ...] = ()
         owned: dict[str, tuple[Finding, ...]] = {}
         if run.beyond is not None:
@@ -261,7 +290,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             owned, none = owned_findings(sight.outcome.findings, packages.values(), files)
             rest.append(msgspec.structs.replace(sight.outcome, findings=none))
             configurations = sight.configurations
-        whole = _workspace_result(run, stage, models, owned, rest)
+        whole = _workspace_result(run, stage, models, owned, rest, seen)
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
     store.prune(KEPT_RUNS)
@@ -346,6 +375,7 @@ def _workspace_result(
     models: Sequence[QualityModel],
     owned: dict[str, tuple[Finding, ...]],
     rest: Sequence[Outcome],
+    seen: Collection[str],
 ) -> WorkspaceResult:
     from roslens.judge.quality_model import rules_of
     from roslens.source.metrics.measure_workspace import measure_workspace
@@ -358,7 +388,8 @@ def _workspace_result(
     further = run.beyond.rules if run.beyond else ()
     judging = (rule for model in models for rule in rules_of(model))
     native = (rule.info for rule in native_rules().values())
-    rules = {rule.id: rule for rule in (*native, *stage.rules, *further, *judging)}
+    of_tools = run.tools.rules(seen) if run.tools else ()
+    rules = {rule.id: rule for rule in (*of_tools, *native, *stage.rules, *further, *judging)}
     return WorkspaceResult(
         package_values=measure_workspace([found.package for found in run.workspace.packages]),
         package_findings=owned,
@@ -366,6 +397,7 @@ def _workspace_result(
         failures=(
             *failures,
             *run.plugins.failures,
+            *(run.tools.failures if run.tools else ()),
             *(failure for outcome in rest for failure in outcome.failures),
         ),
         rules=tuple(rules[key] for key in sorted(rules)),
@@ -378,11 +410,11 @@ def _header(run: _Run) -> RunHeader:
     from roslens.source.versions import tool_versions
 
     return RunHeader(
-        key=run.key,
+        key=run.key_kept(run.key),
         root=run.workspace.root,
         started=run.clock.utc,
         commit=commit_of(run.workspace.root, (file for held in run.inventory.files.values() for file in held)),
-        tools=tool_versions(run.plugins.members),
+        tools=tool_versions(run.plugins.members) | (run.tools.versions if run.tools else {}),
         configuration=msgspec.to_builtins(run.settings),
         models=run.settings.models,
     )

@@ -21,6 +21,7 @@ from roslens.plugins.member import Member
 from roslens.plugins.outcome import Outcome
 from roslens.plugins.points import FileInput, PackageInput, WorkspaceInput
 from roslens.source.settings import SourceSettings
+from roslens.source.tools.used import TOOLS, plain
 from roslens.source.workspace.find import Workspace
 
 if TYPE_CHECKING:
@@ -45,7 +46,8 @@ def discover_plugins(
     """
     named = configurations or "graph" in {*settings.options, *settings.disable}
     builtin = BUILTIN if named else tuple(one for one in BUILTIN if one != GRAPH)
-    found = discover(settings.plugins, disable=settings.disable, base=base, builtin=builtin, log=log)
+    disable = [name for name in settings.disable if plain(name) not in TOOLS]
+    found = discover(settings.plugins, disable=disable, base=base, builtin=builtin, log=log)
     if settings.untrusted:
         withheld = tuple(not_trusted(name) for name in settings.untrusted)
         found = msgspec.structs.replace(found, failures=(*withheld, *found.failures))

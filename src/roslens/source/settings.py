@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import msgspec
 
 
@@ -100,6 +102,32 @@ class RuleSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     severity: dict[str, str] = {}
 
 
+class ToolCommand(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
+    """A program of the user's that writes SARIF: to standard output, or to where ``{output}`` stands among its words.
+
+    ``{root}`` stands for the workspace, which is also the folder that it is started in.
+    """
+
+    command: tuple[str, ...]
+
+
+class ToolSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Which foreign tools look at the source, and what becomes of what they say.
+
+    ``use`` are names of tools, ``all`` for every one that is installed. ``layout`` says whether findings about white
+    space and line breaks become one a package (``fold``) or stay as they are (``each``). ``time_limit_s`` is how long
+    one process of a tool may take. ``imports`` are SARIF files, ``commands`` tools of the user's by name;
+    ``untrusted`` are names of commands that do not run, because the user did not say that they may.
+    """
+
+    use: tuple[str, ...] = ()
+    layout: Literal["fold", "each"] = "fold"
+    time_limit_s: float = 600.0
+    imports: tuple[str, ...] = ()
+    commands: dict[str, ToolCommand] = {}
+    untrusted: tuple[str, ...] = ()
+
+
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that shapes the result of the source half.
 
@@ -112,6 +140,7 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     macros: MacroSettings = MacroSettings()
     graph: GraphSettings = GraphSettings()
     rules: RuleSettings = RuleSettings()
+    tools: ToolSettings = ToolSettings()
     models: tuple[str, ...] = ("ros",)
     gate_roles: tuple[str, ...] = ("own",)
     plugins: tuple[str, ...] = ()

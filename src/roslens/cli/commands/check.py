@@ -10,6 +10,7 @@ from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
 from roslens.cli.streams import add_stream_arguments, progress_for
+from roslens.cli.tools_option import add_tools_arguments, tell_not_run
 from roslens.cli.trust_option import add_trust_argument, admitted_by
 from roslens.cli.workplace import STORE, own_folder
 
@@ -57,6 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")
     add_trust_argument(parser)
     add_graph_argument(parser)
+    add_tools_arguments(parser)
     add_stream_arguments(parser)
 
 
@@ -103,6 +105,7 @@ def run(options: argparse.Namespace) -> int:
         )
         write_outputs(chosen, options, view, wanted)
         if not options.quiet:
+            tell_not_run(view.header)
             took = time.monotonic() - begun
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)

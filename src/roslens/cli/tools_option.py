@@ -1,0 +1,58 @@
+"""``--tools`` and ``--import``: what foreign tools have to say, beside what roslens finds itself."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.source.tools.used import NOT_RUN
+
+if TYPE_CHECKING:
+    from roslens.model.result import RunHeader
+    from roslens.source.settings import SourceSettings
+
+
+def add_tools_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add both options."""
+    parser.add_argument(
+        "--tools",
+        action="append",
+        metavar="NAME",
+        help="also run foreign tools, in place of those in roslens.toml: cpplint,ruff say, or all that are installed; "
+        "none for none (see `roslens plugins`)",
+    )
+    parser.add_argument(
+        "--import",
+        action="append",
+        metavar="FILE",
+        dest="imports",
+        help="also take the findings of a SARIF file; may be given again",
+    )
+
+
+def with_tools(options: argparse.Namespace, settings: SourceSettings) -> SourceSettings:
+    """Return the settings with the tools and SARIF files of the command line."""
+    import msgspec
+
+    tools = settings.tools
+    if given := getattr(options, "tools", None):
+        names = tuple(dict.fromkeys(name for one in given for name in one.split(",") if name))
+        use = () if names == ("none",) else names
+        commands = {name: command for name, command in tools.commands.items() if name in use or "all" in use}
+        untrusted = tuple(name for name in tools.untrusted if name in use or "all" in use)
+        tools = msgspec.structs.replace(tools, use=use, commands=commands, untrusted=untrusted)
+    if imports := getattr(options, "imports", None):
+        # Those of the configuration start from its folder, these from the current one.
+        here = tuple(str(Path(name).absolute()) for name in imports)
+        tools = msgspec.structs.replace(tools, imports=(*tools.imports, *here))
+    return msgspec.structs.replace(settings, tools=tools)
+
+
+def tell_not_run(header: RunHeader) -> None:
+    """Say on standard error which of all tools could not run."""
+    for name, version in sorted(header.tools.items()):
+        if version.startswith(NOT_RUN):
+            why = version.removeprefix(NOT_RUN)
+            print(f"roslens: {name} was not run, because {why}", file=sys.stderr)

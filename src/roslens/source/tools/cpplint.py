@@ -1,0 +1,96 @@
+"""The tool ``cpplint``: the Google C++ style guide, and what ament_cpplint and roslint made of it for ROS."""
+
+from __future__ import annotations
+
+import re
+
+from roslens.plugins.points import Option
+from roslens.source.tools.run_tool import Ended
+from roslens.source.tools.tool import (
+    Reading,
+    Request,
+    Tool,
+    ToolFinding,
+    below_root,
+    lines_that_match,
+    own_paths,
+    unreadable,
+)
+
+_FINDING = re.compile(r"(?P<path>.+?):(?P<line>\d+):  (?P<message>.*)  \[(?P<check>[\w/+]+)\] \[\d\]$")
+_SKIPPED = re.compile(r"Skipping input '(?P<path>.*)': (?P<why>.*)$")
+_IGNORED = re.compile(r"Ignoring (?P<path>.*); not a valid file name")
+_DONE = re.compile(r"Done processing (?P<path>.*)$")
+_NOISE = re.compile(r"Total errors found: \d+|Category '.*' errors found: \d+|Ignored '.*'|Done processing ")
+
+FILTER = (
+    "-build/c++11",
+    "-build/c++17",
+    "-build/header_guard",
+    "-runtime/references",
+    "-whitespace/braces",
+    "-whitespace/indent",
+    "-whitespace/parens",
+    "-whitespace/semicolon",
+)
+"""What ament_cpplint turns off for ROS 2, and header guards: what they should be called depends on the workspace."""
+
+
+class Cpplint(Tool):
+    """Google style, line by line; about 2,500 lines a second."""
+
+    name = "cpplint"
+    program = "cpplint"
+    text = "Google's C++ style guide, with the exceptions of ROS 2."
+    get = "pip install 'roslens[tools]', or pip install cpplint"
+    languages = ("c", "cpp")
+    version_pattern = r"cpplint (\d+(?:\.\d+)+)"
+    oldest = (1, 5)
+    settings_files = ("CPPLINT.cfg",)
+    options = (
+        Option("filter", "list", "Categories to add (`+`) or leave out (`-`), as cpplint's --filter.", list(FILTER)),
+        Option("line_length", "int", "Characters that a line may have.", 100),
+    )
+
+    def words(self, request: Request) -> list[str]:
+        """Return the call; ``Done processing`` is kept, for it tells which files were looked at."""
+        return [
+            request.program,
+            f"--filter={','.join(request.options['filter'])}",
+            f"--linelength={request.options['line_length']}",
+            "--extensions=c,cc,cpp,cxx,c++,cu,h,hh,hpp,hxx,h++,cuh,ipp,tpp,inl",
+            "--",
+            *request.files,
+        ]
+
+    def read(self, ended: Ended, request: Request) -> Reading:
+        """Read findings from standard error, and from standard output which files were done."""
+        told = ended.stderr.decode("utf-8", "replace")
+        lines = (told + "\n" + ended.stdout.decode("utf-8", "replace")).splitlines()
+        done = {match["path"] for match in map(_DONE.match, lines) if match}
+        found, rest = lines_that_match(_FINDING, told)
+        skipped: dict[str, str] = {}
+        strange: list[str] = []
+        for line in rest:
+            if match := _SKIPPED.match(line):
+                skipped[below_root(match["path"], request.root)] = match["why"]
+            elif match := _IGNORED.match(line):
+                skipped[below_root(match["path"], request.root)] = "not a file name that it takes"
+            elif not _NOISE.match(line):
+                strange.append(line)
+        if not done and not found and not skipped:
+            raise unreadable(ended.stdout + ended.stderr, "`Done processing FILE` for each file")
+        passed = {below_root(path, request.root) for path in done}
+        for path in own_paths(request):
+            if path not in passed and path not in skipped:
+                skipped[path] = "it does not say that it looked at it"
+        findings = tuple(
+            ToolFinding(
+                below_root(match["path"], request.root), int(match["line"]), 0, match["check"], match["message"]
+            )
+            for match in found
+        )
+        return Reading(findings, skipped, tuple(strange[:3]))
+
+
+plugin = Cpplint()

@@ -1,0 +1,156 @@
+"""A program of somebody else, run once: bounded in time and in what it may print, and gone when roslens is."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import selectors
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from threading import Lock
+
+import msgspec
+
+from roslens.children.safe_path import python_words, safe_environment
+
+MOST_BYTES = 256 * 1024 * 1024
+"""Bytes that one process may print; one that prints more is ended and its output is not looked at."""
+
+_KEPT_IN_MESSAGE = 300
+
+_START = """\
+import os
+from roslens.children.lifeline import end_with_parent
+end_with_parent({parent})
+os.execv(sys.argv[1], sys.argv[1:])"""
+
+
+class ToolError(Exception):
+    """A tool did not do what it was started for; the text continues a sentence that begins with its name."""
+
+
+class Ended(msgspec.Struct, frozen=True):
+    """What a process left: its exit code (negative for a signal) and what it printed."""
+
+    code: int
+    stdout: bytes
+    stderr: bytes
+
+    def complaint(self) -> str:
+        """Return the last line that it printed on standard error, or else on standard output, for a message."""
+        for output in (self.stderr, self.stdout):
+            lines = output[-4096:].decode("utf-8", "replace").strip().splitlines()
+            if lines:
+                return lines[-1].strip()[:_KEPT_IN_MESSAGE]
+        return "it printed nothing"
+
+
+class ToolRunner:
+    """Runs programs, from any thread; :meth:`end_all` ends those that are still at it."""
+
+    def __init__(self, *, most_bytes: int = MOST_BYTES) -> None:
+        """Let one process print at most ``most_bytes``."""
+        self._most_bytes = most_bytes
+        self._running: set[subprocess.Popen[bytes]] = set()
+        self._lock = Lock()
+        self.started = 0
+
+    def run(self, words: Sequence[str], *, folder: str, time_limit_s: float) -> Ended:
+        """Run a program to its end and return what it left.
+
+        It hears nothing on standard input, and imports no Python module from the folder it is started in.
+
+        Args:
+            words: the program's absolute path and its arguments.
+            folder: the current folder of the process.
+            time_limit_s: seconds after which it is ended with everything it started.
+
+        Raises:
+            ToolError: it could not be started, did not end in time, or printed too much.
+        """
+        try:
+            process = subprocess.Popen(
+                python_words(sys.executable, _START.format(parent=os.getpid()), words, sys.path),
+                cwd=folder,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                start_new_session=True,
+                env=_environment(os.environ),
+            )
+        except OSError as error:
+            raise ToolError(f"cannot be started: {error.strerror}") from error
+        with self._lock:
+            self._running.add(process)
+            self.started += 1
+        try:
+            return self._followed(process, time.monotonic() + time_limit_s, time_limit_s)
+        finally:
+            _end(process)
+            with self._lock:
+                self._running.discard(process)
+
+    def end_all(self) -> None:
+        """End every process that runs now."""
+        with self._lock:
+            running = list(self._running)
+        for process in running:
+            _end_group(process)
+
+    def _followed(self, process: subprocess.Popen[bytes], deadline: float, time_limit_s: float) -> Ended:
+        assert process.stdout is not None  # noqa: S101 - Popen was asked for pipes
+        assert process.stderr is not None  # noqa: S101
+        taken: dict[int, list[bytes]] = {process.stdout.fileno(): [], process.stderr.fileno(): []}
+        size = 0
+        with selectors.DefaultSelector() as selector:
+            for descriptor in taken:
+                selector.register(descriptor, selectors.EVENT_READ)
+            while selector.get_map():
+                ready = selector.select(max(0.0, deadline - time.monotonic()))
+                if not ready:
+                    raise ToolError(f"did not end within {time_limit_s:g} s")
+                for key, _ in ready:
+                    piece = os.read(key.fd, 1 << 16)
+                    if not piece:
+                        selector.unregister(key.fd)
+                    taken[key.fd].append(piece)
+                    size += len(piece)
+                if size > self._most_bytes:
+                    raise ToolError(f"printed more than {self._most_bytes:,} bytes")
+        try:
+            code = process.wait(max(0.1, deadline - time.monotonic()))
+        except subprocess.TimeoutExpired:
+            raise ToolError(f"did not end within {time_limit_s:g} s") from None
+        stdout, stderr = (b"".join(pieces) for pieces in taken.values())
+        return Ended(code, stdout, stderr)
+
+
+def ended_how(code: int) -> str:
+    """Return an exit code as a message says it."""
+    if code >= 0:
+        return f"ended with exit code {code}"
+    with contextlib.suppress(ValueError):
+        return f"was ended by {signal.Signals(-code).name}"
+    return f"was ended by signal {-code}"
+
+
+def _environment(base: Mapping[str, str]) -> dict[str, str]:
+    """Return the environment of a tool: plain words without colours, in a fixed language."""
+    return safe_environment({**base, "LC_ALL": "C.UTF-8", "NO_COLOR": "1", "TERM": "dumb", "COLUMNS": "200"})
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    """End what is left of a process and of what it started, and close its pipes."""
+    _end_group(process)
+    for stream in (process.stdout, process.stderr):
+        if stream is not None:
+            stream.close()
+    process.wait()
+
+
+def _end_group(process: subprocess.Popen[bytes]) -> None:
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)

@@ -1,0 +1,18 @@
+"""Rules of foreign tools that a run describes: those that its findings name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from roslens.model.finding import RuleInfo
+from roslens.source.tools.tool_checks import rule_of
+
+
+def seen_rules(seen: Iterable[str], tools: Sequence[str]) -> tuple[RuleInfo, ...]:
+    """Return the rules of ``tools`` among ids of rules, sorted."""
+    found = []
+    for identity in sorted(set(seen)):
+        tool, dot, check = identity.partition(".")
+        if dot and tool in tools:
+            found.append(rule_of(tool, check))
+    return tuple(found)

@@ -1,0 +1,51 @@
+"""Which foreign tools a run uses; cheap where it uses none, which is the default."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from roslens.model.source import SourceFile
+    from roslens.source.settings import SourceSettings
+    from roslens.source.tools.tool_stage import ToolStage
+    from roslens.source.workspace.find import Workspace
+    from roslens.store.cache import Cache
+
+TOOLS = (
+    "cpplint",
+    "ruff",
+)
+"""Modules of this folder with an object ``plugin``, in the order in which they run."""
+
+
+NOT_RUN = "not run: "
+"""How the version of a tool begins that ``all`` stands for and that cannot run."""
+
+
+def plain(name: str) -> str:
+    """Return the name of a tool as it is spelled here: ``clang-tidy`` is ``clang_tidy``."""
+    return name.strip().replace("-", "_").lower()
+
+
+def tool_stage(
+    settings: SourceSettings,
+    workspace: Workspace,
+    files: Mapping[str, tuple[SourceFile, ...]],
+    cache: Cache,
+    *,
+    jobs: int,
+) -> ToolStage | None:
+    """Return the tools that a run uses; None for none.
+
+    Raises:
+        UsageError: a tool is unknown.
+    """
+    tools = settings.tools
+    if not (tools.use or tools.commands or tools.imports or tools.untrusted):
+        return None
+    from roslens.source.tools.table import chosen_tools
+    from roslens.source.tools.tool_stage import ToolStage
+
+    chosen = chosen_tools(tools.use, settings.disable, (*tools.commands, *tools.untrusted))
+    return ToolStage(chosen, settings, workspace, files, cache, jobs=jobs)

@@ -1,0 +1,202 @@
+"""Tools as part of a run: opt in, once for what is new, and a tool that cannot is said and loses nothing."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.main import main
+from roslens.source.tools.programs import Program
+from roslens.source.tools.run_tool import Ended, ToolError
+
+MANIFEST = """<package format="3"><name>arm</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@b.org">A</maintainer><license>MIT</license></package>
+"""
+OLD = "int old_one() { return 1; }\n"
+
+
+class Played:
+    """A cpplint that says one thing of each file; ``fails`` by the name of the file."""
+
+    calls: list[list[str]]
+    fails: dict[str, str]
+    version = "cpplint 2.0.2"
+
+    def __init__(self, **_):
+        self.started = 0
+
+    def run(self, words, *, folder, time_limit_s):
+        if words[1:] == ["--version"]:
+            self.calls.append(["--version"])
+            return Ended(0, self.version.encode(), b"")
+        files = words[words.index("--") + 1 :]
+        self.calls.append(files)
+        for file in files:
+            if file in self.fails:
+                raise ToolError(self.fails[file])
+        done = "".join(f"Done processing {file}\n" for file in files)
+        found = "".join(f"{file}:1:  Use int16_t rather than short  [runtime/int] [4]\n" for file in files)
+        return Ended(1, done.encode(), found.encode())
+
+    def end_all(self):
+        pass
+
+
+@pytest.fixture
+def played(monkeypatch):
+    monkeypatch.setattr(Played, "calls", [], raising=False)
+    monkeypatch.setattr(Played, "fails", {}, raising=False)
+    monkeypatch.setattr("roslens.source.tools.tool_stage.ToolRunner", Played)
+    here = {"cpplint": Program("/usr/bin/cpplint", "1")}
+    monkeypatch.setattr("roslens.source.tools.tool_stage.find_program", lambda name, root: here.get(name))
+    return Played
+
+
+@pytest.fixture
+def workspace(tmp_path):
+    package = tmp_path / "ws" / "arm"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text(MANIFEST)
+    for name in ("a", "b", "c"):
+        (package / f"{name}.cpp").write_text(OLD)
+    return tmp_path / "ws"
+
+
+@pytest.fixture
+def check(workspace, capfd):
+    def run(*arguments):
+        code = main(["check", str(workspace), "--jobs", "1", "--format", "json", *arguments])
+        out, err = capfd.readouterr()
+        return code, json.loads(out) if out else None, err
+
+    return run
+
+
+def found(report):
+    return [(one["path"], one["line"], one["rule"]) for one in report["findings"] if one["tool"] == "cpplint"]
+
+
+ALL = [(f"arm/{name}.cpp", 1, "cpplint.runtime/int") for name in "abc"]
+
+
+def test_without_the_option_nothing_is_started(check, played):
+    _, report, _ = check()
+    assert found(report) == []
+    assert played.calls == []
+
+
+def test_findings_have_severity_tags_and_a_rule(check, played):
+    code, report, _ = check("--tools", "cpplint")
+    assert code == 0
+    assert found(report) == ALL
+    one = next(one for one in report["findings"] if one["tool"] == "cpplint")
+    assert one["severity"] == "note"
+    assert {"cpplint", "google", "misra-cpp-2008"} <= set(one["tags"])
+    assert one["entity"] == "function:arm/a.cpp#old_one()"
+    (rule,) = [rule for rule in report["rules"] if rule["id"] == "cpplint.runtime/int"]
+    assert "misra-cpp-2008 3-9-2" in rule["description"]
+    assert report["run"]["tools"]["cpplint"] == "2.0.2"
+    assert played.calls == [["--version"], ["./arm/a.cpp", "./arm/b.cpp", "./arm/c.cpp"]]
+
+
+def test_a_second_run_starts_nothing(check, played, workspace):
+    check("--tools", "cpplint")
+    played.calls.clear()
+    assert found(check("--tools", "cpplint")[1]) == ALL
+    assert played.calls == []
+    (workspace / "arm" / "b.cpp").write_text(OLD + "int two();\n")
+    assert found(check("--tools", "cpplint")[1]) == ALL
+    assert played.calls == [["./arm/b.cpp"]]
+
+
+def test_settings_above_a_file_count(check, played, workspace):
+    check("--tools", "cpplint")
+    played.calls.clear()
+    (workspace / "CPPLINT.cfg").write_text("set noparent\n")
+    check("--tools", "cpplint")
+    assert len(played.calls) == 1
+
+
+def test_a_tool_that_is_not_there(check, played):
+    code, report, _ = check("--tools", "cpplint,ruff")
+    assert code == 3
+    assert found(report) == ALL
+    (failure,) = report["failures"]
+    assert failure["what"] == "ruff was not run, because it is not installed"
+    assert "pip install" in failure["advice"]
+
+
+def test_all_means_those_that_are_there(check, played):
+    code, report, told = check("--tools", "all")
+    assert code == 0
+    assert found(report) == ALL
+    assert report["failures"] == []
+    assert "ruff was not run, because it is not installed" in told
+
+
+def test_an_unknown_version(check, played, monkeypatch):
+    monkeypatch.setattr(played, "version", "Segmentation fault")
+    code, report, _ = check("--tools", "cpplint")
+    assert code == 3
+    (failure,) = report["failures"]
+    assert "it is of an unknown version: `cpplint --version` says 'Segmentation fault'" in failure["what"]
+
+
+def test_an_old_version(check, played, monkeypatch):
+    monkeypatch.setattr(played, "version", "cpplint 1.0.1")
+    (failure,) = check("--tools", "cpplint")[1]["failures"]
+    assert "is of version 1.0.1, and versions before 1.5 were not tried" in failure["what"]
+
+
+def test_what_failed_is_tried_again_and_the_rest_is_known(check, played):
+    played.fails["./arm/b.cpp"] = "did not end within 5 s"
+    code, report, _ = check("--tools", "cpplint")
+    assert code == 3
+    assert found(report) == [ALL[0], ALL[2]]
+    (failure,) = report["failures"]
+    assert failure["what"] == "cpplint did not end within 5 s"
+    assert failure["path"] == "arm/b.cpp"
+    played.fails.clear()
+    played.calls.clear()
+    code, report, _ = check("--tools", "cpplint")
+    assert code == 0
+    assert found(report) == ALL
+    assert played.calls == [["./arm/b.cpp"]]
+
+
+def test_a_name_that_nothing_has(check, played):
+    code, _, told = check("--tools", "cplint")
+    assert code == 2
+    assert "unknown tool 'cplint'" in told
+    assert "Did you mean 'cpplint'?" in told
+
+
+def test_the_configuration_names_tools(check, played, workspace):
+    config = workspace / "roslens.toml"
+    config.write_text('[tools]\nuse = ["cpplint"]\n\n[options.cpplint]\nline_length = 80\n')
+    assert found(check()[1]) == ALL
+    assert found(check("--tools", "none")[1]) == []
+    config.write_text('disable = ["cpplint"]\n[tools]\nuse = ["cpplint"]\n')
+    assert found(check()[1]) == []
+    config.write_text("[tools]\nuses = 3\n")
+    code, _, told = check()
+    assert code == 2
+    assert f"{config}:2:1" in told
+    assert "unknown key 'tools.uses'" in told
+
+
+def test_an_option_that_the_tool_does_not_have(check, played, workspace):
+    (workspace / "roslens.toml").write_text("[options.cpplint]\nline_lenght = 80\n")
+    code, _, told = check()
+    assert code == 2
+    assert "Did you mean 'line_length'?" in told
+
+
+def test_a_suppression_in_the_source_holds(check, played, workspace):
+    (workspace / "arm" / "a.cpp").write_text("short a; // NOLINT(runtime/int) registers\n")
+    assert found(check("--tools", "cpplint")[1]) == ALL[1:]
+
+
+def test_code_of_others_is_left_out(check, played, workspace: Path):
+    (workspace / "roslens.toml").write_text('[workspace]\nvendored = ["b.cpp"]\n')
+    assert found(check("--tools", "cpplint")[1]) == [ALL[0], ALL[2]]

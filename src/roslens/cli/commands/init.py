@@ -71,6 +71,19 @@ disable = []
 # Another severity for a rule: { "node.console_output" = "note" }
 severity = {}
 
+[tools]
+# Foreign tools that look at the source, too: cpplint, ruff … or all (docs/reference/tools.md).
+use = []
+# Findings about white space and line breaks become one a package (fold), or stay as they are (each).
+layout = "fold"
+# Seconds that one process of a tool may take.
+time_limit_s = 600
+# SARIF files whose findings are taken, too.
+imports = []
+# Anything else that writes SARIF; it runs once you trust it (`roslens trust`):
+# [tools.semgrep]
+# command = ["semgrep", "scan", "--sarif", "--quiet", "{root}"]
+
 # Systems that run together, by name: `roslens check` looks for what does not fit together in them, and pages show them.
 # [graph.configurations.robot]
 # launch = "my_bringup/robot.launch.py"

@@ -105,7 +105,8 @@ def test_sarif_says_where_what_and_which_rule(view_with):
 
 def test_sarif_names_related_places(view_with):
     message = "f in src/drive/src/drive.cpp:7:2 and src/nowhere.cpp:3"
-    (first,) = sarif(view_with(finding(message=message)))["results"][-1]["relatedLocations"]
+    results = sarif(view_with(finding(message=message)))["results"]
+    (first,) = next(one for one in results if one["ruleId"] == "a.rule")["relatedLocations"]
     assert first["physicalLocation"]["artifactLocation"]["uri"] == "src/drive/src/drive.cpp"
     assert first["physicalLocation"]["region"] == {"startLine": 7, "startColumn": 2}
     listed = Reported("", finding(others=("src/b.cpp:7 too", "nowhere")), "src/a b.cpp", 3)

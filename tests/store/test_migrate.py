@@ -99,4 +99,6 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         assert view.workspace.package_values == sample.workspace().package_values
         kept = [(one.name, one.configuration.nodes[0].name) for one in view.configurations()]
         assert kept == ([("robot", "/drive")] if dump.stem >= "schema_0002" else [])
+        aside = [(one.state.value, one.finding.path) for one in view.set_aside()]
+        assert aside == ([("suppressed", "src/drive/src/drive.cpp")] if dump.stem >= "schema_0005" else [])
         assert store.view(write_small(store, "key-2")).packages() == view.packages()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
@@ -150,6 +151,7 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
             view.failures(),
             view.rules(),
             findings=view.workspace.findings,
+            set_aside=Counter(one.state.value for one in view.set_aside(tags=wanted.tags)),
             tags=wanted.tags,
             width=width_of(stream),
             color=wants_color(options, stream),

@@ -21,6 +21,7 @@ from roslens.model.source import Location, Role
 from roslens.source.settings import (
     CountingSettings,
     GraphSettings,
+    IgnoreRule,
     MacroSettings,
     RuleSettings,
     SourceSettings,
@@ -56,6 +57,7 @@ _TOP: dict[str, Any] = {
     "fail_on": str,
     "accept_partial": bool,
     "jobs": int,
+    "ignore": tuple[IgnoreRule, ...],
 }
 _TABLES: dict[str, type[msgspec.Struct]] = {
     "workspace": WorkspaceSettings,
@@ -164,6 +166,16 @@ class _Reader:
             from roslens.cli.tools_table import read_tools
 
             tables["tools"] = read_tools(document["tools"], self._value, self._where)
+        for number, rule in enumerate(top.get("ignore", ()), 1):
+            lacks = (
+                "no reason" if not rule.reason.strip() else "" if rule.paths or rule.rules else "no paths and no rules"
+            )
+            if lacks:
+                raise DocumentError(
+                    f"[[ignore]] {number} has {lacks}",
+                    where=self._where(("ignore",)),
+                    expected='paths = ["…"] or rules = ["…"] or both, and reason = "why"',
+                )
         fail_on = str(top.pop("fail_on", "error"))
         if fail_on not in FAIL_ON:
             raise DocumentError(

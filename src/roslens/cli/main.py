@@ -10,6 +10,7 @@ from typing import NoReturn
 from roslens import __version__
 from roslens.cli.boundary import guarded
 from roslens.cli.commands import (
+    accept,
     agent,
     check,
     clean,
@@ -35,6 +36,7 @@ COMMANDS = {
     "serve": serve,
     "graph": graph,
     "explain": explain,
+    "accept": accept,
     "plugins": plugins,
     "trust": trust,
     "init": init,

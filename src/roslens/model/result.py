@@ -8,13 +8,15 @@ from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.quantity import Quantity
+from roslens.model.set_aside import SetAside
 from roslens.model.source import Package, SourceFile
 
 
 class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything known of one package; the unit that runs share when nothing in it changed.
 
-    ``entities`` holds the package itself first, then its files, classes and functions.
+    ``entities`` holds the package itself first, then its files, classes and functions; ``set_aside`` the findings that
+    do not count because somebody said so.
     """
 
     package: Package
@@ -22,6 +24,7 @@ class PackageResult(msgspec.Struct, frozen=True, omit_defaults=True):
     entities: tuple[Entity, ...] = ()
     findings: tuple[Finding, ...] = ()
     failures: tuple[Failure, ...] = ()
+    set_aside: tuple[SetAside, ...] = ()
 
 
 class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -92,7 +95,8 @@ class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
     ``package_values`` maps package ids to quantities that need all packages (``dependents``,
     ``tier``, ``cycle``), ``package_findings`` to findings that do, as those of a computation graph;
     ``findings`` and ``failures`` belong to no package; ``rules`` describe every rule that a
-    finding of the run may name, ``quantities`` everything that may have been measured.
+    finding of the run may name, ``quantities`` everything that may have been measured; ``set_aside`` are findings that
+    only all packages together show, or that belong to no package.
     """
 
     package_values: dict[str, dict[str, float]] = {}
@@ -101,3 +105,4 @@ class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
     failures: tuple[Failure, ...] = ()
     rules: tuple[RuleInfo, ...] = ()
     quantities: tuple[Quantity, ...] = ()
+    set_aside: tuple[SetAside, ...] = ()

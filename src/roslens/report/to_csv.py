@@ -200,6 +200,28 @@ def _finding_rows(view: RunView, tags: TagFilter) -> Iterator[tuple[Cell, ...]]:
         )
 
 
+def _set_aside(view: RunView, tags: TagFilter) -> Table:
+    return (
+        ("state", "reason", "by", "rule", "severity", "message", "package", "path", "line", "entity", "fingerprint"),
+        (
+            (
+                one.state.value,
+                one.reason,
+                one.by,
+                one.finding.rule,
+                one.finding.severity.value,
+                one.finding.message,
+                one.package,
+                one.finding.path,
+                one.finding.line,
+                one.finding.entity,
+                one.finding.fingerprint,
+            )
+            for one in view.set_aside(tags=tags)
+        ),
+    )
+
+
 def _failures(view: RunView, _tags: TagFilter) -> Table:
     return (
         ("tool", "what", "expected", "advice", "package", "path", "line", "column", "entity", "partial"),
@@ -245,6 +267,7 @@ TABLES: dict[str, Callable[[RunView, TagFilter], Table]] = {
     "files": _files,
     "entities": _entities,
     "findings": _findings,
+    "set_aside": _set_aside,
     "failures": _failures,
     "rules": _rules,
 }

@@ -17,6 +17,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageSummary, RunHeader
+from roslens.model.set_aside import SetAside
 from roslens.model.source import SourceFile
 from roslens.model.tags import TagFilter
 from roslens.report.numbers import plain, written
@@ -75,6 +76,7 @@ def _document(view: RunView, tags: TagFilter) -> Iterator[bytes]:
     yield from _array("failures", map(_encode, map(_failure, view.failures())))
     yield from _array("rules", map(_encode, map(_rule, view.rules())))
     yield from _array("quantities", map(_encode, map(_quantity, view.quantities())))
+    yield from _array("set_aside", (_encode(_set_aside(one)) for one in view.set_aside(tags=tags)))
     yield b"\n}\n"
 
 
@@ -193,6 +195,15 @@ def _finding(package: str, finding: Finding) -> dict[str, Any]:
             }
         )
     return shown
+
+
+def _set_aside(one: SetAside) -> dict[str, Any]:
+    return {
+        "state": one.state,
+        "reason": one.reason,
+        "by": one.by,
+        "finding": _finding(one.package, one.finding),
+    }
 
 
 def _failure(failure: Failure) -> dict[str, Any]:

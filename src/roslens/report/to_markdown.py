@@ -49,6 +49,9 @@ def _head(view: RunView, findings: list[Reported], wanted: Wanted) -> Iterator[s
     yield f"{plural(count, 'package')}, {plural(sum(package.files for package in packages), 'file')}{models}{commit}."
     if others := aside(view, wanted.tags):
         yield f"{plural(others, 'more finding')} in test, generated or vendored code do not count here."
+    if set_aside := Counter(one.state.value.replace("_", " ") for one in view.set_aside(tags=wanted.tags)):
+        parts = ", ".join(f"{count:,} {state}" for state, count in sorted(set_aside.items()))
+        yield f"{plural(set_aside.total(), 'finding')} set aside: {parts}."
 
 
 def _worst(findings: list[Reported]) -> Iterator[str]:

@@ -16,6 +16,7 @@ import msgspec
 from roslens import __version__
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.set_aside import Disposition, SetAside
 from roslens.report.reported import Reported, Wanted, aside, reported, rules_by_id
 from roslens.store.read import RunView
 
@@ -41,9 +42,16 @@ def write_sarif(view: RunView, stream: TextIO, wanted: Wanted) -> None:
     """
     findings = reported(view, wanted)
     shown = findings[:MOST_RESULTS]
+    room = MOST_RESULTS - len(shown)
+    hushed = list(view.set_aside(tags=wanted.tags))[:room]
     known = rules_by_id(view)
     files = frozenset(file.path for _, file in view.files())
-    order = {rule: index for index, rule in enumerate(sorted({one.finding.rule for one in shown}))}
+    order = {
+        rule: index
+        for index, rule in enumerate(
+            sorted({*(one.finding.rule for one in shown), *(one.finding.rule for one in hushed)})
+        )
+    }
     run = {
         "tool": {
             "driver": {
@@ -54,7 +62,10 @@ def write_sarif(view: RunView, stream: TextIO, wanted: Wanted) -> None:
         },
         "automationDetails": {"id": f"roslens/{wanted.below}"},
         "invocations": [_invocation(view, wanted, len(findings) - len(shown))],
-        "results": [_result(one, order[one.finding.rule], wanted.below, files) for one in shown],
+        "results": [
+            *(_result(one, order[one.finding.rule], wanted.below, files) for one in shown),
+            *(_suppressed(one, order[one.finding.rule], wanted.below, files) for one in hushed),
+        ],
     }
     document = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     stream.write(msgspec.json.format(msgspec.json.encode(document), indent=1).decode() + "\n")
@@ -98,6 +109,18 @@ def _result(one: Reported, index: int, below: str, files: Collection[str]) -> di
     if related := list(_related(finding, below, files)):
         shown["relatedLocations"] = related
     return shown
+
+
+def _suppressed(one: SetAside, index: int, below: str, files: Collection[str]) -> dict[str, Any]:
+    """Return a result that somebody set aside; readers count it as closed."""
+    finding = one.finding
+    place = Reported(one.package, finding, below + finding.path if finding.path else "", max(1, finding.line))
+    in_source = one.state is Disposition.SUPPRESSED
+    suppression: dict[str, Any] = {"kind": "inSource" if in_source else "external", "status": "accepted"}
+    if one.reason:
+        suppression["justification"] = one.reason
+    suppression["properties"] = {"state": one.state.value, "by": one.by}
+    return {**_result(place, index, below, files), "suppressions": [suppression]}
 
 
 def _locations(one: Reported) -> Iterator[dict[str, Any]]:

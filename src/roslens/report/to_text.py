@@ -6,7 +6,7 @@ quick for any workspace.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePath
 
 import msgspec
@@ -46,6 +46,7 @@ def to_text(
     rules: Sequence[RuleInfo],
     *,
     findings: Sequence[Finding] = (),
+    set_aside: Mapping[str, int] | None = None,
     tags: TagFilter | None = None,
     width: int = 100,
     color: bool = False,
@@ -59,6 +60,7 @@ def to_text(
         failures: everything that could not be done.
         rules: what rules are about.
         findings: those of no package.
+        set_aside: how many findings count nowhere, by :class:`roslens.model.set_aside.Disposition`.
         tags: which findings are meant; all for None.
         width: columns of the terminal; less than :data:`LEAST_WIDTH` counts as that.
         color: whether the terminal shows colours.
@@ -71,10 +73,11 @@ def to_text(
     groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted)
     aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
     about = {rule.id: rule for rule in rules}
+    hushed = _set_aside(terminal, set_aside or {})
     sections = [
         list(_head(terminal, header, packages)),
         list(_packages(terminal, counted)),
-        list(_findings(terminal, groups, about, wanted, aside, analysed=bool(packages))),
+        [*_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)), *hushed],
         list(_failures(terminal, failures)),
         list(_next(terminal, groups, failures, packages)),
     ]
@@ -157,6 +160,21 @@ def _findings(
         yield from _quiet(
             terminal, f"{_plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
         )
+
+
+def _set_aside(terminal: Terminal, counts: Mapping[str, int]) -> Iterator[str]:
+    if total := sum(counts.values()):
+        parts = ", ".join(f"{counts[state]:,} {words}" for state, words in _STATES.items() if counts.get(state))
+        verb = "is" if total == 1 else "are"
+        yield from _quiet(terminal, f"{_plural(total, 'finding')} {verb} set aside: {parts}. List: --format json")
+
+
+_STATES = {
+    "suppressed": "by comments",
+    "ignored": "by [[ignore]]",
+    "accepted": "accepted",
+    "false_positive": "false positives",
+}
 
 
 def _rule(terminal: Terminal, group: _Group, rule: RuleInfo | None, count_width: int, rule_width: int) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import msgspec
 
@@ -18,7 +18,7 @@ from roslens.plugins.outcome import Outcome
 from roslens.source.analyse_package import MeasuredPackage
 from roslens.source.metrics import rcv, rqv
 from roslens.source.settings import SourceSettings
-from roslens.source.workspace.suppress import suppressed
+from roslens.source.workspace.silence import Nameable, Silence, about_comments
 
 
 class Finisher:
@@ -31,8 +31,15 @@ class Finisher:
         packages: Mapping[str, Package],
         files: Mapping[str, tuple[SourceFile, ...]],
         failures: Iterable[Failure],
+        silence: Silence | None = None,
+        rules: Callable[[Package], Nameable] = lambda _package: Nameable(),
     ) -> None:
-        """``failures`` of reading and finding are handed to the package that each names."""
+        """``failures`` of reading and finding are handed to the package that each names.
+
+        ``silence`` says which findings do not count; ``rules`` returns those that comments in a package may name.
+        """
+        self._silence = silence or Silence()
+        self._rules = rules
         self._gate_roles = frozenset(settings.gate_roles)
         self._models = models
         self._packages = packages
@@ -47,22 +54,27 @@ class Finisher:
         files = self._files[measured.package]
         roles = {file.path: file.role.value for file in files}
         entities = with_measurements(measured.entities, outcome)
+        package = self._packages[measured.package]
+        judged = (*measured.findings, *outcome.findings, *judge_entities(self._models, entities))
+        if measured.suppressions:
+            judged = (*judged, *about_comments(measured.suppressions, judged, self._rules(package)))
+        sorted_out = self._silence.sorted_out(
+            judged, measured.suppressions, folder=package.path, package=measured.package
+        )
         findings = []
-        for finding in (*measured.findings, *outcome.findings, *judge_entities(self._models, entities)):
-            hushed = measured.suppressions.get(finding.path)
-            if hushed and suppressed(finding.rule, finding.tags, finding.line, hushed):
-                continue
+        for finding in sorted_out.kept:
             if finding.path and roles.get(finding.path, "own") not in self._gate_roles:
                 findings.append(msgspec.structs.replace(finding, gated=False))
             else:
                 findings.append(finding)
         findings.sort(key=_place)
         return PackageResult(
-            package=self._packages[measured.package],
+            package=package,
             files=files,
             entities=_with_counts(entities, findings),
             findings=tuple(findings),
             failures=(*self._failures[measured.package], *measured.failures, *outcome.failures),
+            set_aside=sorted_out.set_aside,
         )
 
 

@@ -23,12 +23,18 @@ from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, content_hash, key_of
 from roslens.source.known_manifests import KnownManifests
+from roslens.source.nameable_rules import nameable_rules
 from roslens.source.owned_findings import owned_findings
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
+from roslens.source.set_aside_in_run import whole_run
 from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.source.tools.used import tool_stage
+from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
+from roslens.source.workspace.acceptances import Acceptance, Acceptances, read_acceptances
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
+from roslens.source.workspace.silence import RULES as SUPPRESSION_RULES
+from roslens.source.workspace.silence import Silence
 
 if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
@@ -133,6 +139,7 @@ def analyse(
     manifests = KnownManifests(cache)
     workspace = find_workspace(paths, settings.workspace, read=manifests.read)
     manifests.keep()
+    accepted, unread = read_acceptances(base / ACCEPTED)
     known = cache.stats(now_s=clock.epoch_s)
     inventory = take_inventory(workspace, settings.workspace, known)
     plugins = discover_plugins(settings, base, log)
@@ -148,6 +155,7 @@ def analyse(
         # What such a plug-in says of one package may come from a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
     tools = tool_stage(settings, workspace, inventory.files, cache, jobs=jobs or os.cpu_count() or 1)
+    silence = Silence(settings.ignore, Acceptances(accepted, _paths(inventory)))
     units = {
         found.package.id: key_of(
             shaping,
@@ -156,11 +164,13 @@ def analyse(
             inventory.others[found.package.id],
             _packaging(found),
             *([tools.key_of_package(found.package.id)] if tools else ()),
+            *_accepted_in(silence, found),
         )
         for found in workspace.packages
     }
+    failures = (*workspace.failures, *unread)
     further = (*([beyond.key] if beyond else ()), *([tools.failures] if tools else ()))
-    key = key_of(units, workspace.failures, inventory.failures, plugins.failures, *further)
+    key = key_of(units, failures, inventory.failures, plugins.failures, accepted, *further)
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
     if gone := known.keys() - {file.path for found in workspace.packages for file in found.files}:
@@ -168,7 +178,22 @@ def analyse(
     if (before := store.run_with(key)) is not None:
         return Answer(before, fresh=False, measured=0, packages=number_of_packages(units))
     return _run(
-        _Run(workspace, inventory, settings, plugins, units, key, base, clock, jobs, log, programs, beyond, tools),
+        _Run(
+            msgspec.structs.replace(workspace, failures=failures),
+            inventory,
+            settings,
+            plugins,
+            units,
+            key,
+            base,
+            clock,
+            jobs,
+            log,
+            programs,
+            beyond,
+            tools,
+            silence,
+        ),
         store,
         cache,
         watch,
@@ -189,6 +214,7 @@ class _Run(msgspec.Struct, frozen=True):
     programs: bool
     beyond: Beyond | None
     tools: ToolStage | None
+    silence: Silence
 
     def key_kept(self, key: str) -> str:
         """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
@@ -202,6 +228,16 @@ def _manifests(settings: SourceSettings, plugins: Discovered) -> dict[str, Manif
 
     tools = {name: tool_named(name).manifest for name in TOOLS if name in settings.options}
     return {**tools, **{member.name: member.manifest for member in plugins.members}}
+
+
+def _paths(inventory: Inventory) -> frozenset[str]:
+    return frozenset(file.path for held in inventory.files.values() for file in held)
+
+
+def _accepted_in(silence: Silence, found: FoundPackage) -> tuple[tuple[Acceptance, ...], ...]:
+    """Return what of the accepted findings shapes the result of a package."""
+    entries = silence.acceptances.of_files([file.path for file in found.files])
+    return (entries,) if entries else ()
 
 
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
@@ -260,7 +296,6 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
     wanted = frozenset(constraint.quantity for model in models for constraint in model.constraints)
     files = run.inventory.files
     packages = {found.package.id: found.package for found in run.workspace.packages}
-    finisher = Finisher(run.settings, models, packages, files, (*run.workspace.failures, *run.inventory.failures))
     changed = [found for found in run.workspace.packages if not store.has_unit(run.units[found.package.id])]
     if run.tools is not None:
         run.tools.run((found.package.id for found in changed), watch)
@@ -270,12 +305,22 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         run.plugins, run.settings, wanted, run.workspace, files, jobs=run.jobs or os.cpu_count() or 1, log=run.log
     )
     seen: set[str] = set()
+    finisher = Finisher(
+        run.settings,
+        models,
+        packages,
+        files,
+        (*run.workspace.failures, *run.inventory.failures),
+        run.silence,
+        nameable_rules(run.settings, models, stage.rules),
+    )
     with stage, store.writing(header) as writer:
         for measured, said in _looked_at(stage, _measured(run, changed, cache, watch), rest):
             if run.tools is not None:
                 said += run.tools.outcome(measured)
             result = finisher.finish(measured, said)
             seen.update(finding.rule for finding in result.findings)
+            seen.update(one.finding.rule for one in result.set_aside)
             writer.add(run.key_kept(run.units[measured.package]), result)
         fresh = {found.package.id for found in changed}
         for found in run.workspace.packages:
@@ -290,7 +335,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             owned, none = owned_findings(sight.outcome.findings, packages.values(), files)
             rest.append(msgspec.structs.replace(sight.outcome, findings=none))
             configurations = sight.configurations
-        whole = _workspace_result(run, stage, models, owned, rest, seen)
+        whole = _workspace_result(run, stage, models, owned, rest, seen, writer.set_aside_by())
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
     store.prune(KEPT_RUNS)
@@ -376,6 +421,7 @@ def _workspace_result(
     owned: dict[str, tuple[Finding, ...]],
     rest: Sequence[Outcome],
     seen: Collection[str],
+    used: frozenset[str],
 ) -> WorkspaceResult:
     from roslens.judge.quality_model import rules_of
     from roslens.source.metrics.measure_workspace import measure_workspace
@@ -389,11 +435,20 @@ def _workspace_result(
     judging = (rule for model in models for rule in rules_of(model))
     native = (rule.info for rule in native_rules().values())
     of_tools = run.tools.rules(seen) if run.tools else ()
-    rules = {rule.id: rule for rule in (*of_tools, *native, *stage.rules, *further, *judging)}
+    rules = {rule.id: rule for rule in (*of_tools, *native, *stage.rules, *further, *judging, *SUPPRESSION_RULES)}
+    whole = whole_run(
+        run.silence,
+        owned,
+        [finding for outcome in rest for finding in outcome.findings],
+        used,
+        root=Path(run.workspace.root),
+        base=run.base,
+        judged=rules,
+    )
     return WorkspaceResult(
         package_values=measure_workspace([found.package for found in run.workspace.packages]),
-        package_findings=owned,
-        findings=tuple(finding for outcome in rest for finding in outcome.findings),
+        package_findings=whole.owned,
+        findings=whole.none,
         failures=(
             *failures,
             *run.plugins.failures,
@@ -402,6 +457,7 @@ def _workspace_result(
         ),
         rules=tuple(rules[key] for key in sorted(rules)),
         quantities=tuple({**QUANTITIES, **stage.quantities}.values()),
+        set_aside=whole.set_aside,
     )
 
 

@@ -128,6 +128,18 @@ class ToolSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     untrusted: tuple[str, ...] = ()
 
 
+class IgnoreRule(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
+    """Findings that do not count, and why: those in files that match ``paths`` and of rules that ``rules`` name.
+
+    ``paths`` are globs as in :class:`WorkspaceSettings`; ``rules`` are ids, ends of ids, tags or globs. One of them may
+    be left out, which means all.
+    """
+
+    reason: str
+    paths: tuple[str, ...] = ()
+    rules: tuple[str, ...] = ()
+
+
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that shapes the result of the source half.
 
@@ -148,3 +160,4 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     options: dict[str, dict[str, object]] = {}
     time_limit_s: float = 60.0
     untrusted: tuple[str, ...] = ()
+    ignore: tuple[IgnoreRule, ...] = ()

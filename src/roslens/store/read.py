@@ -16,6 +16,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageResult, PackageSummary, RunHeader, WorkspaceResult
+from roslens.model.set_aside import SetAside
 from roslens.model.source import SourceFile
 from roslens.model.tags import TagFilter, tag_filter
 from roslens.store import rows
@@ -80,6 +81,7 @@ class RunView:
                 package_findings=self._shares(connection),
                 findings=_unit_findings(connection, unit),
                 failures=_unit_failures(connection, unit),
+                set_aside=_unit_set_aside(connection, unit),
                 rules=_decode_rules(rules),
                 quantities=_decode_quantities(quantities),
             )
@@ -247,6 +249,16 @@ class RunView:
             return int(row[0])
         return 0
 
+    def set_aside(self, *, path: str | None = None, tags: TagFilter | None = None) -> Iterator[SetAside]:
+        """Yield the findings that count nowhere because somebody said so, with who and why."""
+        where = Conditions()
+        where.equal("set_aside.path", path)
+        wanted = tags or TagFilter()
+        for row in self._run.rows(rows.SET_ASIDE, "set_aside", where):
+            one = rows.to_set_aside(row)
+            if wanted.matches(one.finding.tags):
+                yield one
+
     def failures(self, *, package: str | None = None) -> tuple[Failure, ...]:
         """Return what could not be done."""
         where = Conditions()
@@ -317,6 +329,7 @@ def read_unit(connection: sqlite3.Connection, unit: int, package_values: Package
         ),
         findings=_unit_findings(connection, unit),
         failures=_unit_failures(connection, unit),
+        set_aside=_unit_set_aside(connection, unit),
     )
 
 
@@ -327,6 +340,10 @@ def _unit_findings(connection: sqlite3.Connection, unit: int) -> tuple[Finding, 
 
 def _unit_failures(connection: sqlite3.Connection, unit: int) -> tuple[Failure, ...]:
     return tuple(map(rows.to_failure, _of_unit(connection, rows.FAILURE, "failure", unit)))
+
+
+def _unit_set_aside(connection: sqlite3.Connection, unit: int) -> tuple[SetAside, ...]:
+    return tuple(map(rows.to_set_aside, _of_unit(connection, rows.SET_ASIDE, "set_aside", unit)))
 
 
 def _of_unit(connection: sqlite3.Connection, columns: str, table: str, unit: int) -> sqlite3.Cursor:

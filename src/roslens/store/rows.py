@@ -11,6 +11,7 @@ from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageSummary, RunHeader
+from roslens.model.set_aside import Disposition, SetAside
 from roslens.model.source import Language, Location, Package, Role, SourceFile
 from roslens.store.encodable import storable_number
 
@@ -22,6 +23,7 @@ FINDING = (
     'rule, severity, message, path, line, "column", end_line, end_column, entity, tag_set, tool, fingerprint, '
     "quantity, value, bound, model, gated, witnesses, others"
 )
+SET_ASIDE = "path, state, reason, said_by, package, finding"
 FAILURE = "tool, what, expected, advice, location, entity, package, partial, detail"
 RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models'
 
@@ -29,6 +31,7 @@ _encode = msgspec.json.Encoder().encode
 _decode = msgspec.json.decode
 _decode_summary = msgspec.json.Decoder(PackageSummary).decode
 _decode_package = msgspec.json.Decoder(Package).decode
+_decode_finding = msgspec.json.Decoder(Finding).decode
 _decode_location = msgspec.json.Decoder(Location).decode
 _decode_texts = msgspec.json.Decoder(tuple[str, ...]).decode
 
@@ -148,6 +151,21 @@ def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
         others=() if others == _NONE else to_texts(others),
         witnesses=() if witnesses == _NONE else to_texts(witnesses),
     )
+
+
+def set_aside_rows(unit: int, items: Iterable[SetAside]) -> Iterator[Row]:
+    """Yield ``unit, position, SET_ASIDE``."""
+    for position, one in enumerate(items):
+        finding = msgspec.structs.replace(
+            one.finding, value=storable_number(one.finding.value), bound=storable_number(one.finding.bound)
+        )
+        yield (unit, position, finding.path, one.state.value, one.reason, one.by, one.package, to_json(finding))
+
+
+def to_set_aside(row: Row) -> SetAside:
+    """Read ``SET_ASIDE``."""
+    _path, state, reason, by, package, finding = row
+    return SetAside(_decode_finding(finding), Disposition(state), reason, by, package)
 
 
 def failure_rows(unit: int, failures: Iterable[Failure]) -> Iterator[Row]:

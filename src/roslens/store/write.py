@@ -14,6 +14,7 @@ from roslens.model.errors import StoreError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.result import PackageResult, PackageSummary, RunHeader, WorkspaceResult
+from roslens.model.set_aside import SetAside
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.store import rows
 from roslens.store.columns import by_kind, measured_rows
@@ -147,7 +148,25 @@ class RunWriter:
         connection.executemany(_insert("entity", f"position, {rows.ENTITY}"), rows.entity_rows(unit, entities))
         connection.executemany(_insert("measured", 'kind, quantity, first, "values"'), measured_rows(unit, entities))
         self._insert_findings(unit, findings, result.failures)
+        self._insert_set_aside(unit, result.set_aside)
         return unit
+
+    def _insert_set_aside(self, unit: int, items: Iterable[SetAside]) -> None:
+        ordered = sorted(items, key=lambda one: _place(one.finding))
+        self._connection.executemany(
+            _insert("set_aside", f"position, {rows.SET_ASIDE}"), rows.set_aside_rows(unit, ordered)
+        )
+
+    def set_aside_by(self) -> frozenset[str]:
+        """Return what set findings of the packages aside, as :attr:`roslens.model.set_aside.SetAside.by` has it."""
+        with self._open():
+            return frozenset(
+                row[0]
+                for row in self._connection.execute(
+                    "SELECT DISTINCT said_by FROM set_aside WHERE unit IN (SELECT value FROM json_each(?))",
+                    (rows.to_json(list(self._units)),),
+                )
+            )
 
     def _insert_findings(self, unit: int, findings: Iterable[Finding], failures: Iterable[Failure]) -> None:
         self._connection.executemany(
@@ -207,6 +226,7 @@ class RunWriter:
             self._insert_findings(shares[package], sorted(owned, key=_place), ())
         unit = _inserted(self._connection.execute("INSERT INTO unit (key, package) VALUES (NULL, '')"))
         self._insert_findings(unit, sorted(findings, key=_place), workspace.failures)
+        self._insert_set_aside(unit, workspace.set_aside)
         return unit, shares
 
     def _vocabulary(self, workspace: WorkspaceResult) -> int:

@@ -76,6 +76,16 @@ def test_blocks() -> None:
     ]
 
 
+def test_blocks_and_files_of_our_own() -> None:
+    content = b"x\n// roslens: ignore-begin[a] why\ny\n// roslens: ignore-end\nz // roslens: ignore-file[b] generated\n"
+    block, file = suppressions(content)
+    assert (block.line, block.end_line, block.rules, block.reason) == (2, 4, ("a",), "why")
+    assert (file.rules, file.reason, file.comment) == (("b",), "generated", 5)
+    assert [line for line in range(7) if suppressed("b", (), line, [file])] == [0, 1, 2, 3, 4, 5, 6]
+    (open_,) = suppressions(b"// roslens: ignore-begin[a]\n// NOLINTEND\nz")
+    assert (open_.line, open_.end_line) == (1, 3)
+
+
 def test_two_on_one_line() -> None:
     content = b"int a;  // NOLINT(a) see http://x.org // roslens: ignore[b] because\n"
     assert [(one.rules, one.reason) for one in suppressions(content)] == [

@@ -43,10 +43,12 @@ def known(configuration: Configuration) -> Known:
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
     from roslens.source.rules.table import native_rules
+    from roslens.source.workspace.silence import RULES
 
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     quantities = dict(QUANTITIES)
     rules: dict[str, RuleInfo] = {rule.id: rule.info for rule in native_rules().values()}
+    rules.update({rule.id: rule for rule in RULES})
     for member in found.members:
         quantities.update({quantity.key: quantity for quantity in member.manifest.quantities})
         rules.update({rule.id: rule for rule in member.manifest.rules})

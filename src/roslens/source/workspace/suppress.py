@@ -3,6 +3,8 @@
 ======================================  =====================================================================
 ``roslens: ignore[rule, tag] reason``    this line; without brackets every rule
 ``roslens: ignore-next-line[…] reason``  the next line
+``roslens: ignore-begin[…] reason``      the lines up to ``roslens: ignore-end``, or to the end of the file
+``roslens: ignore-file[…] reason``       the whole file, what has no line included
 ``haros:ignore-line``                    this line, every rule; ``haros:ignore-next-line`` likewise
 ``NOLINT`` ``NOLINT(rule, …)``           this line; ``NOLINTNEXTLINE`` the next one
 ``NOLINTBEGIN`` … ``NOLINTEND``          the lines from one to the other
@@ -18,7 +20,7 @@ glob.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 
 import msgspec
@@ -44,30 +46,51 @@ def suppressions(content: bytes) -> tuple[Suppression, ...]:
     if not any(word in content for word in _WORDS):
         return ()
     found: list[Suppression] = []
-    begun: list[Suppression] = []
+    begun: dict[str, list[Suppression]] = {end: [] for end in _BLOCKS.values()}
     for match, line in _in_comments(content):
         suppression = _read(match, line)
         if suppression is None:
             continue
-        if suppression.spelled == "NOLINTBEGIN":
-            begun.append(suppression)
-        elif suppression.spelled != "NOLINTEND":
+        if suppression.spelled in _BLOCKS:
+            begun[_BLOCKS[suppression.spelled]].append(suppression)
+        elif suppression.spelled not in begun:
             found.append(suppression)
-        elif begun:
-            found.append(msgspec.structs.replace(begun.pop(), end_line=line))
+        elif begun[suppression.spelled]:
+            found.append(msgspec.structs.replace(begun[suppression.spelled].pop(), end_line=line))
     last = content.count(b"\n") + 1
-    found.extend(msgspec.structs.replace(suppression, end_line=last) for suppression in begun)
+    found.extend(msgspec.structs.replace(one, end_line=last) for open_ in begun.values() for one in open_)
+    found = [msgspec.structs.replace(one, line=0, end_line=last) if one.spelled == FILE else one for one in found]
     return tuple(sorted(found, key=lambda suppression: suppression.comment))
 
 
-def suppressed(rule: str, tags: Iterable[str], line: int, known: Sequence[Suppression]) -> bool:
+def suppressed(rule: str, tags: Collection[str], line: int, known: Sequence[Suppression]) -> bool:
     """Return whether one of the suppressions of a file covers a finding of ``rule`` at ``line``."""
-    return any(
-        suppression.line <= line <= suppression.end_line
-        and (not suppression.rules or any(_names(name, rule, tags) for name in suppression.rules))
+    return bool(covering((rule,), tags, line, known))
+
+
+def covering(
+    rules: Collection[str], tags: Collection[str], line: int, known: Sequence[Suppression]
+) -> tuple[Suppression, ...]:
+    """Return the suppressions of a file that cover a finding at ``line``.
+
+    Args:
+        rules: ids under which the finding is reported: its rule and those of its witnesses.
+        tags: of the finding.
+        line: of the finding; only suppressions of the whole file cover 0.
+        known: the suppressions of the file.
+    """
+    return tuple(
+        suppression
         for suppression in known
+        if suppression.line <= line <= suppression.end_line
+        and (not suppression.rules or any(names(name, rule, tags) for name in suppression.rules for rule in rules))
     )
 
+
+FILE = "ignore-file"
+"""How a suppression of a whole file is spelled."""
+
+_BLOCKS = {"NOLINTBEGIN": "NOLINTEND", "ignore-begin": "ignore-end"}
 
 _WORDS = (b"NOLINT", b"roslens:", b"haros:", b"noqa", b"cppcheck-suppress")
 """How every marker begins: to look for these five is much cheaper than to try the marker at every byte."""
@@ -75,7 +98,7 @@ _WORDS = (b"NOLINT", b"roslens:", b"haros:", b"noqa", b"cppcheck-suppress")
 _MARKER = re.compile(
     rb"""
     (?:
-        roslens:[ \t]*(?P<own>ignore-next-line|ignore(?:-line)?(?![-\w]))
+        roslens:[ \t]*(?P<own>ignore-(?:next-line|begin|end|file)(?![-\w])|ignore(?:-line)?(?![-\w]))
       | haros:[ \t]*(?P<haros>ignore-(?:next-)?line)\b
       | \b(?P<lint>NOLINT(?:NEXTLINE|BEGIN|END)?)\b
       | (?P<cppcheck>cppcheck-suppress)\b[ \t]*
@@ -124,36 +147,37 @@ def _places(word: bytes, content: bytes) -> Iterator[int]:
 def _read(match: re.Match[bytes], line: int) -> Suppression | None:
     bracketed = match["list"]
     rest = _text(match["rest"])
-    names = tuple(name for part in _text(bracketed[1:-1]).split(",") if (name := part.strip())) if bracketed else ()
+    given = tuple(name for part in _text(bracketed[1:-1]).split(",") if (name := part.strip())) if bracketed else ()
     spelled = _text(match["own"] or match["haros"] or match["lint"] or match["cppcheck"] or match["noqa"])
-    if bracketed and not names:
+    if bracketed and not given:
         return None
     if match["noqa"] and match["colon"]:
-        names, rest = _codes(rest)
-    elif match["cppcheck"] and not names:
+        given, rest = _codes(rest)
+    elif match["cppcheck"] and not given:
         first, _, rest = rest.strip().partition(" ")
-        names = (first,) if first else ()
-        if not names:
+        given = (first,) if first else ()
+        if not given:
             return None
     reason = rest.strip().removesuffix("*/").removesuffix("-->").strip(" \t\r:-")
     first_line = line + (spelled in ("ignore-next-line", "NOLINTNEXTLINE"))
     end_line = first_line + (1 if match["cppcheck"] else 0)
-    return Suppression(first_line, names, reason, spelled, end_line, line)
+    return Suppression(first_line, given, reason, spelled, end_line, line)
 
 
 def _codes(rest: str) -> tuple[tuple[str, ...], str]:
     """Return the codes after ``noqa:``, which commas or spaces part, and what follows them."""
-    names: list[str] = []
+    codes: list[str] = []
     at = 0
     while match := _CODE.match(rest, at):
-        if names and not any(character.isdigit() for character in match[1]):
+        if codes and not any(character.isdigit() for character in match[1]):
             break
-        names.append(match[1])
+        codes.append(match[1])
         at = match.end()
-    return tuple(names), rest[at:]
+    return tuple(codes), rest[at:]
 
 
-def _names(name: str, rule: str, tags: Iterable[str]) -> bool:
+def names(name: str, rule: str, tags: Iterable[str] = ()) -> bool:
+    """Return whether a name in a suppression means a rule with these tags."""
     if "*" in name:
         return fnmatchcase(rule, name) or any(fnmatchcase(rule, f"*{separator}{name}") for separator in ".:/")
     return name == rule or rule.endswith((f".{name}", f":{name}", f"/{name}")) or name in tags

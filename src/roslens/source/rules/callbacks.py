@@ -59,7 +59,7 @@ def callbacks_of(view: FileView) -> tuple[str, ...]:
     for call in _registrations(view):
         named = set(_named_cpp(call, view) if view.syntax == "cpp" else _named_python(call, view))
         found |= named
-        if callee_name(call, view) in streams:
+        if callee_name(call, view) in streams and b"cancel()" not in view.code[call.start_byte : call.end_byte]:
             found.update(STREAM + name for name in named)
     return tuple(sorted(found))
 

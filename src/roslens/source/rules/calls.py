@@ -187,3 +187,13 @@ def number_of(node: Node | None, view: FileView) -> float | None:
         return float(text)
     except ValueError:
         return None
+
+
+def whole_quotient(node: Node, view: FileView) -> tuple[int, bool] | None:
+    """Return what a quotient of two whole literal numbers is in C++, and whether something is cut off."""
+    if node.type != "binary_expression" or view.text(node.child_by_field_name("operator")) != "/":
+        return None
+    left, right = (view.text(node.child_by_field_name(side)) for side in ("left", "right"))
+    if not left.isdecimal() or not right.isdecimal() or int(right) == 0:
+        return None
+    return int(left) // int(right), int(left) % int(right) != 0

@@ -1,0 +1,48 @@
+"""Rule ``node.own_clock``: a clock that no node drives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.calls import constructed, whole_name
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import RCLCPP, FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield the present time of a clock that was made just for it."""
+    given = constructed(node)
+    made = whole_name(node).parent
+    around = made.parent if made is not None else None
+    if given is None or made is None or around is None or around.type != "field_expression":
+        return
+    if view.text(around.child_by_field_name("field")) != "now" or "STEADY" in view.text(made):
+        return
+    yield view.hit(
+        "node.own_clock",
+        around,
+        f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says; expected the node's "
+        "`now()`",
+    )
+
+
+RULE = FileRule(
+    id="node.own_clock",
+    title="Clock that belongs to no node",
+    finds="`rclcpp::Clock().now()`: the time of a clock that was made on the spot. Use `now()` or `get_clock()` of "
+    "the node.",
+    why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
+    "transforms of "
+    "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",
+    profiles=("ros2",),
+    tags=("time", "simulation"),
+    bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() { msg_.header.stamp = rclcpp::Clock().now(); }\n",
+    good="#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() { msg_.header.stamp = now(); }\n",
+    syntax="cpp",
+    anchors=("rclcpp::Clock",),
+    mentions=RCLCPP,
+    found=found,
+)

@@ -13,22 +13,25 @@ def constraint(minimum: float | None = None, maximum: float | None = None, **mor
     return Constraint("x", EntityKind.FUNCTION, "x", Range(minimum, maximum), **more)  # type: ignore[arg-type]
 
 
-def message(of: Constraint, value: float, side: str, entity: str, model: str) -> str:
-    before, between, behind = of.sentence(side, model)
-    return f"{before}{entity}{between}{of.value_text(value, side)}{behind}"
-
-
-def test_a_message_says_value_bound_and_model():
+def test_a_message_says_the_number_the_bound_and_how_far_it_is_exceeded():
     complexity = constraint(maximum=15, subject="Cyclomatic complexity")
-    said = message(complexity, 23.0, "max", "Foo::bar", "ros")
-    assert said == "cyclomatic complexity of Foo::bar is 23; at most 15 (ros)"
+    assert complexity.breach_text(23.0, "max") == "cyclomatic complexity 23 (limit 15, 1.5 x)"
+    calls = constraint(maximum=10, subject="Calls")
+    assert calls.breach_text(30, "max") == "30 calls (limit 10, 3.0 x)"
+    assert calls.breach_text(5000, "max") == "5000 calls (limit 10, 500 x)"
+    assert calls.breach_text(6.7e6, "max").endswith("(limit 10, over 1,000 x)")
 
 
-def test_a_message_has_its_unit_and_its_number():
+def test_a_message_has_its_unit_and_no_ratio_where_there_is_none():
     ratio = constraint(20, 30, subject="Comment ratio", unit="%", decimals=1)
-    assert message(ratio, 12.345, "min", "a.cpp", "his") == "comment ratio of a.cpp is 12.3 %; at least 20 % (his)"
-    lines = constraint(maximum=40, subject="Lines of code", unit="lines")
-    assert message(lines, 41, "max", "f", "m") == "lines of code of f are 41; at most 40 (m)"
+    assert ratio.breach_text(12.345, "min") == "comment ratio 12.3 % (at least 20 %)"
+    assert ratio.breach_text(31, "max") == "comment ratio 31 % (limit 30 %, 1.03 x)"
+    none = constraint(maximum=0, subject="Lines of code", unit="lines")
+    assert none.breach_text(41, "max") == "41 lines of code (limit 0)"
+
+
+def test_what_is_barely_too_much_does_not_read_as_if_it_were_not():
+    assert constraint(maximum=1000, subject="Calls").breach_text(1001, "max") == "1001 calls (limit 1000, 1.01 x)"
 
 
 @pytest.mark.parametrize(

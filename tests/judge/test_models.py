@@ -102,9 +102,17 @@ def test_the_models_there_are():
 
 @pytest.mark.parametrize("name", sorted(TABLE))
 def test_thresholds_are_the_published_ones(models: dict[str, QualityModel], name: str):
-    found = {(one.kind.value, one.quantity): (one.range.minimum, one.range.maximum) for one in models[name].constraints}
+    found: dict[tuple[str, str], tuple[float | None, float | None]] = {}
+    for one in models[name].constraints:
+        # The two sides of a range may be two constraints, where one matters less.
+        low, high = found.get((one.kind.value, one.quantity), (None, None))
+        assert None in (low, one.range.minimum)
+        assert None in (high, one.range.maximum)
+        found[one.kind.value, one.quantity] = (
+            one.range.minimum if low is None else low,
+            one.range.maximum if high is None else high,
+        )
     assert found == TABLE[name]
-    assert len(models[name].constraints) == len(TABLE[name])
 
 
 def test_every_model_is_called_as_its_file_and_says_what_it_is(models: dict[str, QualityModel]):
@@ -121,7 +129,17 @@ def test_every_constraint_says_where_it_is_from_and_why(models: dict[str, Qualit
         assert len(one.rationale) > 30, one
         assert one.tags, one
         assert one.name == "*"
-        assert one.severity is Severity.WARNING
+
+
+def test_what_most_of_the_field_breaks_and_what_is_often_wanted_is_a_note(models: dict[str, QualityModel]):
+    notes = {
+        (model.name, one.quantity, side)
+        for model in models.values()
+        for one in model.constraints
+        for side in one.sides
+        if one.severity is Severity.NOTE
+    }
+    assert notes == {("ros", "calls", "max"), ("ros", "wmc", "min"), ("ros", "mac", "min")}
 
 
 def test_the_thirteen_rules_of_the_ros_model(models: dict[str, QualityModel]):
@@ -139,6 +157,8 @@ def test_the_thirteen_rules_of_the_ros_model(models: dict[str, QualityModel]):
         "ros.dit.max",
         "ros.mac.max",
         "ros.mac.min",
+        "ros.function_limits",
+        "ros.class_limits",
     ]
 
 

@@ -96,7 +96,8 @@ def test_a_rule_for_each_side(load: Load):
         "    maximum: 40\n    rationale: So it is.\n    source: page 2\n"
         "  - quantity: nesting\n    kind: function\n    maximum: 4\n    name: 'main'\n"
     )
-    above, below, nesting = rules_of(model)
+    above, below, nesting, several = rules_of(model)
+    assert (several.id, several.scope) == ("mine.file_limits", "file")
     assert (above.id, above.title) == ("mine.comment_ratio.max", "Comment ratio above 40 %")
     assert (below.id, below.title) == ("mine.comment_ratio.min", "Comment ratio below 20 %")
     assert below.description == "The comment ratio of a file is at least 20 %. Source: a wiki; page 2."
@@ -146,7 +147,11 @@ def test_two_sides_of_one_quantity_may_be_apart(load: Load):
         HEAD + "constraints:\n  - {quantity: comment_ratio, kind: file, minimum: 20}\n"
         "  - {quantity: comment_ratio, kind: file, maximum: 60, severity: note}\n"
     )
-    assert [rule.id for rule in rules_of(model)] == ["mine.comment_ratio.min", "mine.comment_ratio.max"]
+    assert [rule.id for rule in rules_of(model)] == [
+        "mine.comment_ratio.min",
+        "mine.comment_ratio.max",
+        "mine.file_limits",
+    ]
 
 
 C = HEAD + "constraints:\n"

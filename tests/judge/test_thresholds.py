@@ -45,7 +45,7 @@ def test_a_finding_carries_everything():
     assert finding == Finding(
         rule="ros.cyclomatic_complexity.max",
         severity=Severity.ERROR,
-        message="cyclomatic complexity of Foo::bar is 23; at most 15 (ros)",
+        message="cyclomatic complexity 23 (limit 15, 1.5 x) in Foo::bar",
         path="a.cpp",
         line=10,
         end_line=15,
@@ -79,7 +79,7 @@ def test_bounds_are_strict_and_each_model_has_its_own(value: float, rules: list[
 def test_a_file_is_named_by_its_path():
     file = Entity("file:src/a.cpp", EntityKind.FILE, "a.cpp", "src/a.cpp", values={"comment_ratio": 12.0})
     (low,) = judge_entities([ROS], [file])
-    assert low.message == "comment ratio of src/a.cpp is 12 %; at least 20 % (ros)"
+    assert low.message == "comment ratio 12 % (at least 20 %) of src/a.cpp"
     assert (low.rule, low.bound, low.line) == ("ros.comment_ratio.min", 20, 0)
     high = Entity("file:src/a.cpp", EntityKind.FILE, "a.cpp", "src/a.cpp", values={"comment_ratio": 41.0})
     assert [finding.rule for finding in judge_entities([ROS], [high])] == ["ros.comment_ratio.max"]

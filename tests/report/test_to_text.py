@@ -119,8 +119,21 @@ def test_colour_adds_nothing_but_colour():
 
 def test_severities_have_a_sign_and_a_word():
     shown = text()
-    for word in ("✖ error", "▲ warning", "● note", "✖ failed", "◐ partly"):
+    for word in ("✖ error", "▲ warning", "✖ failed", "◐ partly"):
         assert word in shown
+    assert "● note" in text(packages=[package(1, "arm", include(3))])
+
+
+def test_notes_are_one_line_beside_what_is_more_severe():
+    shown = text()
+    assert "1,400 notes of 1 rule, most of haros.cpplint.build_include_what_you_use (1,400). All: " in shown
+    assert "● note" not in shown
+
+
+def test_what_to_fix_first_is_said_first():
+    shown = text()
+    assert shown.index("Fix first") < shown.index("  package ")
+    assert "  1. ✖ src/nav2/package.xml:9: tf2 is used but not declared\n" in shown
 
 
 def test_only_what_counts_is_counted():

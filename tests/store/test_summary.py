@@ -21,7 +21,7 @@ def test_the_small_run(sample):
             Severity.WARNING,
             1,
             1,
-            "17 (at most 15) drive::Drive::update src/drive/src/drive.cpp:12",
+            "cyclomatic complexity 17, at most 15 allowed, src/drive/src/drive.cpp:12",
             ("complexity", "metrics", "ros"),
             1.133333,
         ),
@@ -59,19 +59,28 @@ def test_counts_go_by_rule_severity_and_tags_most_severe_and_frequent_first():
     ]
 
 
-def test_the_example_is_the_worst_that_counts_with_its_number_first():
+def test_the_example_is_the_worst_that_counts_with_its_place_last():
     def finding(value, line, gated=True, bound=5.0):
         entity = f"function:p.cpp#ns::f{line}(const std::string &)"
         return Finding(
-            "r", Severity.NOTE, "m", "p.cpp", line, entity=entity, value=value, bound=bound, gated=gated, quantity="q"
+            "r",
+            Severity.NOTE,
+            f"{value} x",
+            "p.cpp",
+            line,
+            entity=entity,
+            value=value,
+            bound=bound,
+            gated=gated,
+            quantity="q",
         )
 
     (one,) = rule_counts([finding(6, 1), finding(30, 2), finding(90, 3, gated=False), finding(30, 4)])
-    assert one.example == "30 (at most 5) ns::f2 p.cpp:2"
+    assert one.example == "30 x, p.cpp:2"
     (low,) = rule_counts([finding(4, 1), finding(0, 2), finding(2.5, 3)])
-    assert low.example == "0 (at least 5) ns::f2 p.cpp:2"
-    of_file = Finding("r", Severity.NOTE, "m", "p.cpp", entity="file:p.cpp", value=12.34, bound=20)
-    assert rule_counts([of_file])[0].example == "12.34 (at least 20) p.cpp"
+    assert low.example == "0 x, p.cpp:2"
+    of_file = Finding("r", Severity.NOTE, "12.34 of p.cpp", "p.cpp", entity="file:p.cpp", value=12.34, bound=20)
+    assert rule_counts([of_file])[0].example == "12.34 of p.cpp"
 
 
 def test_an_infinite_excess_is_a_number():

@@ -74,19 +74,34 @@ class Constraint(msgspec.Struct, frozen=True, omit_defaults=True):
                 return f"{plain(rounded)}{self._unit_text()}"
         return f"{plain(value)}{self._unit_text()}"
 
-    def sentence(self, side: str, model: str) -> tuple[str, str, str]:
-        """Return what stands before the entity, between entity and value, and behind the value of a message.
+    def breach_text(self, value: float, side: str) -> str:
+        """Return how far a value breaks a bound, the number first where its title is a plural.
 
-        ``cyclomatic complexity of`` Foo::bar ``is`` 23 ``; at most 15 (ros)``: made once for all findings of a side.
+        ``30 calls (limit 10, 3.0 x)``, ``cyclomatic complexity 54 (limit 15, 3.6 x)``,
+        ``comment ratio 4 % (at least 20 %)``.
         """
-        subject = self.subject or self.quantity
-        return f"{spoken(subject)} of ", f" {verb(subject)} ", f"; {self.limit_text(side)} ({model})"
+        subject = spoken(self.subject or self.quantity)
+        shown = self.value_text(value, side)
+        what = f"{shown} {subject}" if verb(subject) == "are" else f"{subject} {shown}"
+        bound = self.bound(side)
+        if side != MAX:
+            return f"{what} ({self.limit_text(side)})"
+        times = f", {times_text(value / bound)}" if bound > 0 else ""
+        return f"{what} (limit {plain(bound)}{self._unit_text()}{times})"
 
     def _unit_text(self) -> str:
         return f" {self.unit}" if self.unit in _SHOWN_UNITS else ""
 
 
 _SHOWN_UNITS = frozenset({"%", "s", "ms", "us", "Hz", "B", "kB", "MB", "B/s", "kB/s", "MB/s"})
+
+
+def times_text(ratio: float) -> str:
+    """Return a ratio as ``3.6 x``, ``120 x``; one that no reader would count is ``over 1,000 x``."""
+    if ratio > 1000:
+        return "over 1,000 x"
+    # Rounded down to 1.0 it would read as if nothing were broken.
+    return f"{ratio:,.0f} x" if ratio >= 100 else f"{max(ratio, 1.01):.{1 if ratio >= 1.05 else 2}f} x"
 
 
 def spoken(title: str) -> str:

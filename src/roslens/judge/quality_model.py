@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -10,7 +11,9 @@ import msgspec
 
 from roslens.judge.constraint import MAX, Constraint, spoken, verb
 from roslens.judge.document import Section, read_document
+from roslens.judge.fold_limits import SUFFIX
 from roslens.judge.read_constraints import read_constraints
+from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
 from roslens.model.finding import RuleInfo
 from roslens.model.quantity import Quantity
@@ -97,8 +100,10 @@ def tags_of(model: QualityModel, constraint: Constraint) -> tuple[str, ...]:
 
 
 def rules_of(model: QualityModel) -> tuple[RuleInfo, ...]:
-    """Return one rule for each constraint and side, in the order of the document."""
-    return tuple(_rule(model, constraint, side) for constraint in model.constraints for side in constraint.sides)
+    """Return one rule for each constraint and side, in the order of the document, then those of several limits."""
+    single = [_rule(model, constraint, side) for constraint in model.constraints for side in constraint.sides]
+    by_kind = Counter(constraint.kind for constraint in model.constraints for _side in constraint.sides)
+    return (*single, *(_several(model, kind) for kind, count in by_kind.items() if count > 1))
 
 
 def _rule(model: QualityModel, constraint: Constraint, side: str) -> RuleInfo:
@@ -122,6 +127,23 @@ def _rule(model: QualityModel, constraint: Constraint, side: str) -> RuleInfo:
         rationale=constraint.rationale,
         tool=TOOL,
         scope=constraint.kind.value,
+    )
+
+
+def _several(model: QualityModel, kind: EntityKind) -> RuleInfo:
+    constraints = [one for one in model.constraints if one.kind is kind]
+    subjects = ", ".join(dict.fromkeys(spoken(one.subject or one.quantity) for one in constraints))
+    plural = f"{kind.value}es" if kind is EntityKind.CLASS else f"{kind.value}s"
+    return RuleInfo(
+        id=f"{model.name}.{kind.value}{SUFFIX}",
+        title=f"Several limits on {plural} broken",
+        description=f"A {kind.value} that breaks more than one limit of the model at once, of: {subjects}. Each is "
+        f"a reason of one finding; a limit alone is reported as a rule of its own.",
+        severity=max((one.severity for one in constraints), key=lambda severity: severity.rank),
+        tags=tuple(dict.fromkeys(tag for one in constraints for tag in tags_of(model, one))),
+        rationale="What is too large by one measure usually is by others, and is mended once.",
+        tool=TOOL,
+        scope=kind.value,
     )
 
 

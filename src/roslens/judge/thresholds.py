@@ -37,7 +37,6 @@ class _Limit(msgspec.Struct, frozen=True):
     rule: str
     severity: Severity
     tags: tuple[str, ...]
-    sentence: tuple[str, str, str]
 
     def breaks(self, value: float) -> bool:
         return value > self.bound if self.side == MAX else value < self.bound
@@ -105,12 +104,11 @@ def _holds(limit: _Limit, entity: Entity, value: float) -> bool:
 
 
 def _finding(limit: _Limit, entity: Entity, value: float) -> Finding:
-    before, between, behind = limit.sentence
-    shown = limit.constraint.value_text(value, limit.side)
+    joint = "of" if entity.kind is EntityKind.FILE else "in"
     return Finding(
         rule=limit.rule,
         severity=limit.severity,
-        message=f"{before}{name_of(entity)}{between}{shown}{behind}",
+        message=f"{limit.constraint.breach_text(value, limit.side)} {joint} {name_of(entity)}",
         path=entity.path,
         line=entity.line,
         end_line=entity.end_line,
@@ -148,7 +146,6 @@ def _limit(model: QualityModel, constraint: Constraint, side: str) -> _Limit:
         rule=rule_id(model, constraint, side),
         severity=constraint.severity,
         tags=tags_of(model, constraint),
-        sentence=constraint.sentence(side, model.name),
     )
 
 

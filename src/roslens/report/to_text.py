@@ -13,9 +13,10 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
-from roslens.model.result import PackageSummary, RunHeader
+from roslens.model.result import PackageSummary, RuleCount, RunHeader
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.model.tags import TagFilter
+from roslens.report.fix_first import first_to_fix
 from roslens.report.package_table import PackageCounts, count_packages, package_table
 from roslens.report.terminal import Terminal, columns, left, right
 
@@ -76,6 +77,7 @@ def to_text(
     hushed = _set_aside(terminal, set_aside or {})
     sections = [
         list(_head(terminal, header, packages)),
+        list(_fix_first(terminal, first_to_fix(packages, of_workspace, about, wanted))),
         list(_packages(terminal, counted)),
         [*_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)), *hushed],
         list(_failures(terminal, failures)),
@@ -145,6 +147,9 @@ def _findings(
     elif analysed:
         fine = terminal.paint(f"{terminal.glyph('fine')} No findings{with_tags}", "fine")
         yield f"{fine} in what was analysed"
+    notes = [group for group in groups if group.severity is Severity.NOTE]
+    # Notes say where to look, not what to mend: they are listed where there is nothing else.
+    groups = [group for group in groups if group.severity is not Severity.NOTE] or groups
     shown = groups[:RULES]
     count_width = max((len(f"{group.count:,}") for group in shown), default=0)
     rule_width = max((columns(terminal.clean(group.rule)) for group in shown), default=0)
@@ -155,6 +160,8 @@ def _findings(
         others = _plural(rest, "finding")
         text = f"{len(shown)} of {_plural(len(groups), 'rule')}, most severe first; {others} of the others"
         yield from _quiet(terminal, f"{text}. {ALL}")
+    if notes and groups[0].severity is not Severity.NOTE:
+        yield from _quiet(terminal, terminal.clean(f"{_notes_text(notes)}. {ALL}"))
     if aside:
         verb = "does" if aside == 1 else "do"
         yield from _quiet(
@@ -175,6 +182,25 @@ _STATES = {
     "accepted": "accepted",
     "false_positive": "false positives",
 }
+
+
+def _notes_text(notes: Sequence[_Group]) -> str:
+    count = sum(group.count for group in notes)
+    most = max(notes, key=lambda group: group.count)
+    rules = _plural(len({group.rule for group in notes}), "rule")
+    return f"{_plural(count, 'note')} of {rules}, most of {most.rule} ({most.count:,})"
+
+
+def _fix_first(terminal: Terminal, chosen: Sequence[RuleCount]) -> Iterator[str]:
+    if not chosen:
+        return
+    yield terminal.paint("Fix first", "title")
+    for number, one in enumerate(chosen, 1):
+        mark = terminal.paint(f"{terminal.glyph(one.severity.value)}", one.severity.value)
+        lines = terminal.wrap(terminal.clean(one.example), " " * 7) or [""]
+        yield f"  {number}. {mark} {lines[0].lstrip()}"
+        yield from lines[1:]
+        yield " " * 7 + terminal.paint(terminal.cut(terminal.clean(one.rule), terminal.width - 7), "quiet")
 
 
 def _rule(terminal: Terminal, group: _Group, rule: RuleInfo | None, count_width: int, rule_width: int) -> Iterator[str]:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import msgspec
 
+from roslens.judge.fold_limits import fold_limits
 from roslens.judge.quality_model import QualityModel
 from roslens.judge.thresholds import judge_entities
 from roslens.model.entity import Entity
@@ -67,7 +68,7 @@ class Finisher:
                 findings.append(msgspec.structs.replace(finding, gated=False))
             else:
                 findings.append(finding)
-        findings.sort(key=_place)
+        findings = sorted(fold_limits(findings), key=_place)
         return PackageResult(
             package=package,
             files=files,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
-from decimal import Decimal
 
 import msgspec
 
@@ -23,8 +22,8 @@ def summarise(result: PackageResult) -> PackageSummary:
 
     ``rules`` has one count for each rule, severity and set of tags, so that filters on severities and tags are exact on
     summaries; most severe first, then most frequent. Its example is the worst occurrence that counts for gates (the
-    worst of all if none does, the first among equals), written ``path:line: message``, or with its number first
-    where it has one: ``30 (at most 5) function path:line``.
+    worst of all if none does, the first among equals), written ``path:line: message``, or with its place last where
+    the message begins with a number: ``30 calls (limit 5, 6.0 x) in f, path:line``.
     """
     package = result.package
     kinds = Counter(entity.kind for entity in result.entities)
@@ -119,17 +118,5 @@ def _example(finding: Finding | None) -> str:
         return ""
     place = f"{finding.path}:{finding.line}" if finding.path and finding.line else finding.path or finding.entity
     if finding.value is not None and finding.bound is not None:
-        word = "at most" if finding.value > finding.bound else "at least"
-        kind, _, name = finding.entity.partition(":")
-        what = name.partition("#")[2].partition("(")[0] or ("" if kind == "file" else name)
-        return " ".join(
-            part for part in (f"{_plain(finding.value)} ({word} {_plain(finding.bound)})", what, place) if part
-        )
+        return finding.message if place in finding.message else f"{finding.message}, {place}"
     return f"{place}: {finding.message}" if place else finding.message
-
-
-def _plain(value: float) -> str:
-    try:
-        return f"{value:.6g}"
-    except OverflowError:  # an integer that no float holds
-        return f"{Decimal(value):.6g}"

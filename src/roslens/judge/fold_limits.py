@@ -1,0 +1,65 @@
+"""Several limits of one model that one entity breaks are one finding with several reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import msgspec
+
+from roslens.model.finding import Finding, fingerprint
+
+SUFFIX = "_limits"
+"""Rules of what breaks several limits are called ``<model>.<kind>_limits``."""
+
+
+def fold_limits(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return findings where those of one model about one entity are one.
+
+    It has the severity, quantity, value and bound of the worst: the most severe, then the one most in excess. The
+    ``others`` are the reasons besides that. What no model makes, or breaks one limit only, stays as it is.
+    """
+    groups: dict[tuple[str, str], list[Finding]] = {}
+    order: list[tuple[str, str] | Finding] = []
+    for finding in findings:
+        if not finding.model or not finding.entity:
+            order.append(finding)
+            continue
+        key = (finding.model, finding.entity)
+        if key not in groups:
+            groups[key] = []
+            order.append(key)
+        groups[key].append(finding)
+    return tuple(one if isinstance(one, Finding) else _folded(groups[one]) for one in order)
+
+
+def limits_broken(finding: Finding) -> int:
+    """Return how many limits a finding of a model stands for."""
+    return 1 + len(finding.others) if finding.model else 0
+
+
+def _folded(alike: list[Finding]) -> Finding:
+    if len(alike) == 1:
+        return alike[0]
+    worst, *others = sorted(alike, key=lambda one: (-one.severity.rank, -one.excess, one.rule))
+    kind = worst.entity.partition(":")[0]
+    reasons = tuple(_reason(one) for one in others)
+    first, where = _parts(worst)
+    rule = f"{worst.model}.{kind}{SUFFIX}"
+    return msgspec.structs.replace(
+        worst,
+        rule=rule,
+        message=f"{', '.join((first, *reasons[:-1]))} and {reasons[-1]}{where}",
+        tags=tuple(dict.fromkeys(tag for one in (worst, *others) for tag in one.tags)),
+        fingerprint=fingerprint(rule, worst.entity),
+        others=reasons,
+    )
+
+
+def _reason(finding: Finding) -> str:
+    return _parts(finding)[0]
+
+
+def _parts(finding: Finding) -> tuple[str, str]:
+    """Return what a limit's message says of the number, and of whom, which follows the closing parenthesis."""
+    number, closing, where = finding.message.partition(")")
+    return number + closing, where

@@ -1,0 +1,60 @@
+"""Which findings to mend first: few, of different rules, the most severe, surest and furthest beyond their limit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from math import log2
+
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.result import PackageSummary, RuleCount
+from roslens.model.tags import TagFilter
+
+MOST = 3
+UNMEASURED = 0.75
+"""Share of true findings that is supposed of a rule whose precision nobody measured."""
+LIMIT = 0.4
+"""The same of a limit of a quality model: it is exceeded, but what to mend is for the reader to see."""
+_WEIGHTS = {Severity.ERROR: 100.0, Severity.WARNING: 10.0, Severity.NOTE: 1.0}
+
+
+def first_to_fix(
+    packages: Iterable[PackageSummary],
+    findings: Iterable[Finding],
+    rules: Mapping[str, RuleInfo],
+    tags: TagFilter,
+) -> tuple[RuleCount, ...]:
+    """Return at most :data:`MOST` findings, each as the count of its rule with the worst as its example.
+
+    Ordered by severity times the measured precision of the rule times how far the limit is exceeded; notes are left
+    out, and of each rule only the worst is named. What changed lately is not weighed: a run does not know it.
+
+    Args:
+        packages: summaries, whose examples are the worst of each rule.
+        findings: those of no package.
+        rules: what rules are about, by id.
+        tags: which findings are meant.
+    """
+    counts = [one for package in packages for one in package.rules if one.gated and tags.matches(one.tags)]
+    counts += [_counted(finding) for finding in findings if finding.gated and tags.matches(finding.tags)]
+    best: dict[str, tuple[float, RuleCount]] = {}
+    for one in counts:
+        if one.severity is Severity.NOTE or not one.example:
+            continue
+        score = _score(one, rules.get(one.rule))
+        if one.rule not in best or score > best[one.rule][0]:
+            best[one.rule] = (score, one)
+    ordered = sorted(best.values(), key=lambda pair: (-pair[0], pair[1].rule))
+    return tuple(one for _score_, one in ordered[:MOST])
+
+
+def _score(one: RuleCount, rule: RuleInfo | None) -> float:
+    precision = LIMIT if "metrics" in one.tags else UNMEASURED
+    if rule is not None and rule.precision:
+        precision = rule.precision
+    return _WEIGHTS[one.severity] * precision * (1 + log2(max(one.excess, 1.0)) / 4)
+
+
+def _counted(finding: Finding) -> RuleCount:
+    place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
+    example = f"{place}: {finding.message}" if place else finding.message
+    return RuleCount(finding.rule, finding.severity, 1, 1, example, finding.tags, finding.excess)

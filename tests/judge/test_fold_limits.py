@@ -1,0 +1,59 @@
+"""Several limits broken by one entity."""
+
+from roslens.judge.fold_limits import fold_limits, limits_broken
+from roslens.model.finding import Finding, Severity
+
+
+def limit(rule, text, value, bound, entity="function:a.cpp#f()", severity=Severity.WARNING, model="ros"):
+    return Finding(
+        f"{model}.{rule}.max",
+        severity,
+        f"{text} in f",
+        "a.cpp",
+        3,
+        entity=entity,
+        tags=("metrics", rule),
+        fingerprint=rule,
+        quantity=rule,
+        value=value,
+        bound=bound,
+        model=model,
+    )
+
+
+CALLS = limit("calls", "90 calls (limit 10, 9.0 x)", 90, 10, severity=Severity.NOTE)
+LINES = limit("eloc", "140 executable lines (limit 70, 2.0 x)", 140, 70)
+PATHS = limit("static_paths", "1000 static paths (limit 250, 4.0 x)", 1000, 250)
+
+
+def test_one_function_that_breaks_three_limits_is_one_finding_with_three_reasons():
+    (one,) = fold_limits([CALLS, LINES, PATHS])
+    assert one.rule == "ros.function_limits"
+    assert one.message == (
+        "1000 static paths (limit 250, 4.0 x), 140 executable lines (limit 70, 2.0 x) "
+        "and 90 calls (limit 10, 9.0 x) in f"
+    )
+    assert one.severity is Severity.WARNING
+    assert (one.quantity, one.value, one.bound) == ("static_paths", 1000, 250)
+    assert one.others == ("140 executable lines (limit 70, 2.0 x)", "90 calls (limit 10, 9.0 x)")
+    assert one.tags == ("metrics", "static_paths", "eloc", "calls")
+    assert limits_broken(one) == 3
+
+
+def test_what_breaks_one_limit_and_what_no_model_makes_stays():
+    rule = Finding("cpp.goto", Severity.NOTE, "m", entity="function:a.cpp#f()")
+    assert fold_limits([CALLS, rule]) == (CALLS, rule)
+    assert (limits_broken(CALLS), limits_broken(rule)) == (1, 0)
+
+
+def test_models_and_entities_are_apart():
+    other = limit("calls", "90 calls (limit 5, 18 x)", 90, 5, model="his")
+    elsewhere = limit("eloc", "80 executable lines (limit 70, 1.1 x)", 80, 70, entity="function:a.cpp#g()")
+    assert fold_limits([CALLS, other, elsewhere]) == (CALLS, other, elsewhere)
+
+
+def test_the_finding_is_the_same_whichever_limit_is_exceeded_most():
+    worse = limit("eloc", "1400 executable lines (limit 70, 20 x)", 1400, 70)
+    (one,), (two,) = fold_limits([LINES, PATHS]), fold_limits([worse, PATHS])
+    assert one.quantity != two.quantity
+    assert one.fingerprint == two.fingerprint

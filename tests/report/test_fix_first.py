@@ -1,0 +1,49 @@
+"""What to mend first."""
+
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.result import PackageSummary, RuleCount
+from roslens.model.tags import TagFilter
+from roslens.report.fix_first import first_to_fix
+
+ALL = TagFilter()
+
+
+def package(*rules):
+    return PackageSummary("a", "a", ".", rules=tuple(rules))
+
+
+def count(rule, severity=Severity.WARNING, excess=0.0, gated=1, tags=()):
+    return RuleCount(rule, severity, 1, gated, f"a.cpp:1: {rule}", tags, excess)
+
+
+def chosen(*rules, about=None, findings=()):
+    return [one.rule for one in first_to_fix([package(*rules)], findings, about or {}, ALL)]
+
+
+def test_errors_come_before_warnings_and_notes_never():
+    assert chosen(count("w"), count("e", Severity.ERROR), count("n", Severity.NOTE)) == ["e", "w"]
+
+
+def test_what_is_exceeded_further_and_what_is_surer_comes_first():
+    assert chosen(count("little", excess=1.5), count("much", excess=30.0)) == ["much", "little"]
+    sure = RuleInfo("sure", "t", "d", precision=0.98)
+    assert chosen(count("other"), count("sure"), about={"sure": sure}) == ["sure", "other"]
+
+
+def test_a_limit_of_a_model_waits_for_what_is_plainly_wrong():
+    assert chosen(count("limit", excess=4.0, tags=("metrics",)), count("rule")) == ["rule", "limit"]
+
+
+def test_three_of_different_rules_that_count():
+    rules = [count(f"r{number}") for number in range(5)]
+    assert chosen(*rules) == ["r0", "r1", "r2"]
+    assert chosen(count("r", gated=0)) == []
+    twice = [package(count("r", excess=2.0)), package(count("r", excess=9.0))]
+    (one,) = first_to_fix(twice, (), {}, ALL)
+    assert one.excess == 9.0
+
+
+def test_what_belongs_to_no_package_takes_part():
+    finding = Finding("graph.qos", Severity.ERROR, "never connected", "a.launch", 3)
+    (one,) = first_to_fix([], [finding], {}, ALL)
+    assert one.example == "a.launch:3: never connected"

@@ -79,5 +79,7 @@ def test_a_program_of_the_other_version_is_said_to_be(found):
     assert reason.startswith("no build of package camera makes old_camera_alone for this ROS: it is for ROS 1; ")
 
 
-def test_nothing_of_them_is_started_by_no_program(found):
-    assert found.unstarted(()) == ()
+def test_what_is_left_of_one_version_is_listed_as_of_that_version(found):
+    (left,) = found.unstarted(())
+    assert left.generation == "ros1"
+    assert ends(left, "lidar") == {("/left", "std_msgs/String", "lidar/ros2/src/leftover.cpp")}

@@ -1,7 +1,7 @@
 """For which version of ROS each file is, where a workspace has code for both: by the interface of ROS that it uses.
 
-What does not say so itself is for the version whose targets it is a part of, whose name it bears, or for which those
-files are that include it. What then is of neither belongs to both.
+What does not say so itself is for the version of what it includes, else for that whose targets it is a part of, whose
+name it bears, or for which those files are that include it. What then is of neither belongs to both.
 """
 
 from __future__ import annotations
@@ -60,6 +60,11 @@ def file_versions(
     if len({*found.values()}) < 2 and not switched:
         return {}
     built = _built(targets)
+    edges = included_files(programs, owners, needs)
+    for path in sorted(edges.keys() - found.keys() - switched):
+        heard = _heard(path, edges, said)
+        if len(heard) == 1:
+            found[path] = heard.pop()
     for path in programs:
         owner = owners.get(path, "")
         own = versions.get(owner, ())
@@ -69,12 +74,23 @@ def file_versions(
             found[path] = own[0]
         elif version := built.get(path) or _named(path, folders.get(owner, "")):
             found[path] = version
-    _headers(found, programs, included_files(programs, owners, needs), switched)
+    _headers(found, programs, edges, switched)
     mostly = max(VERSIONS, key=list(found.values()).count)
     for path in programs:
         if not versions.get(owners.get(path, ""), ()) and path not in switched:
             found.setdefault(path, mostly)
     return found
+
+
+def _heard(path: str, edges: Mapping[str, Collection[str]], said: Mapping[str, set[str]]) -> set[str]:
+    """Return the versions that the nearest of the files say which a file includes."""
+    seen, near = {path}, [path]
+    while near:
+        near = [one for path in near for one in edges.get(path, ()) if one not in seen]
+        seen.update(near)
+        if heard := set[str]().union(*(said[one] for one in near)):
+            return heard
+    return set()
 
 
 def _built(targets: Iterable[Target]) -> dict[str, str]:

@@ -63,6 +63,7 @@ def test_two_manifests_of_one_name_are_both_built(whole):
 def test_arms_of_the_preprocessor_in_one_source(whole):
     assert ends(whole["ros1"], "sonar") == {("/range", "sensor_msgs/Range", "sonar/src/sonar.cpp")}
     assert ends(whole["ros2"], "sonar") == {("/range", "sensor_msgs/msg/Range", "sonar/src/sonar.cpp")}
+    assert [node.name for node in whole["ros2"].nodes] == ["/camera", "/driver", "/lidar", "/sonar"]
     assert not any(node.conditions for one in whole.values() for node in one.nodes)
 
 

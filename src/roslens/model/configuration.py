@@ -117,6 +117,7 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
         allowed: the values that it may have, as text; empty where these are not counted.
         constraints: what else its declaration asks, in words.
         uncertain: whether something that starts the node and is not known, as a file of parameters, may set it too.
+        other_types: with which other places of the code declare or read it too; empty of one that is unknown.
     """
 
     name: str
@@ -137,6 +138,7 @@ class ConfiguredParameter(msgspec.Struct, frozen=True, omit_defaults=True):
     allowed: tuple[str, ...] = ()
     constraints: tuple[str, ...] = ()
     uncertain: bool = False
+    other_types: tuple[str, ...] = ()
 
     @property
     def repeats_an_endpoint(self) -> bool:

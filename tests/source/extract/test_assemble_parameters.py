@@ -9,6 +9,7 @@ from roslens.source.extract.text import Hole, Text, unknown
 
 CODE = Evidence("a.cpp", 3)
 YAML = Evidence("a.yaml", 5)
+TYPES = ("int", "string", "int", "")
 ROS2 = Place(Text.of("/ns"), Text.of("/ns/node"), "ros2")
 ROS1 = Place(Text.of("/ns"), Text.of("/ns/node"), "ros1")
 
@@ -63,6 +64,14 @@ def test_several_places_that_name_a_parameter_are_one():
     )
     (one,) = parameters_of(facts, Values(ROS2, ()))
     assert (one.access, one.type, one.default, one.value, one.range) == ("declared", "int", "1", "1", "0..9")
+
+
+def test_a_parameter_that_is_read_with_two_types_has_both():
+    facts = [ParameterFact(Text.of("a"), Evidence("a.cpp", line), "declared", kind) for line, kind in enumerate(TYPES)]
+    (one,) = parameters_of(facts, Values(ROS2, ()))
+    assert (one.type, one.other_types) == ("int", ("string", ""))
+    (one,) = parameters_of(reversed(facts[:3:2]), Values(ROS2, ()))
+    assert (one.type, one.other_types) == ("int", ())
 
 
 def test_doubt_is_that_of_the_least_sure():

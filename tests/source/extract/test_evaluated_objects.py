@@ -55,6 +55,30 @@ class A : public rclcpp::Node { public:
     assert [one.name.known for one in facts.endpoints] == ["x", "y", "z", "copy_x"]
 
 
+BASE = """
+class Base { public: Base() : nh_("~") {}
+  Base(const std::string & name) : nh_(name) {}
+  void said(const std::string & topic) { pub_ = nh_.advertise<std_msgs::String>(topic, 1); }
+  ros::NodeHandle nh_; ros::Publisher pub_; };
+"""
+
+
+@pytest.mark.parametrize(
+    ("constructor", "name"),
+    [
+        ('Derived() { said("a"); }', "~/a"),
+        ('Derived() : count_(1) { said("a"); }', "~/a"),
+        ('Derived() : Base("other") { said("a"); }', "other/a"),
+        ('Derived() : Derived(1) { said("a"); }\n explicit Derived(int count) : Base("third") {}', "third/a"),
+    ],
+)
+def test_a_base_that_no_initialiser_names_is_constructed_by_default(units, constructor, name):
+    text = "#include <ros/ros.h>\n" + BASE + f"class Derived : public Base {{ public: {constructor} int count_; }};\n"
+    text += 'int main() { ros::init(0, 0, "n"); Derived one; }\n'
+    facts = next(one for one in units(a_cpp=text) if one.unit == "main")
+    assert [str(one.name) for one in facts.endpoints] == [name]
+
+
 def test_a_static_member_has_the_value_of_its_definition(units):
     header = """
 namespace m { class Monitor { public:

@@ -279,9 +279,18 @@ def _completed(known: ConfiguredParameter, fact: ParameterFact) -> ConfiguredPar
     value = default if known.value is None and known.set_by is None else known.value
     # The type of what is written says nothing of what is read.
     kind = fact.type if fact.type and fact.access != "written" and known.type in ("", LIST) else known.type
+    others = known.other_types
+    if (
+        fact.access != "written"
+        and fact.type not in (kind, LIST, *others)
+        and (fact.type or fact.access == known.access)
+    ):
+        others = (*others, fact.type)
+    if not known.type and kind and known.access == fact.access:
+        others = (*others, "")
     more = {} if known.range or known.description else _terms_of(fact)
     return msgspec.structs.replace(
-        known, type=kind, default=default, value=value, range=known.range or fact.range, **more
+        known, type=kind, default=default, value=value, range=known.range or fact.range, other_types=others, **more
     )
 
 

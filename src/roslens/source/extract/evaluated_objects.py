@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.abstract_value import Callable, Obj, Unknown
 from roslens.source.extract.base_templates import bind_bases
 from roslens.source.extract.class_attributes import of_object
+from roslens.source.extract.default_bases import bases_by_default
 from roslens.source.extract.evaluated_calls import Calls
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.given_fields import set_fields
@@ -131,6 +132,8 @@ class Objects(Calls):
         if chosen is not None and isinstance(chosen.what, Function):
             whole = thing.defined
             if not python:
+                for base in bases_by_default(engine.index, defined, chosen.what):
+                    engine.construct_as(thing, base, [], {})
                 # While a base is constructed, its own virtual methods are called.
                 thing.defined = defined
             engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)

@@ -38,6 +38,14 @@ def test_what_fits_or_is_unknown_is_none(wanted, given):
     assert not findings(wanted, given)
 
 
+@pytest.mark.parametrize("generation", ["ros1", "ros2"])
+def test_code_that_takes_it_with_another_type_too_takes_it(generation):
+    access = "read" if generation == "ros1" else "declared"
+    assert not findings("int", "string", access=access, generation=generation, other_types=("string",))
+    assert not findings("int", "string", access=access, generation=generation, other_types=("",))
+    assert findings("int", "string", access=access, generation=generation, other_types=("bool",))
+
+
 def test_ros1_converts_numbers_and_takes_the_default_otherwise():
     assert not findings("double", "int", access="read", generation="ros1")
     (one,) = findings("bool", "string", value="yes please", access="read", generation="ros1")

@@ -40,7 +40,7 @@ def found(configuration: Configuration, _surroundings: Surroundings) -> Iterator
 
 def _differs(one: ConfiguredParameter, *, ros1: bool) -> bool:
     wanted, given = one.type, one.set_type
-    if not {wanted, given} <= _KNOWN or wanted == given:
+    if not {wanted, given} <= _KNOWN or given in (wanted, *one.other_types) or "" in one.other_types:
         return False
     if ros1:
         # What Python reads has the type of the value; roscpp converts numbers.

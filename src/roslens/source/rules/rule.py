@@ -31,6 +31,8 @@ TOOL = "roslens"
 ROSCPP = ("ros/ros.h", "ros::")
 RCLCPP = ("rclcpp",)
 ROS_CPP = (*ROSCPP, *RCLCPP)
+FIRMWARE = (b"<ros.h>", b'"ros.h"', b"ros_lib")
+"""What files for microcontrollers mention, whose `ros::` is that of rosserial."""
 ROSPY = ("rospy",)
 RCLPY = ("rclpy",)
 ROS_PYTHON = (*ROSPY, *RCLPY)

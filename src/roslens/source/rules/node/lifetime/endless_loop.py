@@ -1,0 +1,55 @@
+"""Rule ``node.endless_loop``: a loop that no shutdown ends."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.calls import LOOPS, body_of
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FIRMWARE, ROS_CPP, FileRule
+
+_ENDS = re.compile(
+    rb"\b(break|return|goto|throw|exit|abort|co_await|co_return)\b|\b(ok|isShuttingDown|isStopRequested|is_canceling|"
+    rb"isPreemptRequested|joinable|interruption_point)\s*\("
+)
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a loop without a condition whose body neither leaves it nor asks whether the node is to end."""
+    loop = node
+    while loop.parent is not None and loop.type not in LOOPS:
+        loop = loop.parent
+    body = body_of(loop)
+    if any(one in view.content for one in FIRMWARE):
+        return
+    if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
+        return
+    head = " ".join(view.code[loop.start_byte : body.start_byte].decode("utf-8", "replace").split())
+    expected = "rclcpp::ok()" if b"rclcpp" in view.content else "ros::ok()"
+    yield view.hit(
+        "node.endless_loop",
+        node,
+        f"`{head}` never ends: nothing in it leaves it or asks `{expected}`; expected `while ({expected})`",
+    )
+
+
+RULE = FileRule(
+    id="node.endless_loop",
+    title="Loop that no shutdown ends",
+    finds="`while (true)` or `for (;;)` in a node, without a way out and without a look at `ok()`. Ask `ok()`.",
+    why="ROS takes Ctrl-C and the launch's signal away from the process and only sets `ok()` to false: a loop that "
+    "does not "
+    "ask keeps the process, and the hardware it drives, until somebody kills it.",
+    profiles=("ros2", "ros1"),
+    tags=("lifetime",),
+    bad="#include <ros/ros.h>\nvoid f() { while (true) { work(); } }\n",
+    good="#include <ros/ros.h>\nvoid f() { while (ros::ok()) { work(); } }\n",
+    syntax="cpp",
+    anchors=("while (true)", "while(true)", "while (1)", "while(1)", "for (;;)", "for(;;)"),
+    mentions=ROS_CPP,
+    found=found,
+)

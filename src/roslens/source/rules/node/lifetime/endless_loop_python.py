@@ -1,0 +1,55 @@
+"""Rule ``node.endless_loop_python``: a loop in rospy that no shutdown ends."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.calls import LOOPS, body_of
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_ENDS = re.compile(
+    rb"\b(break|return|raise|exit|_exit|is_shutdown|is_preempt_requested|yield|await)\b|rospy\.sleep|[rR]ate\.sleep|"
+    rb"wait_for_message|rospy\.Rate"
+)
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a loop without a condition that neither leaves itself nor sleeps by rospy, which raises at shutdown."""
+    loop = node
+    while loop.parent is not None and loop.type not in LOOPS:
+        loop = loop.parent
+    body = body_of(loop)
+    if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
+        return
+    yield view.hit(
+        "node.endless_loop_python",
+        node,
+        f"`{view.text(loop).partition(':')[0]}` never ends: nothing in it leaves it or asks `rospy.is_shutdown()`; "
+        "expected "
+        "`while not rospy.is_shutdown():`",
+    )
+
+
+RULE = FileRule(
+    id="node.endless_loop_python",
+    title="Loop that no shutdown ends (rospy)",
+    finds="`while True` in a node of rospy, without a way out, a look at `is_shutdown()` or a sleep of rospy, which "
+    "raises "
+    "at shutdown. Ask `rospy.is_shutdown()`.",
+    why="rospy takes Ctrl-C and the launch's signal away from the process and raises no KeyboardInterrupt: the loop "
+    "keeps "
+    "the process until somebody kills it.",
+    profiles=("ros1",),
+    tags=("lifetime",),
+    bad="import rospy\nrospy.init_node('n')\nwhile True:\n    work()\n",
+    good="import rospy\nrospy.init_node('n')\nwhile not rospy.is_shutdown():\n    work()\n",
+    syntax="python",
+    anchors=("while True", "while 1", "while(True)", "while(1)"),
+    mentions=("init_node",),
+    found=found,
+)

@@ -1,0 +1,69 @@
+"""Rule ``node.node_before_init``: a node handle that is made before ``ros::init``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.calls import function_around, statement_around, whole_name
+from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FIRMWARE, ROSCPP, FileRule
+
+_OBJECTS = ("identifier", "init_declarator", "array_declarator")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield an object that needs ROS and is a global, or stands before ``ros::init`` in its function."""
+    if any(one in view.content for one in FIRMWARE):
+        return
+    name = whole_name(node)
+    declaration = name.parent
+    if declaration is None or declaration.type != "declaration" or declaration.child_by_field_name("type") != name:
+        return
+    declarator = declaration.child_by_field_name("declarator")
+    if declarator is None or declarator.type not in _OBJECTS or "extern" in view.text(declaration).split():
+        return
+    inner = declarator.child_by_field_name("declarator")
+    if inner is not None and inner.type in ("pointer_declarator", "reference_declarator"):
+        return
+    function = function_around(declaration)
+    if function is None and above(declaration, "class_specifier", "struct_specifier", "function_definition") is None:
+        yield view.hit(
+            "node.node_before_init",
+            declaration,
+            f"`{view.text(declaration)}` is global, so it is made before `ros::init`, which ends the process; "
+            "expected it "
+            "in `main` or in a class",
+        )
+    elif function is not None:
+        begin = view.code.find(b"ros::init(", statement_around(declaration).end_byte, function.end_byte)
+        if begin > 0 and b"ros::init(" not in view.code[function.start_byte : declaration.start_byte]:
+            yield view.hit(
+                "node.node_before_init",
+                declaration,
+                f"`{view.text(declaration)}` before `ros::init` ends the process; expected it after",
+            )
+
+
+RULE = FileRule(
+    id="node.node_before_init",
+    title="Node made before ros::init",
+    finds="A `ros::NodeHandle`, transform listener or broadcaster that is a global object, or is declared before "
+    "`ros::init`. Declare it after, in `main` or a class.",
+    why="roscpp says «You must call ros::init() before creating the first NodeHandle» and aborts.",
+    severity=Severity.ERROR,
+    profiles=("ros1",),
+    tags=("lifetime",),
+    bad="#include <ros/ros.h>\nros::NodeHandle nh;\n",
+    good='#include <ros/ros.h>\nint main(int c, char** v) { ros::init(c, v, "n"); ros::NodeHandle nh; }\n',
+    syntax="cpp",
+    anchors=(
+        *("ros::NodeHandle", "tf::TransformListener", "tf::TransformBroadcaster", "tf2_ros::TransformListener"),
+        "tf2_ros::TransformBroadcaster",
+    ),
+    mentions=ROSCPP,
+    found=found,
+)

@@ -1,0 +1,58 @@
+"""Rule ``node.spin_missing``: a program that subscribes and never spins."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.callbacks import function_name
+from roslens.source.rules.calls import body_of, call_at, function_around
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import ROS_CPP, FileRule
+
+_NEEDS_SPIN = re.compile(
+    rb"\b(subscribe|create_subscription|advertiseService|create_service|createTimer|create_wall_timer)\b\s*[<(]"
+)
+_SPINS = re.compile(
+    rb"[sS]pin|waitForShutdown|\bexec\s*\(|callAvailable|callOne|\bwait\b|WaitSet|exec_|[rR]un\s*\(|thread"
+)
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield the beginning of a ``main`` that subscribes, in a file that spins nowhere."""
+    call, function = call_at(node), function_around(node)
+    body = body_of(function) if function is not None else None
+    if call is None or function is None or body is None or function.type != "function_definition":
+        return
+    registers = _NEEDS_SPIN.search(view.code, body.start_byte, body.end_byte)
+    if function_name(function, view) != "main" or registers is None or _SPINS.search(view.code):
+        return
+    yield view.hit(
+        "node.spin_missing",
+        call,
+        f"`main` calls `{registers[1].decode()}` and nothing in this file spins: the callback never runs; expected "
+        + ("`ros::spin()`" if view.text(call).startswith("ros::") else "`rclcpp::spin(node)`"),
+    )
+
+
+RULE = FileRule(
+    id="node.spin_missing",
+    title="Program that never spins",
+    finds="A `main` that makes a subscription, service or timer, in a file without a call that spins. Spin.",
+    why="Callbacks run when the program spins and at no other time: the node is there, is connected, and does nothing.",
+    profiles=("ros2", "ros1"),
+    tags=("lifetime",),
+    bad="""#include <ros/ros.h>
+int main(int c, char** v) { ros::init(c, v, "n"); ros::NodeHandle n; auto s = n.subscribe("x", 1, f); sleep(9); }
+""",
+    good="""#include <ros/ros.h>
+int main(int c, char** v) { ros::init(c, v, "n"); ros::NodeHandle n; auto s = n.subscribe("x", 1, f); ros::spin(); }
+""",
+    syntax="cpp",
+    anchors=("ros::init", "rclcpp::init"),
+    mentions=ROS_CPP,
+    found=found,
+)

@@ -155,3 +155,26 @@ def test_the_page_of_findings_shows_what_is_set_aside(walking, capsys):
         filtered = PAGES["findings"](site, Request(query=Query((("rule", "x"),))))
     assert [cell.value for cell in page.table("set_aside").rows[0]][3:] == ["[[ignore]]", "legacy", "[[ignore]] 1"]
     assert filtered.tables == ()
+
+
+def test_what_breaks_several_limits_is_accepted_as_one_and_each_limit_can_be_suppressed(walking, capsys):
+    path = walking / "talk/talk/walking.py"
+    long = MANY_CALLS.replace(
+        "    return", "".join(f"    step.value_{number} = {number}\n" for number in range(70)) + "    return"
+    )
+    path.write_text(long)
+
+    def limits(report):
+        return [one["rule"] for one in report["findings"] if one["path"].endswith("walking.py") and one.get("model")]
+
+    assert "ros.function_limits" in limits(check(walking, capsys))
+    assert main(["accept", "--path", str(walking), "function_limits@talk/talk/*", "--reason", "generated"]) == 0
+    capsys.readouterr()
+    report = check(walking, capsys)
+    assert "ros.function_limits" not in limits(report)
+    assert [one["finding"]["rule"] for one in report["set_aside"]] == ["ros.function_limits"]
+    assert notes(report) == []
+    path.write_text(long.replace("step):\n", "step):  # roslens: ignore[calls.max] table\n"))
+    report = check(walking, capsys)
+    assert "ros.eloc.max" in limits(report)
+    assert "ros.function_limits" not in limits(report)

@@ -58,24 +58,31 @@ class Finisher:
         package = self._packages[measured.package]
         judged = (*measured.findings, *outcome.findings, *judge_entities(self._models, entities))
         if measured.suppressions:
-            judged = (*judged, *about_comments(measured.suppressions, judged, self._rules(package)))
+            judged = (
+                *judged,
+                *about_comments(measured.suppressions, (*judged, *fold_limits(judged)), self._rules(package)),
+            )
         sorted_out = self._silence.sorted_out(
             judged, measured.suppressions, folder=package.path, package=measured.package
         )
+        # A limit may be set aside by itself, and what stands for several of them, too.
+        folded = self._silence.sorted_out(
+            fold_limits(sorted_out.kept), measured.suppressions, folder=package.path, package=measured.package
+        )
         findings = []
-        for finding in sorted_out.kept:
+        for finding in folded.kept:
             if finding.path and roles.get(finding.path, "own") not in self._gate_roles:
                 findings.append(msgspec.structs.replace(finding, gated=False))
             else:
                 findings.append(finding)
-        findings = sorted(fold_limits(findings), key=_place)
+        findings.sort(key=_place)
         return PackageResult(
             package=package,
             files=files,
             entities=_with_counts(entities, findings),
             findings=tuple(findings),
             failures=(*self._failures[measured.package], *measured.failures, *outcome.failures),
-            set_aside=sorted_out.set_aside,
+            set_aside=(*sorted_out.set_aside, *folded.set_aside),
         )
 
 

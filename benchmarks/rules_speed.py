@@ -1,0 +1,79 @@
+"""What the native rules cost on top of metrics, and what cpplint takes for the same files.
+
+    python benchmarks/rules_speed.py CORPUS [--cpplint COMMAND] [--rounds N]
+
+CORPUS is a folder with clones, as for ``source_speed.py``; their C and C++ files are copied to a temporary folder.
+There run in turn: a bare tree-sitter parse, the facts that metrics are made of, the same with all native rules,
+``roslens check`` of all of it without a cache, and cpplint. CPU seconds are of whole processes, children included.
+"""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+import sys
+import tempfile
+from pathlib import Path
+
+from measure import in_turn, middle, ratio
+from source_speed import BARE, copied
+
+FACTS = """
+import gc, sys
+from pathlib import Path
+from roslens.model.source import Language
+from roslens.source.parsed_file import parse_file
+from roslens.source.settings import MacroSettings
+from roslens.source.metrics.measure_file import measure_file
+from roslens.source.settings import CountingSettings
+if {rules}:
+    from roslens.source.rules.callbacks import callbacks_of
+    from roslens.source.rules.match_file import match_file
+gc.disable()
+macros, counting = MacroSettings(), CountingSettings()
+for line in Path(sys.argv[1]).read_text().splitlines():
+    parsed = parse_file(Path(line).read_bytes(), Language.CPP, macros)
+    measure_file(line, parsed.facts(), counting)
+    if {rules}:
+        view = parsed.view()
+        match_file(view)
+        callbacks_of(view)
+"""
+
+
+def main() -> int:
+    """Measure and print a table."""
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("corpus", type=Path)
+    arguments.add_argument("--cpplint", default="", help="command that starts cpplint, e.g. 'python -m cpplint'")
+    arguments.add_argument("--rounds", type=int, default=3)
+    options = arguments.parse_args()
+    with tempfile.TemporaryDirectory(prefix="roslens-bench-") as scratch:
+        root = Path(scratch, "ws")
+        files = copied(options.corpus, root)
+        listing = Path(scratch, "files.txt")
+        listing.write_text("\n".join(map(str, files)))
+        check = [str(Path(sys.executable).with_name("roslens")), "check", str(root), "--jobs", "1", "-q"]
+        commands = {
+            "bare parse": [sys.executable, "-c", BARE, str(listing)],
+            "metrics alone": [sys.executable, "-c", FACTS.format(rules=False), str(listing)],
+            "metrics and rules": [sys.executable, "-c", FACTS.format(rules=True), str(listing)],
+            "roslens check": [*check, "--fail-on", "never", "--no-store", "--no-cache"],
+        }
+        if options.cpplint:
+            commands["cpplint"] = [*shlex.split(options.cpplint), "--quiet", *map(str, files)]
+        in_turn({"bare parse": commands["bare parse"]}, 1, {})
+        costs = in_turn(commands, options.rounds, {})
+        lines = sum(file.read_bytes().count(b"\n") for file in files)
+    print(f"{len(files)} files, {lines} lines; medians of {options.rounds} rounds\n")
+    print("| run | CPU s | peak MB | by bare parse | by metrics alone |")
+    print("| --- | --- | --- | --- | --- |")
+    for name, runs in costs.items():
+        cpu, peak = (middle([cost[index] for cost in runs]) for index in (0, 2))
+        shares = " | ".join(f"{ratio(costs, name, peer):.2f}" for peer in ("bare parse", "metrics alone"))
+        print(f"| {name} | {cpu:.2f} | {peak:.0f} | {shares} |")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -79,6 +79,27 @@ def test_a_base_that_no_initialiser_names_is_constructed_by_default(units, const
     assert [str(one.name) for one in facts.endpoints] == [name]
 
 
+@pytest.mark.parametrize("keeps", ["node_handle_ = node_handle;", "name_ = ros::this_node::getName();"])
+def test_what_is_kept_of_a_handle_or_name_is_known_though_its_function_makes_nothing(units, keeps):
+    long = (
+        "min_observations_per_point_ = 2; most_observations_per_point_ = 20; sensor_width_ = 640; sensor_height_ = 480;"
+    )
+    given = "ros::NodeHandle & node_handle" if "node_handle;" in keeps else "int sensor_of_the_camera"
+    text = f"""
+#include <ros/ros.h>
+class Part {{ public:
+  void keep({given}) {{ {long} {keeps} {long} }}
+  void start() {{ pub_ = node_handle_.advertise<std_msgs::String>(name_ + "a", 1); }}
+  ros::NodeHandle node_handle_; std::string name_ = "x/"; ros::Publisher pub_; }};
+int main(int argc, char ** argv) {{ ros::init(argc, argv, "n"); ros::NodeHandle handle("inside"); Part part;
+  part.keep({"handle" if "node_handle;" in keeps else "1"}); part.start(); }}
+"""
+    facts = next(one for one in units(a_cpp=text) if one.unit == "main")
+    assert [str(one.name) for one in facts.endpoints] == [
+        "inside/x/a" if "node_handle;" in keeps else "{full name of the node}a"
+    ]
+
+
 def test_a_static_member_has_the_value_of_its_definition(units):
     header = """
 namespace m { class Monitor { public:

@@ -1,10 +1,11 @@
 """Which functions and statements of C++ may say something about the graph, judged by text before any node is read.
 
 Most functions compute. What names an interface of ROS, makes an object or is short is lowered whole, and so is what
-makes texts or options of nodes of what it is given: names are made there. Of the others only statements stay that call
-what may lead to such an interface (``initPublishers();``, ``costmap->configure(node)``), with the returns and the
-control structure around them; those without such calls have no body in the program. A test (``TEST``, ``TEST_F``) is
-lowered whole where it names an endpoint or a parameter, else it has no body.
+makes texts or options of nodes of what it is given, and what may keep a handle that it is given: names are made there.
+Of the others only statements stay that call what may lead to such an interface (``initPublishers();``,
+``costmap->configure(node)``), with the returns and the control structure around them; those without such calls have no
+body in the program. A test (``TEST``, ``TEST_F``) is lowered whole where it names an endpoint or a parameter, else it
+has no body.
 """
 
 from __future__ import annotations
@@ -41,6 +42,7 @@ _WORDS = {
     b"add_node": rb"\badd_node",
     b"waitForMessage": rb"\bwaitForMessage",
     b"]->": rb"\]->(?:on_?)?(?:[cC]onfigure|[iI]nit(?:ialize)?)\s*\(",
+    b"this_node": rb"=\s*(?:::)?ros::this_node::get",
     b"return": rb"return\s+(?:std::string\s*\(\s*)?\"",
 }
 _WHOLE = tuple((letters, re.compile(written)) for letters, written in _WORDS.items())
@@ -48,6 +50,10 @@ _WHOLE = tuple((letters, re.compile(written)) for letters, written in _WORDS.ite
 _MAKES_NAMES = re.compile(rb"\b(?:string|NodeOptions|SubscribeOptions|AdvertiseOptions)\b[\s&*>]*(?:[\w:]+\s*)?[(,)]")
 """A head of a function that returns a text or options, or takes them."""
 _MOST_OF_TEXT = 1500
+_TAKES_NODES = re.compile(
+    rb"\b(?:NodeHandle|rclcpp(?:_lifecycle)?::(?:Lifecycle)?Node)(?:Ptr|::\w*Ptr)?[\s&*>]+\w*\s*[,)=]"
+)
+"""A head of a function that takes a handle or a node: it may keep it."""
 _CALLED = re.compile(rb"\(\s*(?:>[^;(){}]{0,80}?<\s*)?(\w+)")
 """Finds the names of calls in a text that runs backwards: a pattern that begins with one fixed byte is fast."""
 _SET = re.compile(rb"=(?<!==)[-+*/|&^%]?\s*(\w+)(?!\w)(?!\s*(?!esle\b)(?:[\w.&*]|>(?!-siht)))")
@@ -126,7 +132,7 @@ class Relevance:
             return
         if (
             end - start < _SHORT
-            or (head >= 0 and _makes_names(source, head, start, end))
+            or (head >= 0 and (_takes_nodes(source, head, start, end) or _makes_names(source, head, start, end)))
             or _whole(source, start, end)
             or (head >= 0 and source.find(b" main(", head, start) >= 0)
         ):
@@ -183,6 +189,12 @@ def _set_under_other_names(body: bytes, names: set[bytes]) -> set[bytes]:
         for match in _OTHER_NAME.finditer(body)
         if match[1] in names or len(re.findall(rb"\*\s*%s\s*[-+*/|&^%%]?=(?!=)" % match[1], body)) > 1
     }
+
+
+def _takes_nodes(source: bytes, head: int, start: int, end: int) -> bool:
+    if end - start >= _MOST_OF_TEXT or source.find(b"Node", head, start) < 0:
+        return False
+    return _TAKES_NODES.search(source, head, start) is not None
 
 
 def _makes_names(source: bytes, head: int, start: int, end: int) -> bool:

@@ -59,3 +59,40 @@ def plain(node: Node | None) -> Node | None:
     while node is not None and node.type == "parenthesized_expression" and node.named_child_count == 1:
         node = node.named_children[0]
     return node
+
+
+def free_call(name: Node, view: FileView) -> Node | None:
+    """Return the call of which a name is the function, written alone, as ``std::name`` or as ``::name``."""
+    if name.type != "identifier" or name.parent is None:
+        return None
+    function, around = name, name.parent
+    if around.type == "qualified_identifier" and around.parent is not None:
+        if view.text(around.child_by_field_name("scope")) not in ("std", ""):
+            return None
+        function, around = around, around.parent
+    if around.type != "call_expression" or around.child_by_field_name("function") != function:
+        return None
+    return around
+
+
+def arguments_of(call: Node) -> list[Node]:
+    """Return the arguments of a call."""
+    listed = call.child_by_field_name("arguments")
+    return [one for one in listed.named_children if one.type != "comment"] if listed is not None else []
+
+
+def next_statement(node: Node) -> Node | None:
+    """Return what follows a statement in its block, comments left out."""
+    found = node.next_named_sibling
+    while found is not None and found.type == "comment":
+        found = found.next_named_sibling
+    return found
+
+
+def same_text(one: Node, other: Node, view: FileView) -> bool:
+    """Return whether two nodes are written alike but for white space."""
+    if one.end_byte - one.start_byte == other.end_byte - other.start_byte:
+        left, right = view.source[one.start_byte : one.end_byte], view.source[other.start_byte : other.end_byte]
+        if left == right:
+            return True
+    return False

@@ -12,6 +12,12 @@ from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 
 _LONGEST_CONTEXT = 200
+_OPEN = frozenset(
+    (
+        *("namespace_definition", "declaration_list", "linkage_specification"),
+        *("preproc_if", "preproc_ifdef", "preproc_else", "preproc_elif"),
+    )
+)
 
 
 class FileView:
@@ -44,6 +50,20 @@ class FileView:
             starts.append(at + 1)
             at = self.content.find(b"\n", at + 1)
         return starts
+
+    @cached_property
+    def top_level(self) -> list[Node]:
+        """What stands at the level of the file or of a named namespace, in order; in ``#if`` as well."""
+        found, waiting = [], list(reversed(self.root.children))
+        while waiting:
+            node = waiting.pop()
+            if node.type == "namespace_definition" and node.child_by_field_name("name") is None:
+                continue
+            if node.type in _OPEN:
+                waiting.extend(reversed(node.children))
+            else:
+                found.append(node)
+        return found
 
     def text(self, node: Node | None) -> str:
         """Return the source of a node with its white space squeezed; empty for none."""

@@ -43,9 +43,11 @@ def place_hits(
     seen: Counter[tuple[str, str, str]] = Counter()
     found: list[Finding] = []
     for path in sorted(hits):
-        counted = _counted(PurePosixPath(path))
+        counted, is_c = _counted(PurePosixPath(path)), path.endswith(".c")
         for hit in hits[path]:
             if hit.rule not in selection or (hit.only and hit.only not in counted):
+                continue
+            if is_c and getattr(rules[hit.rule], "in_c", True) is False:
                 continue
             if hit.callback and hit.callback not in known:
                 continue

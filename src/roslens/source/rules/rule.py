@@ -107,6 +107,7 @@ class FileRule(Rule, frozen=True, kw_only=True):
         quoted: parts of texts; ``found`` is called with the smallest node around each place inside of a string.
         whole: call ``found`` once with the root.
         mentions: the rule looks at nothing in a file that holds none of these anywhere; none is every file.
+        in_c: it counts in files of C as well, which have no other casts, null pointers or memory.
         found: yields what it finds; see :meth:`roslens.source.rules.file_view.FileView.hit`.
     """
 
@@ -116,6 +117,7 @@ class FileRule(Rule, frozen=True, kw_only=True):
     quoted: tuple[str, ...] = ()
     whole: bool = False
     mentions: tuple[str, ...] = ()
+    in_c: bool = True
     found: Callable[[Node, FileView], Iterable[Hit]]
 
     @property

@@ -1,0 +1,84 @@
+"""Rule ``cpp.fallthrough``: a case that runs on into the next one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_statement import ends_flow, last_statement, next_statement
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_MEANT = re.compile(rb"fall|FALL|thr(?:ough|u)|intentional|no break|deliberate|continue", re.IGNORECASE)
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a case whose last statement runs on into another case."""
+    following = next_statement(node)
+    if following is None or following.type != "case_statement" or node.has_error:
+        return
+    last = _last(node)
+    if last is None or ends_flow(last, view) or last.type in ("attributed_statement", "switch_statement"):
+        return
+    between = view.content[last.start_byte : following.start_byte]
+    tail = view.lines[view.place(max(last.end_byte - 1, 0))[0] - 1]
+    code = view.code[last.start_byte : following.start_byte]
+    if _MEANT.search(between[-200:]) or _MEANT.search(tail) or b"#" in code or b"FALLTHROUGH" in code:
+        return
+    if last.type in ("while_statement", "for_statement", "do_statement") and view.text(
+        last.child_by_field_name("condition")
+    ) in ("(true)", "(1)", ""):
+        return
+    value = view.text(node.child_by_field_name("value"))
+    label = f"case {value}" if value else "default"
+    yield view.hit(
+        "cpp.fallthrough",
+        node.children[0],
+        f"`{label[:60]}` falls through to the next case; expected `break` or `[[fallthrough]]`",
+    )
+
+
+def _last(case: Node) -> Node | None:
+    value = case.child_by_field_name("value")
+    inside = [one for one in case.named_children if one.type != "comment" and one != value]
+    found = inside[-1] if inside else None
+    if found is not None and found.type == "compound_statement":
+        return last_statement(found) or found
+    return found
+
+
+RULE = FileRule(
+    id="cpp.fallthrough",
+    title="Case that falls through",
+    finds="A `case` with statements that neither ends in `break`, `return`, `throw`, `continue` or `goto`, nor "
+    "says `[[fallthrough]]` or, in a comment, that it falls through.",
+    why="A command of one mode also does what the next mode does.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "hicpp",
+        "misra-cpp-2008",
+        "misra-cpp-2023",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+        "paper2016",
+    ),
+    clauses=(
+        "hicpp 6.1.3",
+        "misra-cpp-2008 6-4-5",
+        "misra-cpp-2023 9.4.2",
+        "autosar-cpp14 M6-4-5",
+        "jsf-av 193",
+        "paper2016 harosCaseWithoutBreak",
+        "clang-tidy clang-diagnostic-implicit-fallthrough",
+    ),
+    bad="void f(int a) { switch (a) { case 1: g(); case 2: h(); break; } }\n",
+    good="void f(int a) { switch (a) { case 1: g(); break; case 2: h(); break; } }\n",
+    syntax="cpp",
+    kinds=("case_statement",),
+    found=found,
+)

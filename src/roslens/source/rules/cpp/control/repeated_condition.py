@@ -1,0 +1,62 @@
+"""Rule ``cpp.repeated_condition``: a branch that is never taken, because an earlier one asks the same."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each condition of a chain that stands in it before."""
+    if node.parent is not None and node.parent.type == "else_clause":
+        return
+    seen: dict[str, int] = {}
+    one: Node | None = node
+    while one is not None and one.type == "if_statement":
+        condition, other = one.child_by_field_name("condition"), one.child_by_field_name("alternative")
+        if other is None and not seen:
+            return
+        text = view.text(condition)
+        if condition is not None and text in seen and _is_pure(text):
+            yield view.hit(
+                "cpp.repeated_condition",
+                condition,
+                f"`{text[:60]}` is asked on line {seen[text]} too; expected another condition",
+            )
+        if condition is not None:
+            seen.setdefault(text, view.place(condition.start_byte)[0])
+        one = next((child for child in other.named_children if child.type == "if_statement"), None) if other else None
+
+
+def _is_pure(text: str) -> bool:
+    """Return whether asking twice gives the same: nothing is called that may have moved on."""
+    return (
+        "++" not in text
+        and "--" not in text
+        and not re.search(r"[^=!<>]=[^=]|\b(?:read|next|get|pop|poll|wait|try|recv)\w*\(", text)
+    )
+
+
+RULE = FileRule(
+    id="cpp.repeated_condition",
+    title="Condition asked twice in one chain",
+    finds="`if (a) … else if (a)`: the second branch is never taken. One of the two was meant to be another.",
+    why="A state of the robot that has a branch of its own is treated as another one.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "safety",
+    ),
+    clauses=("clang-tidy bugprone-branch-clone",),
+    bad="void f(int a) { if (a == 1) g(); else if (a == 1) h(); }\n",
+    good="void f(int a) { if (a == 1) g(); else if (a == 2) h(); }\n",
+    syntax="cpp",
+    kinds=("if_statement",),
+    found=found,
+)

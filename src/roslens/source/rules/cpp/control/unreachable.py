@@ -1,0 +1,84 @@
+"""Rule ``cpp.unreachable``: a statement that is never reached."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_statement import next_statement
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_MAY_FOLLOW = (
+    "break_statement",
+    "case_statement",
+    "labeled_statement",
+    "else_clause",
+    "function_definition",
+    "ERROR",
+    "preproc_if",
+    "preproc_ifdef",
+    "preproc_else",
+    "preproc_elif",
+    "preproc_call",
+    "preproc_def",
+    "preproc_include",
+    "preproc_function_def",
+    "class_specifier",
+    "struct_specifier",
+    "access_specifier",
+    "type_definition",
+    "alias_declaration",
+    "template_declaration",
+)
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield the statement behind a jump."""
+    following = next_statement(node)
+    block = node.parent
+    if following is None or following.type in _MAY_FOLLOW or block is None or following.text == b";":
+        return
+    if block.type not in ("compound_statement", "case_statement") or block.has_error:
+        return
+    # Compilers ask for a value behind what they do not know to throw.
+    if node.type == "throw_statement" and following.type == "return_statement":
+        return
+    if block.type == "compound_statement" and b"#" in view.code[node.start_byte : following.end_byte]:
+        return
+    jump = node.type.partition("_")[0]
+    yield view.hit("cpp.unreachable", following, f"`{view.text(following)[:50]}` stands behind `{jump}` and never runs")
+
+
+RULE = FileRule(
+    id="cpp.unreachable",
+    title="Unreachable statement",
+    finds="A statement behind `return`, `throw`, `break`, `continue` or `goto` in the same block. A `break` "
+    "behind a `return` is let be. Remove it, or mend the order.",
+    why="What is meant to happen last, such as stopping a motor or closing a port, never does.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "hicpp",
+        "misra-cpp-2008",
+        "misra-cpp-2023",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+    ),
+    clauses=(
+        "misra-cpp-2008 0-1-1",
+        "misra-cpp-2023 0.0.1",
+        "autosar-cpp14 M0-1-1",
+        "jsf-av 186",
+        "hicpp 1.2.1",
+        "clang-tidy clang-diagnostic-unreachable-code",
+    ),
+    bad="int f() { return 1; stop(); }\n",
+    good="int f() { stop(); return 1; }\n",
+    syntax="cpp",
+    kinds=("return_statement", "throw_statement", "break_statement", "continue_statement", "goto_statement"),
+    found=found,
+)

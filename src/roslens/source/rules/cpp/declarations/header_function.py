@@ -1,0 +1,73 @@
+"""Rule ``cpp.header_function``: a function that every file with this header defines."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_class import function_declarator, name_node
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import GUARDED, Hit
+from roslens.source.rules.rule import FileRule
+
+_FREE = re.compile(rb"\b(?:inline|static|constexpr|consteval|template|[A-Z_]*INLINE[A-Z_]*|__inline\w*|friend)\b")
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each function with a body at the level of a namespace that has external linkage."""
+    for node in view.top_level:
+        if node.type != "function_definition" or node.child_by_field_name("body") is None or node.has_error:
+            continue
+        function = function_declarator(node)
+        name = view.text(name_node(function))
+        if function is None or not name or "<" in name or name.isupper() or name == "main":
+            continue
+        if any(one.type == "virtual_specifier" for one in function.children):
+            continue
+        body = node.child_by_field_name("body")
+        head = view.code[max(node.start_byte - 60, 0) : body.start_byte if body is not None else node.end_byte]
+        lines = head.splitlines()
+        at = len(view.code[max(node.start_byte - 60, 0) : node.start_byte].splitlines()) - 1
+        if _FREE.search(b" ".join(lines[max(at - 1, 0) :])) or (
+            node.child_by_field_name("type") is None and "::" not in name
+        ):
+            continue
+        yield view.hit(
+            "cpp.header_function",
+            function,
+            f"`{name}` is defined in every file that includes this header; expected `inline`",
+            only=GUARDED,
+        )
+
+
+RULE = FileRule(
+    id="cpp.header_function",
+    title="Function defined in a header without `inline`",
+    finds="A function outside of classes, or a member defined outside of its class, with its body in a header, "
+    "and neither `inline`, `static`, `constexpr` nor a template. Add `inline`, or move the body to a "
+    "source file.",
+    why="The second file that includes the header makes linking fail, with a message about a symbol and not "
+    "about the header.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "misra-cpp-2008",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+    ),
+    tags=("header",),
+    clauses=(
+        "misra-cpp-2008 3-1-1",
+        "autosar-cpp14 A3-1-1",
+        "jsf-av 39",
+        "clang-tidy misc-definitions-in-headers",
+    ),
+    bad="#pragma once\nint twice(int x) { return 2 * x; }\n",
+    good="#pragma once\ninline int twice(int x) { return 2 * x; }\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

@@ -1,0 +1,57 @@
+"""Rule ``cpp.dangling_c_str``: a pointer into a text that is gone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.code_pattern import places
+from roslens.source.rules.cpp_class import name_node
+from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_C_STR = re.compile(rb"\)\s*\.\s*(?:c_str|data)\s*(\()\s*\)\s*;")
+_MAKES = re.compile(
+    r"(?:\.|->)(?:str|string|toStdString|substr)\(\)$|^(?:std::)?(?:to_string|string)\(|^\(.*\+.*\)$|\.substr\([^()]*\)$"
+)
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each pointer that is set to the characters of a temporary."""
+    for _match, node in places(_C_STR, view, 1):
+        call = node if node.type == "call_expression" else above(node, "call_expression")
+        callee = call.child_by_field_name("function") if call is not None else None
+        text = view.text(callee.child_by_field_name("argument")) if callee is not None else ""
+        around = call.parent if call is not None else None
+        if around is None or not _MAKES.search(text):
+            continue
+        target = around.child_by_field_name("declarator")
+        if around.type == "init_declarator" and target is not None and target.type == "pointer_declarator":
+            name = view.text(name_node(target))
+            yield view.hit(
+                "cpp.dangling_c_str",
+                around,
+                f"`{name}` points into `{text[:60]}`, which is gone; expected a `std::string {name}`",
+            )
+
+
+RULE = FileRule(
+    id="cpp.dangling_c_str",
+    title="Pointer into a text that is gone",
+    finds="`const char* p = s.str().c_str();`: the temporary string dies at the semicolon. Keep the `std::string`.",
+    why="The pointer works in tests and reads freed memory in the field: wrong frame names, wrong device paths.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "safety",
+    ),
+    clauses=("clang-tidy bugprone-dangling-handle",),
+    bad="void f(std::ostringstream& s) { const char* p = s.str().c_str(); }\n",
+    good="void f(std::ostringstream& s) { std::string p = s.str(); }\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

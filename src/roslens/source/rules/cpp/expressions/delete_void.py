@@ -1,0 +1,50 @@
+"""Rule ``cpp.delete_void``: an object that is deleted without its type."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a ``delete`` of a name that the file declares as a pointer to void, and as nothing else."""
+    operand = node.named_children[-1] if node.named_child_count else None
+    if operand is None or operand.type not in ("identifier", "cast_expression", "call_expression"):
+        return
+    text = view.text(operand)
+    if operand.type == "identifier":
+        declared = re.findall(rb"(\w+)\s*\*+\s*(?:const\s+)?%s\b" % re.escape(text.encode()), view.code)
+        is_void = bool(declared) and set(declared) == {b"void"}
+    else:
+        is_void = text.replace(" ", "").startswith(("(void*)", "static_cast<void*>", "reinterpret_cast<void*>"))
+    if is_void:
+        yield view.hit(
+            "cpp.delete_void",
+            node,
+            f"`{view.text(node)}` of a `void*` runs no destructor; expected a pointer with its type",
+        )
+
+
+RULE = FileRule(
+    id="cpp.delete_void",
+    title="`delete` of a pointer to void",
+    finds="`delete p` of a `void*`: no destructor runs, and the behaviour is undefined. Keep the type.",
+    why="What the object held (files, threads, devices) is never given back.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "safety",
+    ),
+    clauses=("clang-tidy clang-diagnostic-delete-incomplete",),
+    bad="void f(void* p) { delete p; }\n",
+    good="void f(Driver* p) { delete p; }\n",
+    syntax="cpp",
+    kinds=("delete_expression",),
+    found=found,
+)

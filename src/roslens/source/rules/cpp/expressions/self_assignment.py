@@ -1,0 +1,44 @@
+"""Rule ``cpp.self_assignment``: a variable that is assigned to itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_statement import same_text
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield an assignment with ``=`` whose two sides are written alike."""
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    if left is None or right is None or right.end_byte - right.start_byte != left.end_byte - left.start_byte:
+        return
+    if not same_text(left, right, view) or view.text(node.child_by_field_name("operator")) != "=":
+        return
+    text = view.text(left)
+    if "++" not in text and "--" not in text and text:
+        yield view.hit("cpp.self_assignment", node, f"`{view.text(node)[:60]}` does nothing; expected another side")
+
+
+RULE = FileRule(
+    id="cpp.self_assignment",
+    title="Assignment of a variable to itself",
+    finds="`x = x;`: a member and a parameter of the same name, or the wrong name. Write `this->x = x` or what "
+    "was meant.",
+    why="The value that was configured is thrown away, and the default stays.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "safety",
+    ),
+    clauses=("clang-tidy clang-diagnostic-self-assign",),
+    bad="void A::set(int rate) { rate = rate; }\n",
+    good="void A::set(int rate) { this->rate = rate; }\n",
+    syntax="cpp",
+    kinds=("assignment_expression",),
+    found=found,
+)

@@ -1,0 +1,1 @@
+"""Rules on what functions take, call and return."""

@@ -1,0 +1,88 @@
+"""Rule ``cpp.missing_return``: a function that returns a value and forgets to."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_class import function_declarator, name_node
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_ENDS = re.compile(
+    rb"\b(?:return|co_return|co_yield|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable)\b"
+    rb"|\b(?:while|for)\s*\(\s*(?:1|true|;\s*;)\s*\)|#"
+)
+_MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a function that has a type of result and a body, and never returns one."""
+    kind, body = node.child_by_field_name("type"), node.child_by_field_name("body")
+    if kind is None or body is None or not body.named_child_count or body.type != "compound_statement":
+        return
+    text = view.text(kind)
+    if (
+        text in ("void", "auto", "noreturn")
+        or "NORETURN" in text
+        or "enable_if" in text
+        or _MACRO.fullmatch(text)
+        or node.has_error
+    ):
+        return
+    if node.type == "function_definition" and "noreturn" in view.text(node)[:60]:
+        return
+    declarator = node.child_by_field_name("declarator")
+    function = function_declarator(node)
+    if declarator is None or function is None or (text == "decltype(auto)"):
+        return
+    name = view.text(name_node(function))
+    if (
+        name in ("main", "wmain", text)
+        or _MACRO.fullmatch(name)
+        or _ENDS.search(view.code, body.start_byte, body.end_byte)
+    ):
+        return
+    if declarator.type == "function_declarator" and "->" in view.text(declarator) and "void" in view.text(declarator):
+        return
+    if all(one.type == "comment" for one in body.named_children):
+        return
+    yield view.hit(
+        "cpp.missing_return", function, f"`{name}` returns {text} but has no `return`; expected one, or `void`"
+    )
+
+
+RULE = FileRule(
+    id="cpp.missing_return",
+    title="No `return` in a function that has a value",
+    finds="A function with a result whose body has statements, but no `return`, no `throw` and nothing that "
+    "ends the process. Return something.",
+    why="The value is whatever lies in a register: compilers may even remove the end of the function, and the "
+    "node runs into the next one.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "hicpp",
+        "misra-cpp-2008",
+        "misra-cpp-2023",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+    ),
+    clauses=(
+        "misra-cpp-2008 8-4-3",
+        "misra-cpp-2023 9.6.5",
+        "autosar-cpp14 A8-4-2",
+        "jsf-av 114",
+        "hicpp 6.3.2",
+        "clang-tidy clang-diagnostic-return-type",
+    ),
+    bad="bool stop() { engine(0); }\n",
+    good="bool stop() { return engine(0); }\n",
+    syntax="cpp",
+    kinds=("function_definition",),
+    found=found,
+)

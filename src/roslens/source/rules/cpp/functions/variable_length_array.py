@@ -1,0 +1,71 @@
+"""Rule ``cpp.variable_length_array``: an array whose length is known at run time only."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
+from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each local array whose length is a parameter, a call of ``size`` or a local variable that may change."""
+    size, parent = node.child_by_field_name("size"), node.parent
+    while parent is not None and parent.type in ("init_declarator", "array_declarator", "pointer_declarator"):
+        parent = parent.parent
+    if size is None or parent is None or parent.type != "declaration" or node.has_error:
+        return
+    function = above(node, "function_definition", "lambda_expression", "class_specifier", "struct_specifier")
+    if function is None or function.type != "function_definition":
+        return
+    text = view.text(size)
+    if not _varies(text, function, view):
+        return
+    name = view.text(name_node(node))
+    yield view.hit(
+        "cpp.variable_length_array",
+        node,
+        f"`{name}` has `{text[:40]}` elements, known at run time only; expected a std::vector",
+    )
+
+
+def _varies(text: str, function: Node, view: FileView) -> bool:
+    if re.search(r"(?:\.|->)(?:size|length)\(\)|\bstrlen\(", text):
+        return "sizeof" not in text
+    if not (words := re.findall(r"\b[a-z]\w*\b", text)) or "sizeof" in words or "::" in text or "<" in text:
+        return False
+    declarator = function_declarator(function)
+    parameters = parameters_of(declarator) if declarator is not None else []
+    names = {view.text(name_node(one.child_by_field_name("declarator"))).lstrip("&* ") for one in parameters}
+    return any(word in names for word in words)
+
+
+RULE = FileRule(
+    id="cpp.variable_length_array",
+    title="Array of variable length",
+    finds="An array on the stack whose length is a parameter or a result of a call. It is no C++, and a large "
+    "length overruns the stack. Use `std::vector`.",
+    why="A large scan or image ends the node with a segmentation fault, without any message.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "google",
+        "safety",
+        "paper2016",
+    ),
+    clauses=(
+        "cpplint runtime/arrays",
+        "paper2016 variable_length_array",
+        "clang-tidy clang-diagnostic-vla",
+    ),
+    bad="void f(int n) { double ranges[n]; }\n",
+    good="void f(int n) { std::vector<double> ranges(n); }\n",
+    syntax="cpp",
+    kinds=("array_declarator",),
+    found=found,
+)

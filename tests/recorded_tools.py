@@ -14,7 +14,9 @@ ROOT = "/robot"
 def request(tool, files=(), **given):
     """Return a call of a tool in the workspace that the output was recorded in."""
     options = resolve_options(tool.manifest, given.pop("options", {}))
-    return Request("/usr/bin/tool", ROOT, tuple(f"./{file}" for file in files), options, "/tmp/scratch", **given)
+    return Request(
+        "/usr/bin/tool", ROOT, tuple(f"./{file}" for file in files), options, **{"scratch": "/tmp/scratch", **given}
+    )
 
 
 def ended(tool, code=1, stdout="stdout", stderr="stderr"):

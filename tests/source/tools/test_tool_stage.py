@@ -25,7 +25,7 @@ class Played:
     def __init__(self, **_):
         self.started = 0
 
-    def run(self, words, *, folder, time_limit_s):
+    def run(self, words, *, folder, time_limit_s, safe_path=True):
         if words[1:] == ["--version"]:
             self.calls.append(["--version"])
             return Ended(0, self.version.encode(), b"")

@@ -106,7 +106,12 @@ class Batches:
                 self._request, files=tuple(f"./{path}" for path in paths), scratch=scratch
             )
             try:
-                ended = self._runner.run(tool.words(request), folder=request.root, time_limit_s=self._time_limit_s)
+                ended = self._runner.run(
+                    tool.words(request),
+                    folder=request.root,
+                    time_limit_s=self._time_limit_s,
+                    safe_path=tool.safe_path,
+                )
                 return tool.read(tool.checked(ended), request)
             except ToolError as error:
                 return error

@@ -58,7 +58,7 @@ class ToolRunner:
         self._lock = Lock()
         self.started = 0
 
-    def run(self, words: Sequence[str], *, folder: str, time_limit_s: float) -> Ended:
+    def run(self, words: Sequence[str], *, folder: str, time_limit_s: float, safe_path: bool = True) -> Ended:
         """Run a program to its end and return what it left.
 
         It hears nothing on standard input, and imports no Python module from the folder it is started in.
@@ -67,6 +67,7 @@ class ToolRunner:
             words: the program's absolute path and its arguments.
             folder: the current folder of the process.
             time_limit_s: seconds after which it is ended with everything it started.
+            safe_path: whether a Python that it starts leaves the folder of its script off the path, too.
 
         Raises:
             ToolError: it could not be started, did not end in time, or printed too much.
@@ -79,7 +80,7 @@ class ToolRunner:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
                 start_new_session=True,
-                env=_environment(os.environ),
+                env=_environment(os.environ, safe_path=safe_path),
             )
         except OSError as error:
             raise ToolError(f"cannot be started: {error.strerror}") from error
@@ -137,9 +138,10 @@ def ended_how(code: int) -> str:
     return f"was ended by signal {-code}"
 
 
-def _environment(base: Mapping[str, str]) -> dict[str, str]:
+def _environment(base: Mapping[str, str], *, safe_path: bool) -> dict[str, str]:
     """Return the environment of a tool: plain words without colours, in a fixed language."""
-    return safe_environment({**base, "LC_ALL": "C.UTF-8", "NO_COLOR": "1", "TERM": "dumb", "COLUMNS": "200"})
+    plain = {**base, "LC_ALL": "C.UTF-8", "NO_COLOR": "1", "TERM": "dumb", "COLUMNS": "200"}
+    return safe_environment(plain) if safe_path else plain
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:

@@ -43,4 +43,5 @@ def chosen_tools(use: Sequence[str], disable: Iterable[str] = (), further: Itera
                 advice=did_you_mean(name, known) or "Whatever writes SARIF can be named in roslens.toml: [tools.NAME]",
             )
     off = {plain(name) for name in disable}
-    return tuple(tool_named(name) for name in TOOLS if (ALL in names or name in names) and name not in off)
+    tools = (tool_named(name) for name in TOOLS if name not in off)
+    return tuple(tool for tool in tools if tool.name in names or (ALL in names and not tool.asks_the_net))

@@ -47,8 +47,9 @@ class Request(msgspec.Struct, frozen=True):
         files: paths below ``root``, each beginning with ``./`` so that none looks like an option.
         options: what the user set for the tool, with defaults.
         scratch: an empty folder for this call.
-        folders: of the packages looked at, below ``root``.
+        packages: folders of all packages below ``root``, by name.
         beside: of the tool's own, for all calls; see :meth:`Tool.prepared`.
+        group: of the files, see :meth:`Tool.group_of`.
     """
 
     program: str
@@ -56,8 +57,9 @@ class Request(msgspec.Struct, frozen=True):
     files: tuple[str, ...]
     options: Mapping[str, Any]
     scratch: str
-    folders: tuple[str, ...] = ()
+    packages: Mapping[str, str] = {}
     beside: Any = None
+    group: str = ""
 
 
 class Reading(msgspec.Struct, frozen=True):
@@ -84,6 +86,8 @@ class Tool(ABC):
     languages: tuple[str, ...] = ()
     options: tuple[Option, ...] = ()
     version_words: tuple[str, ...] = ("--version",)
+    """How the program is asked for its version; empty for one that does not say, and counts by its file."""
+
     version_pattern = r"(\d+(?:\.\d+)+)"
     oldest: tuple[int, ...] = ()
     """The oldest version that was tried."""
@@ -102,6 +106,12 @@ class Tool(ABC):
 
     parallel = True
     """Whether several calls may share the work; no for a tool that uses all processors by itself."""
+
+    safe_path = True
+    """Whether it runs where Python leaves the folder of a script off the path."""
+
+    asks_the_net = False
+    """Whether it fetches anything: ``all`` does not stand for such a tool, it must be named."""
 
     clean_codes: frozenset[int] = frozenset({0, 1})
     """Exit codes of a call that did its work."""
@@ -129,11 +139,27 @@ class Tool(ABC):
         return self.reads(file)
 
     def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:  # noqa: B027 - most tools need nothing
-        """Return what all calls share; its encoding is part of the key under which results are kept.
+        """Return what all calls share; see :meth:`part_of` for what of it results depend on.
 
         Raises:
             ToolError: it cannot look at this workspace; the text says why, and what would help.
         """
+
+    def covers(self, file: SourceFile, beside: Any) -> bool:  # noqa: ARG002 - most tools need nothing
+        """Return whether it can look at a file that it reads, by what was :meth:`prepared`."""
+        return self.reads(file)
+
+    def part_of(self, file: SourceFile, beside: Any) -> Any:  # noqa: ARG002 - whole, where a tool does not say
+        """Return what of that which was :meth:`prepared` shapes what is said of a file."""
+        return beside
+
+    def group_of(self, file: SourceFile) -> str:  # noqa: ARG002 - one, where a tool does not say
+        """Return what the files of one call have in common."""
+        return ""
+
+    def uncovered(self, file: SourceFile) -> str:
+        """Return why a file that it reads and does not cover is left out; empty where that is no loss."""
+        return f"does not cover {file.path}"
 
     @abstractmethod
     def words(self, request: Request) -> list[str]:

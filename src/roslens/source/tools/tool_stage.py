@@ -79,6 +79,7 @@ class ToolStage:
         self._ready = tuple(ready for tool in tools if (ready := self._made_ready(tool)) is not None)
         self._found: dict[str, dict[str, set[ToolFinding]]] = defaultdict(lambda: defaultdict(set))
         self._failed: dict[str, list[Failure]] = defaultdict(list)
+        self._left_out: dict[str, list[Failure]] = defaultdict(list)
 
     @property
     def versions(self) -> dict[str, str]:
@@ -102,6 +103,7 @@ class ToolStage:
             read = [file for file in self._files[package] if ready.tool.reads(file)]
             parts.append((ready.tool.name, ready.key, self._across(ready.tool)))
             parts.append(sorted({self._above.key_of(file.path, ready.tool.settings_files) for file in read}))
+            parts.append([ready.tool.part_of(file, ready.beside) for file in read])
         return key_of(*parts) if parts else ""
 
     def run(self, changed: Iterable[str], progress: Progress) -> None:
@@ -109,7 +111,9 @@ class ToolStage:
         wanted = sorted(changed)
         for ready in self._ready:
             packages = sorted(self._files) if ready.tool.across_packages and wanted else wanted
-            files = {file.path: file for package in packages for file in self._files[package] if ready.tool.reads(file)}
+            read = [file for package in packages for file in self._files[package] if ready.tool.reads(file)]
+            files = {file.path: file for file in read if ready.tool.covers(file, ready.beside)}
+            self._tell_uncovered(ready.tool, [file for file in read if file.path not in files])
             keys = {path: self._key_of_file(ready, file) for path, file in files.items()}
             known = self._known(keys)
             missing = [file for path, file in sorted(files.items()) if path not in known]
@@ -123,7 +127,8 @@ class ToolStage:
     def outcome(self, measured: MeasuredPackage) -> Outcome:
         """Return what the tools say of a package."""
         found = self._found.get(measured.package, {})
-        total = Outcome(failures=tuple(self._failed.get(measured.package, ())))
+        package = measured.package
+        total = Outcome(failures=(*self._failed.get(package, ()), *self._left_out.get(package, ())))
         for name in sorted(found):
             total += outcome_of(name, found[name], measured, self._workspace, self._files[measured.package])
         return total
@@ -141,12 +146,14 @@ class ToolStage:
         files = [file for held in self._files.values() for file in held]
         try:
             version = self._version(tool, program)
-            check_age(tool, version)
+            if tool.version_words:
+                check_age(tool, version)
             beside = tool.prepared(self._workspace.root, files, options)
         except ToolError as error:
             self._rest(tool, f"it {error}", f"Look at {program.path}, or get another: {tool.get}")
             return None
-        key = key_of(analyser_version(), tool.name, version, options, msgspec.to_builtins(beside))
+        which = version if tool.version_words else program.identity
+        key = key_of(analyser_version(), tool.name, which, options)
         return ReadyTool(tool, program, version, options, beside, key)
 
     def _rest(self, tool: Tool, why: str, advice: str) -> None:
@@ -161,18 +168,19 @@ class ToolStage:
         key = f"tool-version:{tool.name}:{program.identity}"
         if known := self._cache.get([key]):
             return known[key].decode()
-        version = version_of(tool, program, self._runner, self._workspace.root)
+        version = version_of(tool, program, self._runner, self._workspace.root) if tool.version_words else "unknown"
         self._cache.put({key: version.encode()})
         return version
 
     def _key_of_file(self, ready: ReadyTool, file: SourceFile) -> str:
         tool = ready.tool
-        beside: object = None
+        others: object = None
         if tool.whole_packages:
             held = self._files[self._owner[file.path]]
-            beside = [(one.path, one.content_hash) for one in held if tool.shapes(one)]
+            others = [(one.path, one.content_hash) for one in held if tool.shapes(one)]
         above = self._above.key_of(file.path, tool.settings_files)
-        key = key_of(ready.key, file.path, file.content_hash, above, beside, self._across(tool))
+        part = tool.part_of(file, ready.beside)
+        key = key_of(ready.key, file.path, file.content_hash, above, part, others, self._across(tool))
         return f"tool:{tool.name}:{key}"
 
     def _across(self, tool: Tool) -> str:
@@ -189,15 +197,32 @@ class ToolStage:
     def _look(
         self, ready: ReadyTool, files: Sequence[SourceFile], keys: Mapping[str, str]
     ) -> dict[str, tuple[ToolFinding, ...]]:
-        folders = tuple(sorted({found.package.path for found in self._workspace.packages}))
+        packages = {found.package.name: found.package.path for found in self._workspace.packages}
         request = Request(
-            ready.program.path, self._workspace.root, (), ready.options, "", folders=folders, beside=ready.beside
+            ready.program.path, self._workspace.root, (), ready.options, "", packages=packages, beside=ready.beside
         )
         limit = self._settings.tools.time_limit_s
-        looked = Batches(ready.tool, request, self._runner, jobs=self._jobs, time_limit_s=limit).look_at(files)
-        self._cache.put({keys[path]: _encode(findings) for path, findings in looked.findings.items()})
-        self._tell(ready.tool, looked)
-        return dict(looked.findings)
+        found: dict[str, tuple[ToolFinding, ...]] = {}
+        for group in sorted({ready.tool.group_of(file) for file in files}):
+            one = msgspec.structs.replace(request, group=group)
+            batches = Batches(ready.tool, one, self._runner, jobs=self._jobs, time_limit_s=limit)
+            looked = batches.look_at([file for file in files if ready.tool.group_of(file) == group])
+            self._cache.put({keys[path]: _encode(findings) for path, findings in looked.findings.items()})
+            self._tell(ready.tool, looked)
+            found |= looked.findings
+        return found
+
+    def _tell_uncovered(self, tool: Tool, files: Sequence[SourceFile]) -> None:
+        """Say which files a tool left out, one failure a package and reason."""
+        reasons: dict[tuple[str, str], list[str]] = defaultdict(list)
+        for file in files:
+            if why := tool.uncovered(file):
+                reasons[self._owner[file.path], why].append(file.path)
+        for (package, why), paths in sorted(reasons.items()):
+            more = f" (and {len(paths) - 1} more files of the package)" if len(paths) > 1 else ""
+            what = f"{tool.name} did not look at the file: it {why}{more}"
+            place = Location(paths[0])
+            self._left_out[package].append(Failure(tool.name, what, "", "", place, "", package, partial=True))
 
     def _tell(self, tool: Tool, looked: Looked) -> None:
         """Keep why files were not looked at, one failure a package and reason."""

@@ -13,8 +13,18 @@ if TYPE_CHECKING:
     from roslens.store.cache import Cache
 
 TOOLS = (
-    "cpplint",
     "ruff",
+    "clang_format",
+    "catkin_lint",
+    "ament_copyright",
+    "ament_flake8",
+    "ament_pep257",
+    "ament_lint_cmake",
+    "ament_xmllint",
+    "cpplint",
+    "cppcheck",
+    "pylint",
+    "clang_tidy",
 )
 """Modules of this folder with an object ``plugin``, in the order in which they run."""
 

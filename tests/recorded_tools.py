@@ -29,8 +29,3 @@ def ended(tool, code=1, stdout="stdout", stderr="stderr"):
 def reading(tool, files, code=1, **more):
     """Return what a tool's recorded output says of files."""
     return tool.read(tool.checked(ended(tool, code)), request(tool, files, **more))
-
-
-def seen(reading):
-    """Return places and checks of all findings."""
-    return [(one.path, one.line, one.check) for one in sorted(reading.findings)]

@@ -7,7 +7,7 @@ from roslens.model.source import Role
 from roslens.store.read import RunView
 
 MANIFEST = "manifest"
-"""Tool of what a manifest should say otherwise, which leaves nothing out."""
+"""Tool of what a manifest should say otherwise, which leaves nothing out; runs of older versions have it."""
 
 
 def not_analysed(view: RunView, *, accept_partial: bool) -> tuple[Failure, ...]:

@@ -12,6 +12,7 @@ from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.encoding import encoding_of
 from roslens.source.workspace.find import Workspace, find_workspace
 from roslens.source.workspace.languages import classify
+from roslens.source.workspace.mistakes import mistakes_of
 
 FOLDER = Path(__file__).parents[3] / "examples" / "workspace"
 SETTINGS = WorkspaceSettings(environment={"ROS_VERSION": "2"})
@@ -38,11 +39,12 @@ def test_packages(workspace: Workspace) -> None:
     assert [one.package.name for one in workspace.packages if one.package.metapackage] == ["rover_legacy"]
 
 
-def test_the_one_fault_of_a_manifest(workspace: Workspace) -> None:
-    assert [str(failure.location) for failure in workspace.failures] == [
-        "src/rover_legacy/rover_docking/package.xml:6:3"
-    ]
-    assert workspace.failures[0].what == 'the maintainer "Lena Brandt" has no e-mail address'
+def test_the_one_mistake_in_a_manifest(workspace: Workspace) -> None:
+    assert not workspace.failures
+    paths = [one.package.manifest.path for one in workspace.packages]
+    mistakes = [one for path in paths if path for one in mistakes_of(Path(workspace.root, path).read_bytes(), path)]
+    assert [str(one.location) for one in mistakes] == ["src/rover_legacy/rover_docking/package.xml:6:3"]
+    assert mistakes[0].what == 'the maintainer "Lena Brandt" has no e-mail address'
 
 
 def test_the_cycle(workspace: Workspace) -> None:

@@ -9,6 +9,7 @@ from pace import turned_s
 
 from roslens.model.source import Dependency, Location, Package
 from roslens.source.workspace.manifest import MAXIMUM_SIZE, read_manifest
+from roslens.source.workspace.mistakes import mistakes_of
 
 ROS_2 = {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy", "ROS_PYTHON_VERSION": "3"}
 ROS_1 = {"ROS_VERSION": "1", "ROS_DISTRO": "noetic", "ROS_PYTHON_VERSION": "3"}
@@ -181,7 +182,12 @@ def test_everything_wrong_is_told_at_once(manifests: dict[str, bytes]) -> None:
     package, failures = read_manifest(manifests["faulty_everything"], "arm/package.xml", ROS_2)
     assert package is not None
     assert package.name == "Arm Teleop"
-    found = {failure.what for failure in failures}
+    mistakes = mistakes_of(manifests["faulty_everything"], "arm/package.xml")
+    found = {one.what for one in (*failures, *mistakes)}
+    assert {failure.what for failure in failures} == {
+        'the condition "$ROS_VERSION = 2" of <depend> cannot be read at "="',
+        '2 build types hold at once, "ament_cmake", "ament_python"',
+    }
     assert found >= {
         'the name is "Arm Teleop"',
         'the version is "1.0"',

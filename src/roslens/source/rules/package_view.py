@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import warnings
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
@@ -14,7 +16,9 @@ from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.syntax.facts import FileFacts
 
 if TYPE_CHECKING:
+    from roslens.source.extract.python_setup import Setup
     from roslens.source.rules.cmake_view import CmakeView
+    from roslens.source.workspace.mistakes import Mistake
 
 MOST_BYTES = 4_000_000
 """Of a file that a rule on packages reads."""
@@ -57,6 +61,40 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
     def listing(self) -> frozenset[str]:
         """Paths of all files below the package."""
         return frozenset(self.inside(path) for path in (*self.by_path, *self.others))
+
+    @cached_property
+    def setup(self) -> Setup:
+        """What setup.py, setup.cfg and pyproject.toml install."""
+        from roslens.source.extract.files import FolderFiles
+        from roslens.source.extract.python_setup import Setup
+        from roslens.source.extract.python_setup_targets import read_setup
+
+        if not {"setup.py", "setup.cfg", "pyproject.toml"} & self.listing:
+            return Setup()
+        listing = frozenset(self.path(one) for one in self.listing)
+        return read_setup(self.folder, FolderFiles(Path(self.root), {}), listing)
+
+    @cached_property
+    def setup_call(self) -> ast.Call | None:
+        """The call of ``setup`` in setup.py; nothing where it cannot be read."""
+        if "setup.py" not in self.listing:
+            return None
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                tree = ast.parse(self.read(self.path("setup.py")))
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return None
+        calls = (one for one in ast.walk(tree) if isinstance(one, ast.Call))
+        return next((one for one in calls if getattr(one.func, "id", getattr(one.func, "attr", "")) == "setup"), None)
+
+    @cached_property
+    def mistakes(self) -> tuple[Mistake, ...]:
+        """What the manifest should say otherwise."""
+        from roslens.source.workspace.mistakes import mistakes_of
+
+        path = self.package.manifest.path
+        return mistakes_of(self.read(path), path) if path else ()
 
     @cached_property
     def cmake(self) -> CmakeView:

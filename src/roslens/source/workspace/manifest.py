@@ -1,6 +1,7 @@
 """package.xml (REP-127 format 1, REP-140 format 2, REP-149 format 3) as a package, each fact with its place.
 
-A manifest that breaks a rule still yields what can be known of the package; each broken rule is a failure.
+What cannot be understood is a failure, and the rest is still known. What is understood and should be said otherwise
+is no failure: :mod:`~roslens.source.workspace.mistakes` has it, and rules report it.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from roslens.model.failure import Failure
 from roslens.model.source import Dependency, Export, License, Location, Package, Person, Url
 from roslens.source.workspace.conditions import ConditionError, evaluate
 from roslens.source.workspace.elements import Document, Element, read_elements
-from roslens.source.workspace.validity import CONSTRAINTS, DEPENDENCY_TAGS, faults_of
+from roslens.source.workspace.validity import CONSTRAINTS, DEPENDENCY_TAGS, LOSING, faults_of
 
 MANIFEST_NAME = "package.xml"
 
@@ -74,10 +75,6 @@ def _nameless(path: str) -> Package | None:
     return nameless_package(basename(folder), folder, path) if folder else None
 
 
-MANIFEST = "manifest"
-"""Tool of what a manifest should say otherwise: all that it says was understood."""
-
-
 def _failure(path: str, what: str, expected: str, advice: str, location: Location) -> Failure:
     return Failure("workspace", what, expected, advice, location, entity=f"file:{path}", partial=True)
 
@@ -102,10 +99,9 @@ class _Reader:
                 self._fault(root, f'the root is "<{root.tag}>"', "<package>", "Write it as REP-149 says.")
             return _nameless(self._path)
         broken = bool(self._document.faults)
-        # Without a name nobody knows which package it is: then not all of the manifest was understood.
-        tool = (MANIFEST,) if any(one.tag == "name" and one.text() for one in root.elements()) else ()
-        for element, what, expected, advice in faults_of(root, complete=not broken):
-            self._fault(element, what, expected, advice, *tool)
+        for kind, element, what, expected, advice in faults_of(root, complete=not broken):
+            if kind in LOSING:
+                self._fault(element, what, expected, advice)
         parts: dict[str, list[Element]] = {}
         for element in root.elements():
             parts.setdefault(element.tag, []).append(element)
@@ -202,9 +198,8 @@ class _Reader:
             self._fault(element, what, error.expected, advice)
             return True
 
-    def _fault(self, element: Element, what: str, expected: str, advice: str, tool: str = "workspace") -> None:
-        failure = _failure(self._path, what, expected, advice, self._location(element))
-        self.failures.append(msgspec.structs.replace(failure, tool=tool))
+    def _fault(self, element: Element, what: str, expected: str, advice: str) -> None:
+        self.failures.append(_failure(self._path, what, expected, advice, self._location(element)))
 
     def _location(self, element: Element) -> Location:
         line, column = self._document.place(element.start)

@@ -11,8 +11,14 @@ from collections.abc import Iterator
 
 from roslens.source.workspace.elements import Element
 
-Fault = tuple[Element, str, str, str]
-"""An element, what was found (quoted), what was expected, what to do."""
+Fault = tuple[str, Element, str, str, str]
+"""Its kind, an element, what was found (quoted), what was expected, what to do."""
+
+FORMAT, NAMELESS = "format", "nameless"
+REQUIRED, NAME, VERSION, EMAIL, TAG, DEPENDENCY = "required", "name", "version", "email", "tag", "dependency"
+
+LOSING = frozenset({FORMAT, NAMELESS})
+"""Kinds of faults because of which not all of a manifest was understood; the others are mistakes in what it says."""
 
 CONSTRAINTS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
 
@@ -47,7 +53,7 @@ def faults_of(root: Element, *, complete: bool = True) -> Iterator[Fault]:
     """
     form = root.attributes.get("format", "1").strip()
     if form not in ("1", "2", "3"):
-        yield root, f'the format is "{form}"', "1, 2 or 3", 'Write <package format="3">.'
+        yield FORMAT, root, f'the format is "{form}"', "1, 2 or 3", 'Write <package format="3">.'
         form = "3"
     parts: dict[str, list[Element]] = {}
     for element in root.elements():
@@ -63,28 +69,29 @@ def _required(root: Element, parts: dict[str, list[Element]], *, complete: bool)
     for tag in ("name", "version", "description", "maintainer", "license"):
         if tag not in parts and complete:
             advice = "Add it; the folder names the package until then." if tag == "name" else "Add it."
-            yield root, f"the manifest has no <{tag}>", f"<{tag}>", advice
+            yield NAMELESS if tag == "name" else REQUIRED, root, f"the manifest has no <{tag}>", f"<{tag}>", advice
     for tag in ("name", "version", "description", "export"):
         for element in parts.get(tag, [])[1:]:
-            yield element, f"<{tag}> stands a second time", f"one <{tag}>", "Remove one of them."
+            yield REQUIRED, element, f"<{tag}> stands a second time", f"one <{tag}>", "Remove one of them."
 
 
 def _texts(parts: dict[str, list[Element]]) -> Iterator[Fault]:
     for element in parts.get("name", ())[:1]:
         if not _NAME.match(element.text()):
             expected = "lower-case letters, digits, underscores and dashes, a letter first"
-            yield element, f'the name is "{_short(element.text())}"', expected, "Rename the package."
+            kind = NAME if element.text() else NAMELESS
+            yield kind, element, f'the name is "{_short(element.text())}"', expected, "Rename the package."
     for element in parts.get("version", ())[:1]:
         compatibility = element.attributes.get("compatibility")
         for text in (element.text(), *([] if compatibility is None else [compatibility])):
             if not _VERSION.match(text):
-                yield element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
+                yield VERSION, element, f'the version is "{_short(text)}"', "three numbers like 1.2.3", "Write it so."
     for element in parts.get("description", ())[:1]:
         if not element.markup():
-            yield element, "the description is empty", "a sentence on what the package is for", "Write one."
+            yield REQUIRED, element, "the description is empty", "a sentence on what the package is for", "Write one."
     for element in parts.get("license", ()):
         if not element.text():
-            yield element, "the licence is empty", "a name like Apache-2.0", "Name the licence."
+            yield REQUIRED, element, "the licence is empty", "a name like Apache-2.0", "Name the licence."
 
 
 def _people(parts: dict[str, list[Element]]) -> Iterator[Fault]:
@@ -93,10 +100,10 @@ def _people(parts: dict[str, list[Element]]) -> Iterator[Fault]:
         name = _short(element.text())
         if email and (len(email) > _MAXIMUM_EMAIL or not _EMAIL.match(email)):
             what = f'the e-mail address of "{name}" is "{_short(email)}"'
-            yield element, what, "an address like name@example.org", "Correct it."
+            yield EMAIL, element, what, "an address like name@example.org", "Correct it."
         elif email == "" or (email is None and element.tag == "maintainer"):
             what = f'the {element.tag} "{name}" has no e-mail address'
-            yield element, what, f'<{element.tag} email="name@example.org">', "Add the address."
+            yield EMAIL, element, what, f'<{element.tag} email="name@example.org">', "Add the address."
 
 
 def _tags(root: Element, form: int) -> Iterator[Fault]:
@@ -105,12 +112,12 @@ def _tags(root: Element, form: int) -> Iterator[Fault]:
     for element in root.elements():
         if element.tag not in known:
             expected, advice = _instead(element.tag, form)
-            yield element, f"<{element.tag}> is no tag of format {form}", expected, advice
+            yield TAG, element, f"<{element.tag}> is no tag of format {form}", expected, advice
             continue
         yield from _attributes(element, known[element.tag])
         if element.tag not in ("description", "export"):
             for child in element.elements():
-                yield child, f"<{child.tag}> stands inside <{element.tag}>", "text only", "Move or remove it."
+                yield TAG, child, f"<{child.tag}> stands inside <{element.tag}>", "text only", "Move or remove it."
 
 
 def _attributes(element: Element, known: tuple[str, ...]) -> Iterator[Fault]:
@@ -119,7 +126,7 @@ def _attributes(element: Element, known: tuple[str, ...]) -> Iterator[Fault]:
             expected = ", ".join(known) or "no attributes"
             if name == "condition":
                 expected = "conditions in manifests of format 3 only"
-            yield element, f'<{element.tag}> has the attribute "{name}"', expected, "Remove or correct it."
+            yield TAG, element, f'<{element.tag}> has the attribute "{name}"', expected, "Remove or correct it."
 
 
 def _known(form: int) -> dict[str, tuple[str, ...]]:
@@ -160,13 +167,25 @@ def _relations(root: Element, parts: dict[str, list[Element]], form: int) -> Ite
             continue
         text = element.text()
         if not text:
-            yield element, f"<{tag}> is empty", "the name of a package", "Name the package or remove the tag."
+            yield (
+                DEPENDENCY,
+                element,
+                f"<{tag}> is empty",
+                "the name of a package",
+                "Name the package or remove the tag.",
+            )
         elif tag == "group_depend":
             if text in groups and form == 3:
                 what = f'the package depends on the group "{text}" and is a member of it'
-                yield element, what, "one of them", "Remove <group_depend> or <member_of_group>."
+                yield DEPENDENCY, element, what, "one of them", "Remove <group_depend> or <member_of_group>."
         elif text in names and tag not in ("conflict", "replace"):
-            yield element, f'the package depends on itself by <{tag}> "{_short(text)}"', "another package", "Remove it."
+            yield (
+                DEPENDENCY,
+                element,
+                f'the package depends on itself by <{tag}> "{_short(text)}"',
+                "another package",
+                "Remove it.",
+            )
     yield from _redundant(parts, form)
 
 
@@ -181,7 +200,7 @@ def _redundant(parts: dict[str, list[Element]], form: int) -> Iterator[Fault]:
         if other := named.get(_sentence(element)):
             text = _short(element.text())
             what = f'<{general}> "{text}" says the same as <{other}>'
-            yield element, what, "each dependency once", f"Remove the <{other if form > 1 else general}>."
+            yield DEPENDENCY, element, what, "each dependency once", f"Remove the <{other if form > 1 else general}>."
         elif form > 1:
             named[_sentence(element)] = general
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.model.finding import Severity
 from roslens.model.source import Location
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -30,7 +31,17 @@ def _is_of_template(text: str, name: str) -> bool:
 
 def _hit(part: str, text: str, location: Location) -> Hit:
     message = f"{part} is {text!r}, as a template wrote it; expected what holds for this package"
-    return Hit("package.boilerplate", message, location.line, location.column, context=part, path=location.path)
+    # Nothing is lost by a description that says nothing.
+    severity = Severity.NOTE if part == "description" else None
+    return Hit(
+        "package.boilerplate",
+        message,
+        location.line,
+        location.column,
+        context=part,
+        path=location.path,
+        severity=severity,
+    )
 
 
 RULE = PackageRule(

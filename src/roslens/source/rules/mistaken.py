@@ -1,0 +1,16 @@
+"""Mistakes of a manifest as hits of the rule on their kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+
+
+def mistaken(view: PackageView, rule: str, kind: str) -> Iterator[Hit]:
+    """Yield each mistake of a kind of :mod:`~roslens.source.workspace.validity`."""
+    for one in view.mistakes:
+        if one.kind == kind:
+            message = f"{one.what}; expected {one.expected}. {one.advice}".rstrip(".")
+            yield Hit(rule, message, one.location.line, one.location.column, context=one.what, path=one.location.path)

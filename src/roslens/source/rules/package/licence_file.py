@@ -1,0 +1,32 @@
+"""Rule ``package.licence_file``: the file that a licence names is not there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from posixpath import normpath
+
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each licence whose file does not exist."""
+    for one in view.package.licenses:
+        where = one.location
+        if one.file and where is not None and not view.exists(normpath(view.path(one.file))):
+            message = f"licence {one.name!r} is said to be in {one.file!r}, which does not exist"
+            yield Hit("package.licence_file", message, where.line, where.column, context=one.file, path=where.path)
+
+
+RULE = PackageRule(
+    id="package.licence_file",
+    title="Licence file that does not exist",
+    finds="A `<license file=…>` whose file is not there, seen from the folder of package.xml.",
+    why="Tools that release and ship software copy the text of the licence from there (REP-149), and end without it.",
+    profiles=("ros2", "ros1"),
+    tags=("manifest",),
+    bad='<license file="LICENCE.txt">BSD-3-Clause</license>',
+    good='<license file="LICENSE">BSD-3-Clause</license>',
+    found=found,
+)

@@ -1,0 +1,45 @@
+"""Rule ``package.resource_marker``: an ament_python package that the index of packages does not know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.finding import Severity
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_INDEX = b"resource_index"
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield the setup.py that installs no marker, and the marker that does not exist."""
+    if view.package.build_type != "ament_python" or view.setup_call is None:
+        return
+    path = view.path("setup.py")
+    text = view.read(path)
+    marker = f"resource/{view.package.name}"
+    if _INDEX not in text:
+        message = f"no marker for the index of packages is installed; expected data_files with {marker!r}"
+        yield Hit("package.resource_marker", message, view.setup_call.lineno, context="data_files", path=path)
+    elif b"resource/" in text and not view.exists(view.path(marker)):
+        message = f"{marker!r} does not exist; expected an empty file of that name"
+        line = text.partition(b"resource/")[0].count(b"\n") + 1
+        yield Hit("package.resource_marker", message, line, context=marker, path=path)
+
+
+RULE = PackageRule(
+    id="package.resource_marker",
+    title="Python package that the index of packages does not know",
+    finds="An `ament_python` package whose setup.py does not install `resource/PACKAGE` to "
+    "`share/ament_index/resource_index/packages`, or that does not have that file.",
+    why="`ros2 run`, launch files and `get_package_share_directory` find packages by this file: without it the "
+    "package is not found, or the build ends because the file is missing.",
+    severity=Severity.ERROR,
+    profiles=("ros2",),
+    tags=("python", "install"),
+    bad='data_files=[("share/arm_teleop", ["package.xml"])]',
+    good='data_files=[\n    ("share/ament_index/resource_index/packages", ["resource/arm_teleop"]),\n    '
+    '("share/arm_teleop", ["package.xml"]),\n]',
+    found=found,
+)

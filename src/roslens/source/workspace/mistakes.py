@@ -1,0 +1,37 @@
+"""What a manifest should say otherwise although all of it was understood; ``catkin_pkg`` refuses each of it."""
+
+from __future__ import annotations
+
+import msgspec
+
+from roslens.model.source import Location
+from roslens.source.workspace.elements import read_elements
+from roslens.source.workspace.validity import LOSING, faults_of
+
+
+class Mistake(msgspec.Struct, frozen=True):
+    """A mistake: its kind as in :mod:`~roslens.source.workspace.validity`, and what a message says, with the place."""
+
+    kind: str
+    what: str
+    expected: str
+    advice: str
+    location: Location
+
+
+def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
+    """Return the mistakes in a manifest.
+
+    Args:
+        content: of the file.
+        path: of the file below the workspace root.
+    """
+    document = read_elements(content)
+    root = document.root
+    if root is None or root.tag != "package":
+        return ()
+    return tuple(
+        Mistake(kind, what, expected, advice, Location(path, *document.place(element.start)))
+        for kind, element, what, expected, advice in faults_of(root, complete=not document.faults)
+        if kind not in LOSING
+    )

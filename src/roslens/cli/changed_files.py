@@ -6,6 +6,8 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.intake.bounded_file import read_bounded
+
 if TYPE_CHECKING:
     from roslens.store.read import RunView
 
@@ -27,7 +29,7 @@ def changed_files(view: RunView, now: Collection[str] | None = None) -> tuple[st
     found = {path for path in now or () if path not in seen and language_by_name(path) not in {None, Language.OTHER}}
     for path, hash_ in seen.items():
         try:
-            same = not hash_ or content_hash((root / path).read_bytes()) == hash_
+            same = not hash_ or content_hash(read_bounded(root / path)) == hash_
         except OSError:
             same = False
         if not same:

@@ -176,6 +176,8 @@ class _Reader:
                     where=self._where(("ignore",)),
                     expected='paths = ["…"] or rules = ["…"] or both, and reason = "why"',
                 )
+        if "macros" in tables:
+            self._check_macros(tables["macros"])
         fail_on = str(top.pop("fail_on", "error"))
         if fail_on not in FAIL_ON:
             raise DocumentError(
@@ -196,6 +198,18 @@ class _Reader:
                 raise self._unknown((name, key), tuple(fields))
             self._check_entries((name, key), value, fields[key])
         return kind(**{key: self._value((name, key), value, fields[key]) for key, value in table.items()})
+
+    def _check_macros(self, macros: MacroSettings) -> None:
+        """Tell of a name of a macro that is no expression, rather than of each file that it cannot be looked for in."""
+        from roslens.source.syntax.own_macros import OwnMacros
+
+        for key in ("blank", "statement"):
+            try:
+                OwnMacros({key: getattr(macros, key)})
+            except ValueError as error:
+                raise DocumentError(
+                    f"{key}: {error}", where=self._where(("macros", key)), expected="names, or expressions of names"
+                ) from None
 
     def _check_entries(self, keys: tuple[str, ...], table: object, kind: Any) -> None:
         """Tell which key of which entry is unknown where a table holds tables by name."""

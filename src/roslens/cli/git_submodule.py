@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from roslens.cli.git_repository import Repository
+from roslens.intake.bounded_file import read_bounded
 
 
 def submodule_at(repository: Repository, commit: str, path: str, wanted: str) -> Repository | None:
@@ -36,7 +37,7 @@ def _folders(repository: Repository, commit: str, path: str) -> Iterator[Path]:
     if kept.is_dir():
         yield kept
     elif kept.is_file():
-        with_dots = kept.parent / os.fsdecode(kept.read_bytes()).partition("gitdir:")[2].strip()
+        with_dots = kept.parent / os.fsdecode(read_bounded(kept)).partition("gitdir:")[2].strip()
         yield Path(os.path.normpath(with_dots))
     for name in dict.fromkeys((_name(repository, commit, path), path)):
         if name and not {"", ".", ".."}.intersection(name.split("/")):

@@ -14,6 +14,7 @@ import msgspec
 
 from roslens.cli.boundary import CLEAN, FINDINGS
 from roslens.cli.graph_opened import open_source
+from roslens.intake.bounded_file import MOST_DOCUMENT_BYTES, read_bounded
 from roslens.model.configuration import Configuration
 from roslens.model.errors import UsageError
 from roslens.model.finding import Finding
@@ -132,7 +133,7 @@ def _documents(options: argparse.Namespace) -> tuple[Side, Side]:
         if not name.endswith(".json"):
             raise UsageError(f'"{name}" with a document', expected="two files written by --format json")
     for name in options.diff:
-        found = read_graph_json(Path(name).read_bytes(), name)
+        found = read_graph_json(read_bounded(Path(name), MOST_DOCUMENT_BYTES), name)
         if len({one.generation for one in found}) < len(found):
             raise UsageError(f"{name} has {len(found)} configurations", expected="one of each generation of ROS")
         # Two of one configuration are compared whatever their generation is.

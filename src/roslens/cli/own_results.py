@@ -15,6 +15,7 @@ from pathlib import Path
 
 from roslens.children.git import git_environment, git_words, looks_bare
 from roslens.cli.user_folder import user_secret, write_private
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import UsageError
 
 MARK = "maker"
@@ -90,7 +91,7 @@ def _unmarked(folder: Path, environment: Mapping[str, str]) -> str:
     if not any((folder / name).exists() for name in _KEPT):
         return ""
     try:
-        content = (folder / MARK).read_bytes()
+        content = read_bounded(folder / MARK)
     except OSError:
         return "has no mark of who made it"
     return "" if hmac.compare_digest(content, _mark(environment)) else "was made by another user"

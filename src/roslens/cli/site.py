@@ -6,6 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.intake.bounded_file import read_bounded
+
 if TYPE_CHECKING:
     from roslens.cli.graph_configurations import Assembled
     from roslens.dashboard.site import Site
@@ -53,7 +55,7 @@ def source_reader(root: Path) -> Callable[[str], bytes | None]:
             resolved = (root / path).resolve()
             if not resolved.is_relative_to(root.resolve()):
                 return None
-            return resolved.read_bytes()
+            return read_bounded(resolved)
         except OSError:
             return None
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.judge.read_reference import Source, load_reference
 from roslens.live.note import Note, NoteKind
 from roslens.live.signals import BY_KEY
@@ -116,7 +117,7 @@ def _contents(paths: Iterable[Path]) -> dict[Path, bytes]:
     found: dict[Path, bytes] = {}
     for path in paths:
         try:
-            found[path] = hashlib.blake2b(path.read_bytes(), digest_size=16).digest()
+            found[path] = hashlib.blake2b(read_bounded(path), digest_size=16).digest()
         except OSError:
             found[path] = b""
     return found

@@ -12,6 +12,7 @@ from enum import Enum
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.judge.yaml_tree import Items, Node, Place, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.model.source import Location
@@ -202,7 +203,7 @@ def read_document(path: Path, what: str, keys: Mapping[str, str], *, shown: str 
     """
     name = shown or str(path)
     try:
-        content = path.read_bytes()
+        content = read_bounded(path)
     except OSError as error:
         reason = error.strerror or str(error)
         raise DocumentError(

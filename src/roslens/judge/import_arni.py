@@ -15,6 +15,7 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.judge.amount import Limits, amount_text, limits_text
 from roslens.judge.arni_fields import FIELDS, ArniField, field_of
 from roslens.judge.arni_ids import Selected, read_id
@@ -62,7 +63,7 @@ def import_arni(path: Path, known: Mapping[str, Quantity]) -> tuple[str, tuple[E
         DocumentError: the file cannot be read, is no YAML, or holds no specification.
     """
     try:
-        content = path.read_bytes()
+        content = read_bounded(path)
     except OSError as error:
         reason = error.strerror or str(error)
         raise DocumentError(f"cannot read it: {reason}", where=str(path), expected="a specification of ARNI") from None

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
 from pathlib import Path, PurePosixPath
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.plugins.points import FileInput, PackageInput, WorkspaceInput
 
@@ -90,7 +91,7 @@ class Grounds:
 
     def _read(self, path: str) -> bytes:
         try:
-            return Path(self.root, path).read_bytes()
+            return read_bounded(Path(self.root, path))
         except OSError:
             return b""
 
@@ -102,7 +103,10 @@ def file_grounds(file: FileInput, *, root: str, folder: str, paths: Iterable[str
     def content(path: str) -> bytes:
         if path == file.path:
             return file.content
-        return Path(root, path).read_bytes() if Path(root, path).is_file() else b""
+        try:
+            return read_bounded(Path(root, path))
+        except OSError:
+            return b""
 
     return Grounds(
         root=root,

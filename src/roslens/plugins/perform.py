@@ -9,6 +9,7 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import PluginError
 from roslens.model.failure import Failure
 from roslens.model.source import Location
@@ -219,7 +220,7 @@ def _import(name: str, spec: LoadSpec) -> tuple[object, Failure | None]:
 def _content(file: FileInput, wanted: list[Engaged], steps: _Steps) -> bytes | None:
     """Return the content of a file; when it cannot be read, tell so once for all plug-ins."""
     try:
-        return Path(file.absolute).read_bytes()
+        return read_bounded(file.absolute)
     except OSError as error:
         failure = Failure(
             tool="read",

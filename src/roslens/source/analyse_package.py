@@ -9,11 +9,14 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
+from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import Location, Package, SourceFile
 from roslens.source.analyse_file import FileAnalysis, analyse_parsed
+from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.rules.hit import Hit
 from roslens.source.settings import CountingSettings, MacroSettings, RuleSettings
@@ -152,9 +155,13 @@ def _analyses(
             yield file, decoder.decode(blob)
             continue
         try:
-            content = _read(task.root, file.path)
-            parsed = parse_file(content, file.language, task.macros)
-            analysis = analyse_parsed(content, parsed) if blob is None else decoder.decode(blob)
+            content = read_bounded(f"{task.root}/{file.path}")
+            with time_budget(SOURCE_FILE_S):
+                parsed = parse_file(content, file.language, task.macros)
+                analysis = analyse_parsed(content, parsed) if blob is None else decoder.decode(blob)
+        except OverBudgetError as error:
+            failures.append(over_budget(file, error, package=task.package.id))
+            continue
         except Exception as error:  # noqa: BLE001 - a file that breaks the parser must not lose its package
             failures.append(_broken(file, task.package, error))
             continue
@@ -169,14 +176,8 @@ def _lower(parsed: ParsedFile, key: str, new: dict[str, bytes]) -> None:
     from roslens.source.extract.kept_program import pack
 
     # What cannot be lowered is tried again, and told, by who asks for the graph.
-    with suppress(Exception):
+    with suppress(Exception), time_budget(SOURCE_FILE_S):
         new[key] = pack(parsed.program())
-
-
-def _read(root: str, path: str) -> bytes:
-    """Return a file's bytes at less than half of what ``pathlib`` takes: there are thousands of small ones."""
-    with open(f"{root}/{path}", "rb", buffering=0) as file:  # noqa: PTH123 - what Path adds is the cost
-        return file.read()
 
 
 def _placed(failure: Failure, file: SourceFile, package: Package) -> Failure:

@@ -6,9 +6,9 @@ import hashlib
 import os
 import subprocess
 from collections.abc import Iterable
-from pathlib import Path
 
 from roslens.children.git import git_environment, git_words, looks_bare
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.source import SourceFile
 
 _LIMIT_S = 20.0
@@ -54,7 +54,7 @@ def _pairs(files: Iterable[SourceFile], tracked: dict[str, str]) -> Iterable[tup
 def _differs(root: str, path: str, wanted: str) -> bool:
     """Look again at a file whose hash is another: git may keep it with other ends of lines."""
     try:
-        content = Path(root, path).read_bytes().replace(b"\r\n", b"\n")
+        content = read_bounded(f"{root}/{path}").replace(b"\r\n", b"\n")
     except OSError:
         return True
     return hashlib.sha1(b"blob %d\0" % len(content) + content, usedforsecurity=False).hexdigest() != wanted

@@ -10,13 +10,14 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.intake.bounded_file import MOST_SOURCE_BYTES, TooLargeError, read_bounded
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Role, SourceFile
 from roslens.source.keys import content_hash, key_of
 from roslens.source.settings import WorkspaceSettings
 from roslens.source.workspace.find import FoundFile, FoundPackage, Workspace
 from roslens.source.workspace.languages import classify, header_language, language_by_name
-from roslens.source.workspace.roles import given_role
+from roslens.source.workspace.roles import given_role, role_by_path
 from roslens.source.workspace.vendored import vendored_folders
 from roslens.store.cache import FileStat
 
@@ -55,6 +56,9 @@ def take_inventory(workspace: Workspace, settings: WorkspaceSettings, known: Map
             if stat is None or not _unchanged(stat, entry, rules):
                 try:
                     stat = _look_into(Path(workspace.root), entry, settings, rules)
+                except TooLargeError as error:
+                    failures.append(_too_large(found, entry, settings, error))
+                    continue
                 except OSError as error:
                     failures.append(_unreadable(found, entry, error))
                     continue
@@ -108,7 +112,7 @@ def _look_into(root: Path, entry: FoundFile, settings: WorkspaceSettings, rules:
     named = language_by_name(entry.path)
     if named is Language.OTHER or (named is None and entry.size > LARGEST_UNNAMED_BYTES):
         return FileStat(entry.size, entry.mtime_ns, entry.inode, "", Language.OTHER.value, Role.OWN.value, rules)
-    content = (root / entry.path).read_bytes()
+    content = read_bounded(f"{root}/{entry.path}")
     classified = classify(entry.path, content, settings)
     return FileStat(
         entry.size,
@@ -118,6 +122,19 @@ def _look_into(root: Path, entry: FoundFile, settings: WorkspaceSettings, rules:
         classified.language.value,
         classified.role.value,
         rules,
+    )
+
+
+def _too_large(found: FoundPackage, entry: FoundFile, settings: WorkspaceSettings, error: TooLargeError) -> Failure:
+    """Return what is told of a file that is left out for its size; in code of others it leaves out nothing judged."""
+    return Failure(
+        tool="syntax",
+        what=f"not read: {error.strerror}",
+        expected=f"files of source of at most {MOST_SOURCE_BYTES:,} bytes",
+        advice="Split it, or add it to `ignore` below [workspace] in roslens.toml",
+        location=Location(entry.path),
+        package=found.package.id,
+        partial=role_by_path(entry.path, settings) not in (None, Role.OWN),
     )
 
 

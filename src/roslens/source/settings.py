@@ -34,9 +34,9 @@ class CountingSettings(msgspec.Struct, frozen=True, omit_defaults=True):
 class MacroSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Macros of the project that the C++ syntax blanks besides those of the preset.
 
-    ``blank`` names macros (regular expressions, matched as whole words) that disappear with their
-    arguments if they have any; ``statement`` those that stand for a whole statement or declaration
-    without a semicolon.
+    ``blank`` names macros that disappear with their arguments if they have any; ``statement`` those that stand for a
+    whole statement or declaration without a semicolon. Names are regular expressions of whole words, without
+    look-around and references to groups.
     """
 
     blank: tuple[str, ...] = ()

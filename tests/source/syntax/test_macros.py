@@ -94,7 +94,7 @@ def test_settings_of_a_project():
     assert macros.version != MACROS.version
 
 
-@pytest.mark.parametrize("name", ["(", "a*", "(a)"])
+@pytest.mark.parametrize("name", ["(", "a*", "(?=a)a", r"(a)\1"])
 def test_a_name_that_is_no_pattern(name):
     with pytest.raises(ValueError, match="name of a macro"):
         load_macros(MacroSettings(blank=(name,)))

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.source import Package as RosPackage
 from roslens.plugins.haros.declared import TO_HAROS
 from roslens.plugins.points import FileInput, PackageInput, WorkspaceInput
@@ -132,7 +133,7 @@ class SourceFile(Scope):
     @cached_property
     def _text_lines(self) -> tuple[int, int]:
         try:
-            content = Path(self.path).read_bytes()
+            content = read_bounded(self.path)
         except OSError:
             return 0, 0
         lines = list(io.TextIOWrapper(io.BytesIO(content), encoding="utf-8", errors="replace"))

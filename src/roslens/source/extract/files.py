@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
+from roslens.intake.bounded_file import read_bounded
+
 
 class Files(Protocol):
     """The files of a workspace; paths are relative to its root, with ``/``."""
@@ -51,12 +53,7 @@ class FolderFiles:
         """Return the bytes of a file; None where there is none, or it cannot be read."""
         try:
             found = (self._root / path).resolve()
-            # A pipe or device has no end.
-            if not found.is_relative_to(self._root) or not found.is_file():
-                return None
-            if found.stat().st_size > self._most_bytes:
-                return None
-            return found.read_bytes()
+            return read_bounded(found, self._most_bytes) if found.is_relative_to(self._root) else None
         except (OSError, ValueError, RuntimeError):
             return None
 

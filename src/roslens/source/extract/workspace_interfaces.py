@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Language, Location, Package, SourceFile
@@ -60,7 +60,7 @@ def interfaces_of(
             if file.language not in INTERFACES:
                 continue
             try:
-                content = Path(root, file.path).read_bytes()
+                content = read_bounded(f"{root}/{file.path}")
                 interface, wrong = read_interface(content, file.path, package.name, generation)
             except Exception as error:  # noqa: BLE001 - one file must not lose the others
                 failures.append(_broken(file, package, error))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from pathlib import Path
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
+from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.source import Location, SourceFile
@@ -15,6 +16,7 @@ from roslens.source.executor import executor_for
 from roslens.source.extract.kept_program import becomes_nodes, pack, program_keys, unpack
 from roslens.source.extract.program import Program
 from roslens.source.keys import content_hash
+from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import parse_file
 from roslens.source.progress import Progress
 from roslens.source.settings import MacroSettings
@@ -142,8 +144,12 @@ def _lowered(task: LowerTask) -> LoweredFiles:
     failures: list[Failure] = []
     for file in task.files:
         try:
-            content = Path(task.root, file.path).read_bytes()
-            packed = pack(parse_file(content, file.language, task.macros).program())
+            content = read_bounded(f"{task.root}/{file.path}")
+            with time_budget(SOURCE_FILE_S):
+                packed = pack(parse_file(content, file.language, task.macros).program())
+        except OverBudgetError as error:
+            failures.append(over_budget(file, error))
+            continue
         except Exception as error:  # noqa: BLE001 - a file that breaks the parser must not lose the others
             failures.append(_broken(file, error))
             continue

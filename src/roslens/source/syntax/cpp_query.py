@@ -19,6 +19,9 @@ from operator import attrgetter
 import tree_sitter_cpp
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
+from roslens.source.syntax.endless_tree import refuse_endless
+from roslens.source.syntax.timed_parse import timed_parse
+
 _STEP = 64
 _KIND_WORDS = (
     "part_body part_condition namespace class function function_body field access friend try if else for while do "
@@ -86,8 +89,14 @@ Event = tuple[int, int, int]
 
 
 def parse_tree(source: bytes) -> Tree:
-    """Parse ``source``; never fails, what is no C++ becomes error nodes."""
-    return _PARSER.parse(source)
+    """Parse ``source``; what is no C++ becomes error nodes.
+
+    Raises:
+        OverBudgetError: the time budget of the file is spent, or no query would end.
+    """
+    tree = timed_parse(_PARSER, source)
+    refuse_endless(tree)
+    return tree
 
 
 def parse_again(source: bytes, earlier: bytes, tree: Tree) -> Tree:
@@ -101,7 +110,9 @@ def parse_again(source: bytes, earlier: bytes, tree: Tree) -> Tree:
 
     for start, end in _differences(earlier, source):
         tree.edit(start, end, end, point(start), point(end), point(end))
-    return _PARSER.parse(source, tree)
+    tree = timed_parse(_PARSER, source, tree)
+    refuse_endless(tree)
+    return tree
 
 
 def _differences(one: bytes, other: bytes) -> list[Span]:

@@ -22,6 +22,7 @@ from roslens.source.settings import MacroSettings
 from roslens.source.syntax.macro_blocks import name_blocks
 from roslens.source.syntax.macro_edits import EDITS, blank_linkage, fill
 from roslens.source.syntax.macro_statements import blank_statements
+from roslens.source.syntax.own_macros import OwnMacros
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -56,7 +57,7 @@ class MacroPreset:
             settings: what the project adds.
 
         Raises:
-            ValueError: a name in the settings is no regular expression.
+            ValueError: a name in the settings is no regular expression, or none that is matched in one pass.
         """
         table = tomllib.loads(preset.decode())
         key = blake2b(preset, digest_size=8)
@@ -66,7 +67,7 @@ class MacroPreset:
         self._kinds = {kind: re.compile(_names(row)) for kind, row in quick.items()}
         self._underscored = re.compile(_triggers(quick.values()))
         self._kind_of: dict[bytes, str] = {b"__cplusplus": "linkage"}
-        self._own = _words({"anywhere": settings.blank, "statement": settings.statement})
+        self._own = OwnMacros({"anywhere": settings.blank, "statement": settings.statement})
         repair = {kind: table["repair"][kind] for kind in _REPAIR_KINDS}
         self._repaired = [(kind, _word(word)) for kind, words in repair.items() for word in words]
         self._rewrites = list(map(_rewrite, table["rewrite"]))
@@ -76,8 +77,7 @@ class MacroPreset:
         """Return ``content`` with the macros of the preset and the project blanked."""
         found = [(*_whole_word(content, match.start()), "") for match in self._underscored.finditer(content)]
         found = [(start, end, self._kind(content[start:end])) for start, end, _ in found]
-        if self._own:
-            found += [(*match.span(), match.lastgroup or "") for match in self._own.finditer(content)]
+        found += self._own.find(content)
         return _edited(content, found) if found else content
 
     def repair(self, content: bytes) -> bytes:
@@ -121,7 +121,7 @@ def load_macros(extra: MacroSettings | None = None) -> MacroPreset:
     """Load the preset that ships with roslens and add what the project's settings name.
 
     Raises:
-        ValueError: a name in the settings is no regular expression.
+        ValueError: a name in the settings is no regular expression, or none that is matched in one pass.
     """
     preset = files("roslens.source.syntax").joinpath("presets/ros_macros.toml").read_bytes()
     return MacroPreset(preset, extra or MacroSettings())
@@ -148,31 +148,10 @@ def _triggers(rows: Iterable[dict[str, list[str]]]) -> bytes:
     return f"_(?=[{initials}])(?:{'|'.join(branches)})(?![A-Za-z0-9_])".encode()
 
 
-def _words(patterns: dict[str, Iterable[str]]) -> re.Pattern[bytes] | None:
-    """Return a pattern with one group for each kind that has words."""
-    groups = []
-    for kind, names in patterns.items():
-        alternatives = list(names)
-        for name in alternatives:
-            _check(name)
-        if alternatives:
-            groups.append(f"(?P<{kind}>{'|'.join(f'(?:{name})' for name in alternatives)})")
-    return re.compile(rf"(?<![A-Za-z0-9_])(?:{'|'.join(groups)})(?![A-Za-z0-9_])".encode()) if groups else None
-
-
 def _word(name: str) -> re.Pattern[bytes]:
     """Return a pattern of one whole word; that it starts with fixed bytes makes it cheaper than all words in one."""
     word = re.escape(name)
     return re.compile(f"{word}(?<![A-Za-z0-9_]{word})(?![A-Za-z0-9_])".encode())
-
-
-def _check(name: str) -> None:
-    try:
-        pattern = re.compile(name.encode())
-    except re.error as error:
-        raise ValueError(f"{name!r} is no regular expression for the name of a macro: {error}") from error
-    if pattern.groups or pattern.fullmatch(b""):
-        raise ValueError(f"{name!r} is no pattern for the name of a macro: expected no groups and not nothing")
 
 
 def _whole_word(content: bytes, position: int) -> tuple[int, int]:

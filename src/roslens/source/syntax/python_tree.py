@@ -18,6 +18,7 @@ from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 from roslens.source.syntax.facts import SyntaxFault
 from roslens.source.syntax.python_lines import LineMap
 from roslens.source.syntax.python_names import text_of
+from roslens.source.syntax.timed_parse import timed_parse
 
 LANGUAGE = Language(tree_sitter_python.language())
 
@@ -53,10 +54,14 @@ def with_line_feeds(content: bytes) -> bytes:
 
 
 def parse_tree(content: bytes) -> PythonTree:
-    """Parse a file; what is no Python becomes error nodes or is blanked."""
+    """Parse a file; what is no Python becomes error nodes or is blanked.
+
+    Raises:
+        OverBudgetError: the time budget of the file is spent.
+    """
     source = _parseable(content)
     parser = Parser(LANGUAGE)
-    tree = parser.parse(source)
+    tree = timed_parse(parser, source)
     blanked: list[tuple[int, int]] = []
     for _ in range(_MOST_ROUNDS):
         runs = list(_hopeless_runs(tree)) if tree.root_node.has_error else []
@@ -64,7 +69,7 @@ def parse_tree(content: bytes) -> PythonTree:
             break
         blanked += runs
         source = _without(source, runs)
-        tree = parser.parse(source)
+        tree = timed_parse(parser, source)
     return PythonTree(source, tree, tuple(blanked))
 
 

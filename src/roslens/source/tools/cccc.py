@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.plugins.points import INTERFACE_VERSION, FileInput, Manifest, Option, PackageInput, Report
 from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
 
@@ -106,7 +107,7 @@ def _study(
     def study() -> None:
         source = Path(file.absolute)
         try:
-            volume = halstead_volume(source.read_bytes())
+            volume = halstead_volume(read_bounded(source))
             folder = run_cccc(source, Path(scratch), time_limit_s=time_limit_s)
             studied.append(StudiedFile(file.path, read_report(folder), volume))
         except (CcccError, OSError) as error:

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.intake.bounded_file import MOST_DOCUMENT_BYTES, read_bounded
+
 if TYPE_CHECKING:
     from lxml.etree import _Element
 
@@ -110,7 +112,7 @@ def _parsed(path: Path) -> _Element:
     """Parse XML whose texts cccc copied from the source as they were: any encoding, any character."""
     from lxml import etree
 
-    text = _CONTROL.sub("\N{REPLACEMENT CHARACTER}", path.read_bytes().decode("utf-8", "replace"))
+    text = _CONTROL.sub("\N{REPLACEMENT CHARACTER}", read_bounded(path, MOST_DOCUMENT_BYTES).decode("utf-8", "replace"))
     parser = etree.XMLParser(resolve_entities=False, no_network=True)
     try:
         return etree.fromstring(text.encode(), parser)

@@ -13,6 +13,7 @@ from posixpath import dirname
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Language, Location, Package
@@ -133,8 +134,8 @@ def _package(
     path = f"{folder.path}/{MANIFEST_NAME}" if folder.path else MANIFEST_NAME
     package: Package | None = None
     try:
-        with Path(folder.folder, MANIFEST_NAME).open("rb") as file:
-            package, wrong = read(file.read(MAXIMUM_SIZE + 1), path, settings.environment)
+        content = read_bounded(f"{folder.folder}/{MANIFEST_NAME}", MAXIMUM_SIZE)
+        package, wrong = read(content, path, settings.environment)
     except OSError as error:
         what = f"the manifest cannot be read, {error.strerror}"
         wrong = (
@@ -142,7 +143,7 @@ def _package(
                 "workspace",
                 what,
                 "a package.xml that can be read",
-                "Check its permissions; the folder names the package until then.",
+                "Check its size and permissions; the folder names the package until then.",
                 Location(path),
                 entity=f"file:{path}",
                 partial=True,

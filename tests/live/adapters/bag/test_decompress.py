@@ -4,8 +4,9 @@ import lz4.frame
 import pytest
 from backports import zstd
 
+import roslens.live.adapters.bag.decompress as decompress_module
 from roslens.live.adapters.bag.damage import DamageError
-from roslens.live.adapters.bag.decompress import LARGEST, decompress, unpack_start
+from roslens.live.adapters.bag.decompress import LARGEST, RATIO, UNCHECKED, decompress, most_unpacked, unpack_start
 
 PACK = {"bz2": bz2.compress, "lz4": lz4.frame.compress, "zstd": zstd.compress, "": bytes, "none": bytes}
 TEXT = b"".join(number.to_bytes(4, "little") for number in range(50_000))
@@ -45,3 +46,25 @@ def test_what_lies_about_itself_is_damaged(content, way, size):
 def test_nothing_is_unpacked_beyond_the_size_it_claims():
     found, _ = unpack_start(zstd.compress(bytes(10_000_000)), "zstd", 1000)
     assert len(found) == 1000
+
+
+@pytest.mark.parametrize("way", ["bz2", "zstd", "lz4"])
+def test_a_bomb_is_refused_before_it_is_unpacked(way, monkeypatch):
+    monkeypatch.setattr(decompress_module, "_unpackers", lambda: pytest.fail("unpacked"))
+    assert LARGEST == 256_000_000
+    for packed, size in ((722, LARGEST), (UNCHECKED // RATIO, UNCHECKED + 1), (10**9, LARGEST + 1)):
+        found, reason = unpack_start(bytes(packed) if packed < 10**6 else _Long(), way, size)
+        assert found == b""
+        assert f"{size:,}" in reason
+
+
+class _Long(bytes):
+    def __len__(self) -> int:
+        return 10**9
+
+
+def test_what_is_packed_well_is_no_bomb():
+    black = bytes(UNCHECKED)
+    assert decompress(zstd.compress(black), "zstd", len(black)) == black
+    assert most_unpacked(100) == UNCHECKED
+    assert most_unpacked(10**6) == LARGEST

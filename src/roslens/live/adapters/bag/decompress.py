@@ -8,7 +8,15 @@ from typing import Any
 
 from roslens.live.adapters.bag.damage import DamageError
 
-LARGEST = 1 << 30
+LARGEST = 256_000_000
+"""Bytes of one chunk; those that recorders write have up to some megabytes."""
+
+UNCHECKED = 16_000_000
+"""A chunk of so many bytes may come of any number: a black image is packed to a ten-thousandth."""
+
+RATIO = 1000
+"""A larger one has at most so many times the bytes that it is packed in."""
+
 _LZ4_RATIO = 256
 _SLACK = 1 << 16
 
@@ -32,12 +40,22 @@ def decompress(content: bytes, compression: str, size: int) -> bytes:
     return found
 
 
+def most_unpacked(packed: int) -> int:
+    """Return how many bytes at most are taken out of ``packed`` ones."""
+    return min(LARGEST, max(UNCHECKED, RATIO * packed))
+
+
 def unpack_start(content: bytes, compression: str, size: int) -> tuple[bytes, str]:
     """Return what can be unpacked from the start of the content, and why it ends early where it does."""
     if compression in {"", "none"}:
         return content, ""
     if size > LARGEST:
         return b"", f"a chunk that says it has {size:,} bytes, more than {LARGEST:,}"
+    if size > most_unpacked(len(content)):
+        return (
+            b"",
+            f"{len(content):,} bytes of {compression} that claim to be {size:,}, more than {RATIO:,} times as many",
+        )
     if compression == "lz4" and size > _LZ4_RATIO * len(content) + _SLACK:
         return b"", f"{len(content):,} bytes of lz4 that claim to be {size:,}"
     unpack = _unpackers().get(compression)

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 from roslens.live.adapters.bag.block import Message
 from roslens.live.adapters.bag.channel import Channel
 from roslens.live.adapters.bag.damage import DamageError
-from roslens.live.adapters.bag.decompress import LARGEST, unpack_start
+from roslens.live.adapters.bag.decompress import most_unpacked, unpack_start
 
 _PATH = re.compile(r"[A-Za-z_]\w*(?:\[\d+\])*(?:\.[A-Za-z_]\w*(?:\[\d+\])*)*")
 _STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
@@ -56,7 +56,7 @@ class FieldReader:
         """
         content = message.content
         if self._compression:
-            content, reason = unpack_start(content, self._compression, LARGEST)
+            content, reason = unpack_start(content, self._compression, most_unpacked(len(content)))
             if reason:
                 raise DamageError(reason)
         try:

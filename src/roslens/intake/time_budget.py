@@ -1,0 +1,78 @@
+"""How much processor time one input may take: a file that is made to take for ever costs its budget, and is named.
+
+Time of the processor and not of the clock, so that a busy machine finds what an idle one does. Two things look at it:
+the parser, which asks :func:`is_spent` as it goes, in every thread; and a timer of the system, which interrupts
+whatever Python does, expressions included, in the main thread of a process, where signals can be had.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import inf
+
+SOURCE_FILE_S = 10.0
+"""For one source file: most take less than a second, a hundred kilobytes a tenth of one."""
+
+_AGAIN_S = 0.5
+
+
+class OverBudgetError(Exception):
+    """An input takes more than it may: the message says of what, and how much is allowed."""
+
+
+class _Budget(threading.local):
+    seconds = 0.0
+    deadline = inf
+
+
+_budget = _Budget()
+
+
+@contextmanager
+def time_budget(seconds: float) -> Iterator[None]:
+    """Let what is done inside take ``seconds`` of this thread's processor time.
+
+    Raises:
+        OverBudgetError: it takes more.
+    """
+    _budget.seconds, _budget.deadline = seconds, time.thread_time() + seconds
+    timed = _timer(seconds)
+    try:
+        try:
+            yield
+        finally:
+            _budget.deadline = inf
+    finally:
+        # The timer may interrupt the line above; it rings again only later.
+        _budget.deadline = inf
+        if timed:
+            signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def is_spent() -> bool:
+    """Return whether the budget of this thread is spent."""
+    return time.thread_time() > _budget.deadline
+
+
+def spent() -> OverBudgetError:
+    """Return the error that says so."""
+    return OverBudgetError(f"it takes more than {_budget.seconds:g} s of processor time")
+
+
+def _timer(seconds: float) -> bool:
+    if not hasattr(signal, "ITIMER_PROF") or threading.current_thread() is not threading.main_thread():
+        return False
+    if signal.getsignal(signal.SIGPROF) is not _interrupt:
+        signal.signal(signal.SIGPROF, _interrupt)
+    # It rings again in case that the first ring was caught on its way.
+    signal.setitimer(signal.ITIMER_PROF, seconds, _AGAIN_S)
+    return True
+
+
+def _interrupt(_number: int, _frame: object) -> None:
+    if is_spent():
+        raise spent()

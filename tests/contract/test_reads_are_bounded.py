@@ -32,6 +32,7 @@ OWN = {
     "source/extract/ros_controllers.py": "comes with roslens",
     "source/keys.py": "comes with roslens",
     "source/syntax/macros.py": "comes with roslens",
+    "source/tools/tool_checks.py": "comes with roslens",
     "store/migrate.py": "comes with roslens",
 }
 _WHOLE = {"read_bytes", "read_text"}

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
 from roslens.model.source import number_of_packages
@@ -260,7 +261,7 @@ def _packaging(found: FoundPackage) -> list[tuple[str, str]]:
     held: list[tuple[str, str]] = []
     for path in read:
         with suppress(OSError):
-            held.append((path.name, content_hash(path.read_bytes())))
+            held.append((path.name, content_hash(read_bounded(path))))
     return held
 
 

@@ -43,7 +43,7 @@ def test_the_parser_is_stopped_and_parses_the_next_text_from_its_start():
 
 @pytest.mark.parametrize("role", [Role.OWN, Role.VENDORED])
 def test_measuring_goes_on_without_it(folder: Path, role: Role, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(analyse_package, "SOURCE_FILE_S", 0.05)
+    monkeypatch.setattr(analyse_package, "SOURCE_FILE_S", 0.7)
     files = (file("a.cpp", role), file("b.cpp"))
     task = PackageTask(
         Package("p", "p", ".", Location("package.xml")), str(folder), files, {one.path: one.path for one in files},
@@ -59,7 +59,7 @@ def test_measuring_goes_on_without_it(folder: Path, role: Role, monkeypatch: pyt
 
 
 def test_so_do_programs(folder: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(workspace_programs, "SOURCE_FILE_S", 0.05)
+    monkeypatch.setattr(workspace_programs, "SOURCE_FILE_S", 0.7)
     found = lower_files(LowerTask(0, str(folder), (file("a.cpp"), file("b.cpp")), MacroSettings()))
     assert [failure.location for failure in found.failures] == [Location("a.cpp")]
     assert list(found.changed) == ["b.cpp"]

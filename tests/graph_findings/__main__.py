@@ -7,9 +7,9 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-from graph_findings.collecting import NotReadError, findings_of
-from graph_findings.judgements import Sample, drawn, read, samples, taken_over, write
-from graph_findings.page import PAGE, page
+from graph_findings.collecting import GRAPH, NATIVE, NotReadError, findings_of
+from graph_findings.judgements import NATIVE_TABLES, Sample, drawn, read, samples, taken_over, write
+from graph_findings.page import MEASURED, PAGE, RULES_PAGE, measured, page, rules_page
 from graph_findings.repositories import repositories
 
 _SEVERITIES = ("note", "warning", "error")
@@ -25,10 +25,13 @@ def main() -> int:
     sample.add_argument("--per-rule", type=int, default=20, metavar="N", help="at most so many of each rule")
     sample.add_argument("--severity", choices=_SEVERITIES, default="warning", help="from this on (default: warning)")
     sample.add_argument("--developed", action="store_true", help="rules were changed because of these repositories")
+    sample.add_argument("--native", action="store_true", help="coding rules instead of rules of the graph")
     sample.add_argument("--judged", type=Path, action="append", default=[], metavar="FILE", help="take verdicts over")
     sample.add_argument("-o", "--output", type=Path, required=True, metavar="FILE")
     sample.set_defaults(run=_sample)
-    verbs.add_parser("page", help=f"write {PAGE.name}").set_defaults(run=_page)
+    verbs.add_parser("page", help=f"write {PAGE.name}, {RULES_PAGE.name}, and what is known of rules").set_defaults(
+        run=_page
+    )
     options = parser.parse_args()
     code: int = options.run(options)
     return code
@@ -41,7 +44,7 @@ def _sample(options: argparse.Namespace) -> int:
     for one in repositories(options.folder):
         commits[one.name] = one.commit
         try:
-            found[one.name] = findings_of(one)
+            found[one.name] = findings_of(one, NATIVE if options.native else GRAPH)
         except NotReadError as error:
             not_read[one.name] = str(error)
         sys.stderr.write(f"{one.name}: {not_read.get(one.name) or len(found[one.name])}\n")
@@ -65,6 +68,9 @@ def _sample(options: argparse.Namespace) -> int:
 
 def _page(_options: argparse.Namespace) -> int:
     PAGE.write_text(page(samples()), "utf-8")
+    native = samples(NATIVE_TABLES)
+    RULES_PAGE.write_text(rules_page(native), "utf-8")
+    MEASURED.write_text(measured(native), "utf-8")
     return 0
 
 

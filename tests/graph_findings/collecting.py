@@ -1,4 +1,8 @@
-"""What the command line says of a revision: findings of ``roslens check --graph`` and ``roslens graph --check``."""
+"""What the command line says of a revision.
+
+Findings of the graph are those of ``roslens check --graph`` and ``roslens graph --check``; those of coding rules are
+what ``roslens check`` finds in code that counts.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +22,16 @@ _ANSWERS = (0, 1, 3)
 _RANK = ("note", "warning", "error")
 
 
+GRAPH, NATIVE = "graph", "roslens"
+"""Tools whose findings are asked for: the rules of the graph, and coding rules."""
+
+
 class NotReadError(Exception):
     """A repository of which the command line says nothing."""
 
 
-def findings_of(repository: Repository) -> list[dict[str, Any]]:
-    """Return what the rules of the graph find in the commit of a repository, each once, at its highest severity.
+def findings_of(repository: Repository, tool: str = GRAPH) -> list[dict[str, Any]]:
+    """Return what the rules of a tool find in the commit of a repository, each once, at its highest severity.
 
     The files are laid out in a folder of their own; nothing is written below the clone.
 
@@ -37,6 +45,9 @@ def findings_of(repository: Repository) -> list[dict[str, Any]]:
             check_out(repository.clone, repository.commit, root)
         except subprocess.CalledProcessError as error:
             raise NotReadError(f"the clone has no commit {repository.commit}") from error
+        if tool != GRAPH:
+            report = _said("check", str(root), "--no-graph", "--no-store")
+            return [one for one in report["findings"] if one.get("tool") == tool and one.get("gated", True)]
         # Every launch file that no other includes, and the nodes of which no launch file says that they run together.
         report = _said("check", str(root), "--graph", "--no-store")
         every = [one for one in report["findings"] if one.get("tool") == "graph"]

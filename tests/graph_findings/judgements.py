@@ -1,4 +1,4 @@
-"""Samples of findings and what who read the places says of them: the tables in ``tests/fixtures/graph_findings``."""
+"""Samples of findings and what who read the places says of them: the tables in ``tests/fixtures/*_findings``."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import yaml
 
 ROOT = Path(__file__).parents[2]
 TABLES = ROOT / "tests" / "fixtures" / "graph_findings"
+NATIVE_TABLES = ROOT / "tests" / "fixtures" / "rule_findings"
 
 
 class Judgement(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

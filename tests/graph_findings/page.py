@@ -1,14 +1,17 @@
-"""The page that tells how many findings of the graph are true: ``docs/accuracy_of_graph_rules.md``."""
+"""The pages that tell how many findings are true: of the graph, and of coding rules."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from graph_findings.judgements import ROOT, Judgement, Sample
 from roslens.model.finding import Severity
 from roslens.source.rules.graph.findings import RULES
+from roslens.source.rules.table import native_rules
 
 PAGE = ROOT / "docs" / "accuracy_of_graph_rules.md"
+RULES_PAGE = ROOT / "docs" / "accuracy_of_rules.md"
+MEASURED = ROOT / "src" / "roslens" / "source" / "rules" / "precision.toml"
 GOAL = 0.8
 """A rule of which less is true is a note."""
 _FEW = 5
@@ -31,11 +34,53 @@ the sample of the clones below a folder, `verdict` and `why` are filled in by ha
 """
 
 
+_NATIVE_HEAD = """# How many findings of coding rules are true
+
+Written by `make graph-findings` from the tables in
+[`tests/fixtures/rule_findings`](../tests/fixtures/rule_findings); do not edit. `roslens check`, without a
+`roslens.toml`, looked at each repository as it is at its commit. Of the warnings and errors of each
+[rule](reference/rules.md) in code that counts a sample was drawn with a seed, and each place was read: a finding is
+*true* where a maintainer would agree that it is a real problem worth acting on. A finding that is right and of no use
+is not true.
+
+A rule that is on by default and a warning or an error has at least 90 % of them true; one that has not is mended, a
+note, or off. Where fewer than 5 were found, the share says little.
+
+To measure on other repositories: `PYTHONPATH=tests python -m graph_findings sample FOLDER --native --seed N -o FILE`
+draws the sample of the clones below a folder, `verdict` and `why` are filled in by hand, the file goes to the tables,
+and `make graph-findings` writes this page and what the pages of rules say of it.
+"""
+
+
+def rules_page(found: Mapping[str, Sample]) -> str:
+    """Return the page on coding rules."""
+    on = [rule.id for rule in native_rules().values() if rule.profiles and rule.severity is not Severity.NOTE]
+    return _page(_NATIVE_HEAD, on, found)
+
+
+def measured(found: Mapping[str, Sample]) -> str:
+    """Return the data of rules: how many findings were true of how many read, where nothing was tuned to them."""
+    sums: dict[str, list[int]] = {}
+    for sample in found.values():
+        if sample.developed_on:
+            continue
+        for rule, pair in shares(sample).items():
+            held = sums.setdefault(rule, [0, 0])
+            held[0] += pair[0]
+            held[1] += pair[1]
+    lines = [f'"{rule}" = [{true}, {read}]' for rule, (true, read) in sorted(sums.items()) if read]
+    return "\n".join(("# Findings that were true, and that were read: `make graph-findings` writes it.", *lines)) + "\n"
+
+
 def page(found: Mapping[str, Sample]) -> str:
     """Return the page of some samples, those of repositories that nothing was tuned to first."""
-    lines = [_HEAD]
+    return _page(_HEAD, [one.id for one, _ in RULES if one.severity is not Severity.NOTE], found)
+
+
+def _page(head: str, on: Sequence[str], found: Mapping[str, Sample]) -> str:
+    lines = [head]
     for name, one in sorted(found.items(), key=lambda item: (item[1].developed_on, item[0])):
-        lines += _section(name, one)
+        lines += _section(name, one, on)
     return "\n".join(lines).rstrip("\n") + "\n"
 
 
@@ -48,7 +93,7 @@ def shares(sample: Sample) -> dict[str, tuple[int, int]]:
     return {rule: (sum(verdicts), len(verdicts)) for rule, verdicts in sorted(found.items())}
 
 
-def _section(name: str, sample: Sample) -> list[str]:
+def _section(name: str, sample: Sample, on: Sequence[str]) -> list[str]:
     tuned = "rules were changed because of what they found here" if sample.developed_on else "no rule was tuned to them"
     read = len(sample.repositories) - len(sample.not_read)
     lines = [
@@ -66,7 +111,7 @@ def _section(name: str, sample: Sample) -> list[str]:
         )
     total = sum(true for true, _ in every.values()), sum(judged for _, judged in every.values())
     lines.append(f"| all | {_row(sum(sample.population.values()), *total)} | {sum(sample.notes.values())} |")
-    silent = sorted(one.id for one, _ in RULES if one.severity is not Severity.NOTE and one.id not in every)
+    silent = sorted(one for one in on if one not in every)
     if silent:
         named = ", ".join(f"`{rule}`" for rule in silent)
         lines += ["", f"Nothing is known of these, of which no warning or error was found here: {named}."]

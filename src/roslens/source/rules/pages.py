@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from roslens.source.rules.precision import read_samples
 from roslens.source.rules.profiles import PROFILES
 from roslens.source.rules.rule import FileRule, Rule
 
@@ -62,6 +63,9 @@ def _page(rule: Rule) -> str:
         parts.append("Covers: " + ", ".join(f"`{clause}`" for clause in rule.clauses))
     if rule.unlike:
         parts.append("Requires the opposite of: " + ", ".join(f"[`{other}`]({other}.md)" for other in rule.unlike))
+    true, read = read_samples().get(rule.id, (0, 0))
+    if read:
+        parts.append(f"[Measured](../../accuracy_of_rules.md): {true} of {read} findings that were read were true.")
     comment = "#" if rule.languages == ("python",) else "<!--" if not rule.languages else "//"
     end = " -->" if comment == "<!--" else ""
     parts.append(f"To leave one finding out: `{comment} roslens: ignore[{rule.id}] reason{end}`")

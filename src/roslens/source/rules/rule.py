@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.model.finding import RuleInfo, Severity
+from roslens.source.rules.precision import precision_of
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -92,6 +93,7 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
             tool=TOOL,
             languages=self.languages,
             scope="file" if self.languages else "package",
+            precision=precision_of(self.id),
         )
 
 

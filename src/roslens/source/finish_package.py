@@ -19,6 +19,9 @@ from roslens.plugins.outcome import Outcome
 from roslens.source.analyse_package import MeasuredPackage
 from roslens.source.metrics import rcv, rqv
 from roslens.source.settings import SourceSettings
+from roslens.source.tools.layout import RULE as LAYOUT
+from roslens.source.tools.layout import layout_folded
+from roslens.source.tools.witnesses import joined
 from roslens.source.workspace.silence import Nameable, Silence, about_comments
 
 
@@ -41,6 +44,7 @@ class Finisher:
         """
         self._silence = silence or Silence()
         self._rules = rules
+        self._fold_layout = settings.tools.layout == "fold"
         self._gate_roles = frozenset(settings.gate_roles)
         self._models = models
         self._packages = packages
@@ -56,7 +60,9 @@ class Finisher:
         roles = {file.path: file.role.value for file in files}
         entities = with_measurements(measured.entities, outcome)
         package = self._packages[measured.package]
-        judged = (*measured.findings, *outcome.findings, *judge_entities(self._models, entities))
+        judged: tuple[Finding, ...] = joined(
+            (*measured.findings, *outcome.findings, *judge_entities(self._models, entities))
+        )
         if measured.suppressions:
             judged = (
                 *judged,
@@ -76,13 +82,22 @@ class Finisher:
             else:
                 findings.append(finding)
         findings.sort(key=_place)
+        shown = layout_folded(findings, package) if self._fold_layout else tuple(findings)
+        # The one finding about layout can be accepted and ignored like those that it stands for.
+        laid_out = self._silence.sorted_out(
+            [finding for finding in shown if finding.rule == LAYOUT.id],
+            measured.suppressions,
+            folder=package.path,
+            package=measured.package,
+        )
+        shown = tuple(finding for finding in shown if finding.rule != LAYOUT.id)
         return PackageResult(
             package=package,
             files=files,
             entities=_with_counts(entities, findings),
-            findings=tuple(findings),
+            findings=(*shown, *laid_out.kept),
             failures=(*self._failures[measured.package], *measured.failures, *outcome.failures),
-            set_aside=(*sorted_out.set_aside, *folded.set_aside),
+            set_aside=(*sorted_out.set_aside, *folded.set_aside, *laid_out.set_aside),
         )
 
 

@@ -30,6 +30,7 @@ from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, 
 from roslens.source.progress import Progress, Silent
 from roslens.source.set_aside_in_run import whole_run
 from roslens.source.settings import RuleSettings, SourceSettings
+from roslens.source.tools.layout import RULE as LAYOUT
 from roslens.source.tools.used import tool_stage
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import Acceptance, Acceptances, read_acceptances
@@ -320,7 +321,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             if run.tools is not None:
                 said += run.tools.outcome(measured)
             result = finisher.finish(measured, said)
-            seen.update(finding.rule for finding in result.findings)
+            seen.update(rule for finding in result.findings for rule in (finding.rule, *finding.witnesses))
             seen.update(one.finding.rule for one in result.set_aside)
             writer.add(run.key_kept(run.units[measured.package]), result)
         fresh = {found.package.id for found in changed}
@@ -436,7 +437,8 @@ def _workspace_result(
     judging = (rule for model in models for rule in rules_of(model))
     native = (rule.info for rule in native_rules().values())
     of_tools = run.tools.rules(seen) if run.tools else ()
-    rules = {rule.id: rule for rule in (*of_tools, *native, *stage.rules, *further, *judging, *SUPPRESSION_RULES)}
+    own = (*native, LAYOUT, *SUPPRESSION_RULES)
+    rules = {rule.id: rule for rule in (*of_tools, *stage.rules, *further, *judging, *own)}
     whole = whole_run(
         run.silence,
         owned,

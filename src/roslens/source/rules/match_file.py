@@ -6,7 +6,7 @@ Which rules a user wants is asked later: what they find is kept by content, and 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from functools import cache
 
 import msgspec
@@ -15,7 +15,7 @@ from tree_sitter import Language, Node, Query, QueryCursor
 from roslens.model.failure import Failure
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.rule import TOOL, FileRule
+from roslens.source.rules.rule import TESTS, TOOL, FileRule
 from roslens.source.rules.table import file_rules
 
 DEEPEST = 60_000
@@ -43,6 +43,7 @@ class _Plan:
         )
         self.quoted = tuple((rule, tuple(part.encode() for part in rule.quoted)) for rule in rules if rule.quoted)
         self.mentions = {one: tuple(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
+        self.concerns = {(rule.mentions, rule.spares_tests) for rule in rules}
         self.by_kind: Mapping[str, list[FileRule]] = defaultdict(list)
         for rule in rules:
             for kind in rule.kinds:
@@ -71,31 +72,38 @@ def match_file(view: FileView) -> Matched:
     found: list[Hit] = []
     broken: dict[str, Failure] = {}
     asked = _Asked(view, found, broken)
-    concerns = {one: not parts or any(part in view.content for part in parts) for one, parts in plan.mentions.items()}
-    for rule, nodes in _lookouts(plan, view, concerns):
+    for rule, nodes in _lookouts(plan, view, _concerns(plan, view)):
         asked.ask(rule, nodes)
     # Two anchors of one rule may lead to one place.
     return Matched(tuple(sorted(dict.fromkeys(found), key=_order)), tuple(broken[one] for one in sorted(broken)))
 
 
+def _concerns(plan: _Plan, view: FileView) -> set[tuple[tuple[str, ...], bool]]:
+    """Return which pairs of what rules want mentioned and whether they spare tests a file satisfies."""
+    content = view.content
+    mentioned = {one for one, parts in plan.mentions.items() if not parts or any(part in content for part in parts)}
+    is_test = any(one in content for one in TESTS)
+    return {one for one in plan.concerns if one[0] in mentioned and not (one[1] and is_test)}
+
+
 def _lookouts(
-    plan: _Plan, view: FileView, concerns: Mapping[tuple[str, ...], bool]
+    plan: _Plan, view: FileView, concerns: Set[tuple[tuple[str, ...], bool]]
 ) -> Iterator[tuple[FileRule, Iterator[Node] | list[Node] | tuple[Node, ...]]]:
     """Yield the rules that concern a file with the nodes that they look at."""
     for rule in plan.whole:
-        if concerns[rule.mentions]:
+        if (rule.mentions, rule.spares_tests) in concerns:
             yield rule, (view.root,)
     for rule, anchors in plan.anchored:
-        if concerns[rule.mentions]:
+        if (rule.mentions, rule.spares_tests) in concerns:
             yield from ((rule, _anchored(view, anchor)) for anchor in anchors if anchor in view.code)
     for rule, parts in plan.quoted:
-        if concerns[rule.mentions]:
+        if (rule.mentions, rule.spares_tests) in concerns:
             yield from ((rule, _quoted(view, part)) for part in parts if part in view.content)
     if plan.query is not None:
         cursor = QueryCursor(plan.query)
         cursor.set_max_start_depth(DEEPEST)
         for kind, nodes in cursor.captures(view.root).items():
-            yield from ((rule, nodes) for rule in plan.by_kind[kind] if concerns[rule.mentions])
+            yield from ((rule, nodes) for rule in plan.by_kind[kind] if (rule.mentions, rule.spares_tests) in concerns)
 
 
 class _Asked:

@@ -36,6 +36,8 @@ FIRMWARE = (b"<ros.h>", b'"ros.h"', b"ros_lib")
 """What files for microcontrollers mention, whose `ros::` is that of rosserial."""
 ROSPY = ("rospy",)
 RCLPY = ("rclpy",)
+TESTS = (b"gtest", b"gmock", b"unittest", b"pytest", b"rostest", b"launch_testing", b"catch2", b"catch.hpp")
+"""What files of tests mention."""
 ROS_PYTHON = (*ROSPY, *RCLPY)
 """Values of ``mentions``: what code of nodes cannot do without."""
 
@@ -108,6 +110,7 @@ class FileRule(Rule, frozen=True, kw_only=True):
         kinds: types of nodes of the grammar; ``found`` is called with each.
         quoted: parts of texts; ``found`` is called with the smallest node around each place inside of a string.
         whole: call ``found`` once with the root.
+        spares_tests: it looks at nothing in a file that uses a framework for tests.
         mentions: the rule looks at nothing in a file that holds none of these anywhere; none is every file.
         in_c: it counts in files of C as well, which have no other casts, null pointers or memory.
         found: yields what it finds; see :meth:`roslens.source.rules.file_view.FileView.hit`.
@@ -120,6 +123,7 @@ class FileRule(Rule, frozen=True, kw_only=True):
     whole: bool = False
     mentions: tuple[str, ...] = ()
     in_c: bool = True
+    spares_tests: bool = False
     found: Callable[[Node, FileView], Iterable[Hit]]
 
     @property

@@ -57,5 +57,6 @@ void Arm::start() { sub_ = create_subscription<Goal>("goal", 10, std::bind(&Arm:
     syntax="cpp",
     anchors=("sleep_for", "sleep_until", "usleep", "nanosleep", "sleep"),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

@@ -69,5 +69,6 @@ class Arm(Node):
     syntax="python",
     anchors=("sleep", "sleep_for", "sleep_until"),
     mentions=ROS_PYTHON,
+    spares_tests=True,
     found=found,
 )

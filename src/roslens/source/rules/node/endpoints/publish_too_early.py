@@ -75,5 +75,6 @@ Arm::Arm() : Node("arm") {
     syntax="cpp",
     anchors=("advertise", "create_publisher"),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

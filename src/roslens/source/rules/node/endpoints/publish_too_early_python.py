@@ -62,5 +62,6 @@ pub.publish(State())
     syntax="python",
     anchors=("Publisher", "create_publisher"),
     mentions=ROS_PYTHON,
+    spares_tests=True,
     found=found,
 )

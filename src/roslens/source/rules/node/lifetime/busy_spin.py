@@ -58,5 +58,6 @@ RULE = FileRule(
     syntax="cpp",
     anchors=("spinOnce", "spin_some"),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

@@ -52,5 +52,6 @@ RULE = FileRule(
     syntax="cpp",
     anchors=("system_clock::now",),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

@@ -1,0 +1,59 @@
+"""Rule ``node.transform_unhandled_python``: a look-up of a transform that nobody catches, in Python."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_handled
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import ROS_PYTHON, FileRule
+
+_ASKS_FIRST = re.compile(rb"can_transform|canTransform|waitForTransform|wait_for_transform")
+_FEWEST = 3
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a look-up outside of ``try``, in a function that neither asks nor waits before."""
+    call, function = call_at(node), function_around(node)
+    if call is None or len(arguments(call)) < _FEWEST or is_handled(call):
+        return
+    body = body_of(function) if function is not None else None
+    start = body.start_byte if body is not None else 0
+    if not _ASKS_FIRST.search(view.code[start : call.start_byte]):
+        yield view.hit(
+            "node.transform_unhandled_python",
+            call,
+            f"`{view.text(call)[:80]}` outside of `try`: it raises until the transform is known; expected "
+            "`except TransformException`",
+        )
+
+
+RULE = FileRule(
+    id="node.transform_unhandled_python",
+    title="Look-up of a transform that nobody catches (Python)",
+    finds="`lookup_transform` outside of `try`, in a function that neither asks `can_transform` nor waits before. "
+    "Catch "
+    "`TransformException` and go on without.",
+    why="At start, and whenever a localisation is late, the transform is not there, and the look-up raises: a node of "
+    "rclpy "
+    "ends, a thread of rospy does.",
+    profiles=("ros2", "ros1"),
+    tags=("transforms", "exceptions"),
+    bad="import rclpy\ndef tick(self):\n    t = self.buffer.lookup_transform('map', 'base', Time())\n",
+    good="""import rclpy
+def tick(self):
+    try:
+        t = self.buffer.lookup_transform('map', 'base', Time())
+    except TransformException:
+        return
+""",
+    syntax="python",
+    anchors=("lookup_transform", "lookupTransform"),
+    mentions=ROS_PYTHON,
+    spares_tests=True,
+    found=found,
+)

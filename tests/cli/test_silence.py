@@ -17,7 +17,12 @@ MANY_CALLS = "def walk(step):\n" + "".join(f"    step.move_{number}()\n" for num
 @pytest.fixture
 def walking(talking):
     (talking / "talk/talk/walking.py").write_text(MANY_CALLS)
+    configure(talking)
     return talking
+
+
+def configure(root, text=""):
+    (root / "roslens.toml").write_text(f'{text}\n[rules]\ndisable = ["*"]\n')
 
 
 def check(root, capsys, *more, code=0):
@@ -49,7 +54,7 @@ def test_a_comment_is_shown_as_set_aside(walking, capsys):
 
 def test_an_ignore_of_the_configuration(walking, capsys):
     text = '[[ignore]]\npaths = ["talk/talk/*"]\nrules = ["calls.max"]\nreason = "legacy"\n'
-    (walking / "roslens.toml").write_text(text + text.replace("talk/talk/*", "gone/*"))
+    configure(walking, text + text.replace("talk/talk/*", "gone/*"))
     report = check(walking, capsys)
     assert [one["by"] for one in report["set_aside"]] == ["[[ignore]] 1"]
     assert notes(report) == ["roslens.ignore_unused"]
@@ -66,7 +71,7 @@ def test_an_ignore_of_the_configuration(walking, capsys):
     ],
 )
 def test_a_wrong_ignore_is_told(walking, capsys, text, said):
-    (walking / "roslens.toml").write_text(text)
+    configure(walking, text)
     assert main(["check", str(walking), "-q"]) == 2
     error = capsys.readouterr().err
     assert said in error
@@ -128,7 +133,7 @@ def test_an_id_that_means_nothing(walking, capsys, given):
 
 
 def test_every_report_shows_what_is_set_aside(walking, capsys, tmp_path):
-    (walking / "roslens.toml").write_text('[[ignore]]\nrules = ["calls.max"]\nreason = "legacy"\n')
+    configure(walking, '[[ignore]]\nrules = ["calls.max"]\nreason = "legacy"\n')
     sarif, markdown, tables = tmp_path / "a.sarif", tmp_path / "a.md", tmp_path / "tables"
     words = ["check", str(walking), "--jobs", "1", "-q", "--no-graph", "--format", f"sarif={sarif}"]
     assert main([*words, "--format", f"markdown={markdown}", "--format", f"csv={tables}"]) == 0
@@ -147,7 +152,7 @@ def test_every_report_shows_what_is_set_aside(walking, capsys, tmp_path):
 
 
 def test_the_page_of_findings_shows_what_is_set_aside(walking, capsys):
-    (walking / "roslens.toml").write_text('[[ignore]]\nrules = ["calls.max"]\nreason = "legacy"\n')
+    configure(walking, '[[ignore]]\nrules = ["calls.max"]\nreason = "legacy"\n')
     check(walking, capsys)
     with open_store(str(walking)) as store:
         site = site_of(store.view())

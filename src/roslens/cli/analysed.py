@@ -39,6 +39,7 @@ def analysed(
     store: Store,
     progress: FinishedProgress,
     begun: float,
+    unchanged: Mapping[str, str] | None = None,
 ) -> Answer:
     """Analyse, and keep the run in a store; what the cache has to say goes to standard error.
 
@@ -50,6 +51,7 @@ def analysed(
         store: receives the run.
         progress: who watches; it is finished.
         begun: when the command began, a ``time.monotonic()``.
+        unchanged: hashes of files by path; packages of which all files have these are left out, and so are graphs.
 
     Raises:
         RoslensError: see :mod:`roslens.cli.boundary`.
@@ -64,7 +66,7 @@ def analysed(
     now = time.time()
     utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
     kept = None if options.no_cache else own_folder(root) / CACHE
-    beyond = graph_look(options, configuration, settings, root, kept, progress)
+    beyond = None if unchanged is not None else graph_look(options, configuration, settings, root, kept, progress)
     with Cache.open(kept) as cache:
         try:
             outcome = analyse(
@@ -79,6 +81,7 @@ def analysed(
                 log=None if options.no_store else root / FOLDER / "log",
                 programs=beyond is not None and kept is not None,
                 beyond=beyond,
+                unchanged=unchanged,
             )
         finally:
             progress.finish()

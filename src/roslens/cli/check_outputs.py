@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
@@ -152,12 +152,25 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
             view.rules(),
             findings=view.workspace.findings,
             set_aside=Counter(one.state.value for one in view.set_aside(tags=wanted.tags)),
+            since=tuple(_since(view, wanted)),
             tags=wanted.tags,
             width=width_of(stream),
             color=wants_color(options, stream),
             unicode=(stream.encoding or "").lower().replace("-", "") == "utf8",
         )
     )
+
+
+def _since(view: RunView, wanted: Wanted) -> Iterator[str]:
+    states = {True: "holds", False: "is broken", None: "cannot be told"}
+    yield from (f"Gate {states[one.holds]}: {one.text}" for one in wanted.gate)
+    if wanted.new is None:
+        return
+    found = Counter(one.severity.value for one in view.findings(tags=wanted.tags) if one.gated and wanted.is_new(one))
+    parts = ", ".join(
+        f"{found[name]:,} {name}{'s' * (found[name] != 1)}" for name in ("error", "warning", "note") if found[name]
+    )
+    yield f"New since {wanted.baseline}: {parts or 'nothing'}; gone: {wanted.gone:,}"
 
 
 def below_repository(root: Path) -> str:

@@ -15,6 +15,7 @@ from typing import Any
 import msgspec
 
 from roslens.intake.bounded_file import TooLargeError, read_bounded
+from roslens.judge.gate import GateConditions
 from roslens.model.errors import DocumentError, UsageError
 from roslens.model.finding import Severity
 from roslens.model.source import Location, Role
@@ -37,11 +38,13 @@ class Configuration(msgspec.Struct, frozen=True):
     """What a configuration file sets; ``base`` is the folder its relative paths start from.
 
     ``fail_on`` is the severity from which findings fail a check (``never`` for none);
+    ``gate`` holds conditions besides, and where it is set ``fail_on`` is ``never`` unless it is set too;
     ``accept_partial`` lets a check pass although parts of files could not be parsed.
     """
 
     source: SourceSettings = SourceSettings()
     fail_on: str = "error"
+    gate: GateConditions | None = None
     accept_partial: bool = False
     jobs: int = 0
     path: str = ""
@@ -152,7 +155,7 @@ class _Reader:
         self._prefix = prefix
 
     def read(self, document: Mapping[str, Any]) -> Configuration:
-        valid = (*_TOP, *_TABLES, "options", "tools")
+        valid = (*_TOP, *_TABLES, "gate", "options", "tools")
         for key in document:
             if key not in valid:
                 raise self._unknown((key,), valid)
@@ -178,7 +181,8 @@ class _Reader:
                 )
         if "macros" in tables:
             self._check_macros(tables["macros"])
-        fail_on = str(top.pop("fail_on", "error"))
+        gate = self._gate(document["gate"]) if "gate" in document else None
+        fail_on = str(top.pop("fail_on", "error" if gate is None else "never"))
         if fail_on not in FAIL_ON:
             raise DocumentError(
                 f"fail_on = {fail_on!r}", where=self._where(("fail_on",)), expected=f"one of {', '.join(FAIL_ON)}"
@@ -187,7 +191,17 @@ class _Reader:
             top["gate_roles"] = tuple(role.value for role in top["gate_roles"])
         own = {key: top.pop(key) for key in ("accept_partial", "jobs") if key in top}
         source = SourceSettings(**top, **tables, options=self._options(document.get("options", {})))
-        return Configuration(source, fail_on, path=str(self._path), base=str(self._path.parent), **own)
+        return Configuration(source, fail_on, gate, path=str(self._path), base=str(self._path.parent), **own)
+
+    def _gate(self, table: object) -> GateConditions:
+        gate = self._table("gate", table, GateConditions)
+        if not isinstance(gate, GateConditions) or gate == GateConditions():
+            raise DocumentError(
+                "[gate] asks for nothing, so that everything would pass",
+                where=self._where(("gate",)),
+                expected=f"at least one of {', '.join(GateConditions.__struct_fields__)}",
+            )
+        return gate
 
     def _table(self, name: str, table: object, kind: type[msgspec.Struct]) -> msgspec.Struct:
         if not isinstance(table, dict):

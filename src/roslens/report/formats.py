@@ -57,7 +57,7 @@ def write_format(name: str, view: RunView, stream: TextIO, wanted: Wanted) -> No
     if name == "json":
         from roslens.report.to_json import write_json
 
-        write_json(view, stream, wanted.tags)
+        write_json(view, stream, wanted.tags, wanted.is_new if wanted.new is not None else None)
     elif name == "csv":
         from roslens.report.to_csv import write_findings
 

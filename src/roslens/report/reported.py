@@ -7,7 +7,9 @@ from pathlib import PurePosixPath
 
 import msgspec
 
+from roslens.judge.gate import GateResult
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.same_finding import Key, key_of_finding
 from roslens.model.tags import TagFilter
 from roslens.store.read import RunView
 
@@ -21,12 +23,24 @@ class Wanted(msgspec.Struct, frozen=True):
             files from the root of the repository.
         fail_on: severity from which a finding fails the check, or ``never``.
         accept_partial: whether files that were analysed in part pass.
+        baseline: what the run is compared with; empty for nothing.
+        new: findings that the baseline does not have; None where there is none.
+        gone: how many findings of the baseline are gone.
+        gate: conditions of the configuration, and whether they hold.
     """
 
     tags: TagFilter = TagFilter()
     below: str = ""
     fail_on: str = Severity.ERROR.value
     accept_partial: bool = False
+    baseline: str = ""
+    new: frozenset[Key] | None = None
+    gone: int = 0
+    gate: tuple[GateResult, ...] = ()
+
+    def is_new(self, finding: Finding) -> bool:
+        """Return whether a finding is new since the baseline; without one none is."""
+        return self.new is not None and key_of_finding(finding) in self.new
 
     def fails(self, severity: Severity) -> bool:
         """Return whether a finding of this severity fails the check."""
@@ -47,14 +61,16 @@ class Reported(msgspec.Struct, frozen=True):
 
 
 def reported(view: RunView, wanted: Wanted) -> list[Reported]:
-    """Return the findings that count for gates: most severe first, then furthest beyond their bound, then by place."""
+    """Return the findings that count for gates: most severe first, then new, then furthest beyond their bound."""
     manifests = {one.id: one.path for one in view.packages()}
     found = []
     for package, finding in view.owned_findings(wanted.tags):
         if finding.gated:
             path = finding.path or _manifest(package or finding.entity.partition(":")[2], manifests)
             found.append(Reported(package, finding, wanted.below + path if path else "", max(1, finding.line)))
-    return sorted(found, key=lambda one: (-one.finding.severity.rank, -one.finding.excess))
+    return sorted(
+        found, key=lambda one: (-one.finding.severity.rank, not wanted.is_new(one.finding), -one.finding.excess)
+    )
 
 
 def _manifest(package: str, folders: dict[str, str]) -> str:

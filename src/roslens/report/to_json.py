@@ -7,7 +7,7 @@ written while it is read: its size costs no memory.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, TextIO
 
 import msgspec
@@ -30,7 +30,9 @@ _CHUNK = 1 << 16
 _encode = msgspec.json.Encoder().encode
 
 
-def write_json(view: RunView, stream: TextIO, tags: TagFilter | None = None) -> None:
+def write_json(
+    view: RunView, stream: TextIO, tags: TagFilter | None = None, is_new: Callable[[Finding], bool] | None = None
+) -> None:
     """Write the run as one JSON document in UTF-8.
 
     Two runs on the same input differ at most in ``run.started`` and ``run.seconds``.
@@ -39,6 +41,7 @@ def write_json(view: RunView, stream: TextIO, tags: TagFilter | None = None) -> 
         view: the run.
         stream: where to; what it has as ``buffer`` is written to directly, whatever the stream's own encoding.
         tags: which findings are meant; all for None. Everything else is complete in any case.
+        is_new: whether a finding is new since a baseline; None where there is none.
 
     Raises:
         StoreError: the store cannot be read.
@@ -46,7 +49,7 @@ def write_json(view: RunView, stream: TextIO, tags: TagFilter | None = None) -> 
     """
     chunk: list[bytes] = []
     size = 0
-    for part in _document(view, tags or TagFilter()):
+    for part in _document(view, tags or TagFilter(), is_new):
         chunk.append(part)
         size += len(part)
         if size >= _CHUNK:
@@ -65,14 +68,14 @@ def _write(stream: TextIO, content: bytes) -> None:
     buffer.write(content)
 
 
-def _document(view: RunView, tags: TagFilter) -> Iterator[bytes]:
+def _document(view: RunView, tags: TagFilter, is_new: Callable[[Finding], bool] | None) -> Iterator[bytes]:
     yield b'{\n"schema": ' + _encode(SCHEMA)
     yield b',\n"run": ' + _encode(_run(view.header, tags))
     yield from _array("packages", map(_encode, map(_package, view.packages())))
     yield from _array("files", (_encode(_file(package, file)) for package, file in view.files()))
     yield from _array("entities", map(_encode, map(_entity, view.entities())))
     yield from _array("measurements", _measurements(view.entities()))
-    yield from _array("findings", (_encode(_finding(*owned)) for owned in view.owned_findings(tags)))
+    yield from _array("findings", (_encode(_finding(*owned, is_new)) for owned in view.owned_findings(tags)))
     yield from _array("failures", map(_encode, map(_failure, view.failures())))
     yield from _array("rules", map(_encode, map(_rule, view.rules())))
     yield from _array("quantities", map(_encode, map(_quantity, view.quantities())))
@@ -163,7 +166,7 @@ class _Keys(dict[str, str]):
         return text
 
 
-def _finding(package: str, finding: Finding) -> dict[str, Any]:
+def _finding(package: str, finding: Finding, is_new: Callable[[Finding], bool] | None = None) -> dict[str, Any]:
     shown: dict[str, Any] = {
         "rule": finding.rule,
         "severity": finding.severity,
@@ -184,6 +187,8 @@ def _finding(package: str, finding: Finding) -> dict[str, Any]:
         shown["witnesses"] = finding.witnesses
     if finding.others:
         shown["others"] = finding.others
+    if is_new is not None:
+        shown["new"] = is_new(finding)
     if finding.model:
         shown["model"] = finding.model
         shown["quantity"] = finding.quantity

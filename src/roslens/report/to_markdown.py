@@ -41,6 +41,10 @@ def _head(view: RunView, findings: list[Reported], wanted: Wanted) -> Iterator[s
     counts = Counter(one.finding.severity for one in findings)
     amounts = ", ".join(plural(counts[severity], severity.value) for severity in reversed(Severity) if counts[severity])
     yield f"## roslens: {amounts or 'no findings'}"
+    if wanted.new is not None:
+        yield ""
+        new = sum(wanted.is_new(one.finding) for one in findings)
+        yield f"**{plural(new, 'new finding')} since {_code(wanted.baseline)}, {wanted.gone:,} gone.**"
     yield ""
     packages = view.packages()
     commit = f", commit {view.header.commit[:10]}" if view.header.commit else ""
@@ -49,6 +53,9 @@ def _head(view: RunView, findings: list[Reported], wanted: Wanted) -> Iterator[s
     yield f"{plural(count, 'package')}, {plural(sum(package.files for package in packages), 'file')}{models}{commit}."
     if others := aside(view, wanted.tags):
         yield f"{plural(others, 'more finding')} in test, generated or vendored code do not count here."
+    for one in wanted.gate:
+        state = {True: "holds", False: "is broken", None: "cannot be told"}[one.holds]
+        yield f"- gate {state}: {_cell(one.text)}"
     if set_aside := Counter(one.state.value.replace("_", " ") for one in view.set_aside(tags=wanted.tags)):
         parts = ", ".join(f"{count:,} {state}" for state, count in sorted(set_aside.items()))
         yield f"{plural(set_aside.total(), 'finding')} set aside: {parts}."

@@ -63,7 +63,7 @@ def write_sarif(view: RunView, stream: TextIO, wanted: Wanted) -> None:
         "automationDetails": {"id": f"roslens/{wanted.below}"},
         "invocations": [_invocation(view, wanted, len(findings) - len(shown))],
         "results": [
-            *(_result(one, order[one.finding.rule], wanted.below, files) for one in shown),
+            *(_since(_result(one, order[one.finding.rule], wanted.below, files), one.finding, wanted) for one in shown),
             *(_suppressed(one, order[one.finding.rule], wanted.below, files) for one in hushed),
         ],
     }
@@ -109,6 +109,12 @@ def _result(one: Reported, index: int, below: str, files: Collection[str]) -> di
     if related := list(_related(finding, below, files)):
         shown["relatedLocations"] = related
     return shown
+
+
+def _since(result: dict[str, Any], finding: Finding, wanted: Wanted) -> dict[str, Any]:
+    if wanted.new is not None:
+        result["baselineState"] = "new" if wanted.is_new(finding) else "unchanged"
+    return result
 
 
 def _suppressed(one: SetAside, index: int, below: str, files: Collection[str]) -> dict[str, Any]:

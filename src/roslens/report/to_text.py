@@ -48,6 +48,7 @@ def to_text(
     *,
     findings: Sequence[Finding] = (),
     set_aside: Mapping[str, int] | None = None,
+    since: Sequence[str] = (),
     tags: TagFilter | None = None,
     width: int = 100,
     color: bool = False,
@@ -62,6 +63,7 @@ def to_text(
         rules: what rules are about.
         findings: those of no package.
         set_aside: how many findings count nowhere, by :class:`roslens.model.set_aside.Disposition`.
+        since: what is new since a baseline and whether the gate is passed, a line each.
         tags: which findings are meant; all for None.
         width: columns of the terminal; less than :data:`LEAST_WIDTH` counts as that.
         color: whether the terminal shows colours.
@@ -79,7 +81,11 @@ def to_text(
         list(_head(terminal, header, packages)),
         list(_fix_first(terminal, first_to_fix(packages, of_workspace, about, wanted))),
         list(_packages(terminal, counted)),
-        [*_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)), *hushed],
+        [
+            *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
+            *hushed,
+            *(line for text in since for line in _quiet(terminal, text)),
+        ],
         list(_failures(terminal, failures)),
         list(_next(terminal, groups, failures, packages)),
     ]

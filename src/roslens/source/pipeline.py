@@ -7,7 +7,7 @@ packages that changed -> let plug-ins look at them -> judge -> keep -> measure t
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,6 +19,7 @@ from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
 from roslens.model.source import number_of_packages
 from roslens.plugins.options import check_options
+from roslens.source.changed_packages import with_changes
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
 from roslens.source.inventory import Inventory, take_inventory
@@ -33,7 +34,7 @@ from roslens.source.settings import RuleSettings, SourceSettings
 from roslens.source.tools.layout import RULE as LAYOUT
 from roslens.source.tools.used import tool_stage
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
-from roslens.source.workspace.acceptances import Acceptance, Acceptances, read_acceptances
+from roslens.source.workspace.acceptances import acceptances_of, read_acceptances
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
 from roslens.source.workspace.silence import RULES as SUPPRESSION_RULES
 from roslens.source.workspace.silence import Silence
@@ -115,6 +116,7 @@ def analyse(
     log: Path | None = None,
     programs: bool = False,
     beyond: Beyond | None = None,
+    unchanged: Mapping[str, str] | None = None,
 ) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 
@@ -130,6 +132,7 @@ def analyse(
         log: where output of plug-ins and tracebacks go.
         programs: whether files are also kept as the programs from which a graph is extracted, from the same parse.
         beyond: a look at all of it that is part of the run.
+        unchanged: hashes of files by path; packages of which all files have these are left out.
 
     Raises:
         UsageError: a path does not exist, or an option of a plug-in is wrong.
@@ -144,6 +147,9 @@ def analyse(
     accepted, unread = read_acceptances(base / ACCEPTED)
     known = cache.stats(now_s=clock.epoch_s)
     inventory = take_inventory(workspace, settings.workspace, known)
+    everything = workspace.packages
+    if unchanged is not None:
+        workspace = with_changes(workspace, inventory.files, unchanged)
     plugins = discover_plugins(settings, base, log)
     if settings.options:
         check_options(_manifests(settings, plugins), settings.options)
@@ -157,7 +163,7 @@ def analyse(
         # What such a plug-in says of one package may come from a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
     tools = tool_stage(settings, workspace, inventory.files, cache, jobs=jobs or os.cpu_count() or 1)
-    silence = Silence(settings.ignore, Acceptances(accepted, _paths(inventory)))
+    silence = Silence(settings.ignore, acceptances_of(accepted, inventory.files))
     units = {
         found.package.id: key_of(
             shaping,
@@ -166,7 +172,7 @@ def analyse(
             inventory.others[found.package.id],
             _packaging(found),
             *([tools.key_of_package(found.package.id)] if tools else ()),
-            *_accepted_in(silence, found),
+            *silence.acceptances.shaping(file.path for file in found.files),
         )
         for found in workspace.packages
     }
@@ -175,7 +181,7 @@ def analyse(
     key = key_of(units, failures, inventory.failures, plugins.failures, accepted, *further)
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
-    if gone := known.keys() - {file.path for found in workspace.packages for file in found.files}:
+    if gone := known.keys() - {file.path for found in everything for file in found.files}:
         cache.forget(gone)
     if (before := store.run_with(key)) is not None:
         return Answer(before, fresh=False, measured=0, packages=number_of_packages(units))
@@ -230,16 +236,6 @@ def _manifests(settings: SourceSettings, plugins: Discovered) -> dict[str, Manif
 
     tools = {name: tool_named(name).manifest for name in TOOLS if name in settings.options}
     return {**tools, **{member.name: member.manifest for member in plugins.members}}
-
-
-def _paths(inventory: Inventory) -> frozenset[str]:
-    return frozenset(file.path for held in inventory.files.values() for file in held)
-
-
-def _accepted_in(silence: Silence, found: FoundPackage) -> tuple[tuple[Acceptance, ...], ...]:
-    """Return what of the accepted findings shapes the result of a package."""
-    entries = silence.acceptances.of_files([file.path for file in found.files])
-    return (entries,) if entries else ()
 
 
 def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:

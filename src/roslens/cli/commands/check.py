@@ -6,9 +6,12 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from roslens.cli.baseline import add_baseline_arguments
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.check_gate import gated
 from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
+from roslens.cli.check_scope import scope_of, unchanged_files
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.tools_option import add_tools_arguments, tell_not_run
 from roslens.cli.trust_option import add_trust_argument, admitted_by
@@ -30,6 +33,9 @@ EXAMPLES = """\
   roslens check --format junit=build/roslens.xml             text on the screen, JUnit in the file
   roslens check --format github                              annotations in a workflow of GitHub
   roslens check --tag 'complexity and not test' --fail-on warning
+  roslens check --baseline origin/main --new-only            what this branch brings
+  roslens check --baseline report.json                       all, with what is new since a report
+  roslens check --changed                                    findings in files that differ from HEAD
   roslens check --graph                  also what does not fit together once the launch files are started"""
 
 
@@ -56,6 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     parser.add_argument("--no-cache", action="store_true", help="read every file again")
     parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")
+    add_baseline_arguments(parser)
     add_trust_argument(parser)
     add_graph_argument(parser)
     add_tools_arguments(parser)
@@ -86,7 +93,9 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
     root = root_of(options.paths)
     configuration = admitted_by(options, find_configuration(root, options.config))
-    with Store.open(None if options.no_store else own_folder(root) / STORE) as store:
+    unchanged = unchanged_files(options, root)
+    kept = None if options.no_store or unchanged is not None else own_folder(root) / STORE
+    with Store.open(kept) as store:
         outcome = analysed(
             options,
             root,
@@ -95,6 +104,7 @@ def run(options: argparse.Namespace) -> int:
             store=store,
             progress=progress_for(options),
             begun=begun,
+            unchanged=unchanged,
         )
         view = store.view(outcome.run)
         wanted = Wanted(
@@ -103,19 +113,23 @@ def run(options: argparse.Namespace) -> int:
             options.fail_on or configuration.fail_on,
             configuration.accept_partial if options.accept_partial is None else options.accept_partial,
         )
-        write_outputs(chosen, options, view, wanted)
+        scope = scope_of(
+            options, view, wanted, root=root, store=store, configuration=configuration, unchanged=unchanged
+        )
+        scope = gated(scope, configuration.gate)
+        write_outputs(chosen, options, scope.shown, scope.wanted)
         if not options.quiet:
             tell_not_run(view.header)
             took = time.monotonic() - begun
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)
-        return _exit_code(view, wanted)
+        return _exit_code(scope.judged, scope.wanted)
 
 
 def _exit_code(view: RunView, wanted: Wanted) -> int:
     from roslens.report.not_analysed import not_analysed
 
-    if _fails(view, wanted):
+    if _fails(view, wanted) or any(one.holds is False for one in wanted.gate):
         return FINDINGS
     return NOT_ANALYSED if not_analysed(view, accept_partial=wanted.accept_partial) else CLEAN
 

@@ -8,9 +8,8 @@ same name, by rule, entity and message.
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path, PurePosixPath
 
 import msgspec
@@ -19,14 +18,13 @@ import tomli
 from roslens.intake.bounded_file import read_bounded
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
+from roslens.model.same_finding import said, within_file
 from roslens.model.set_aside import Disposition
-from roslens.model.source import Location
+from roslens.model.source import Location, SourceFile
 
 FILE_NAME = "roslens.accepted.toml"
 MOST_BYTES = 20_000_000
 """A larger file is not read."""
-
-_NUMBER = re.compile(r"\d[\d.,]*")
 
 
 class Acceptance(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
@@ -125,11 +123,10 @@ class Acceptances:
         """Whether there is any entry."""
         return bool(self.entries)
 
-    def of_files(self, files: Collection[str]) -> tuple[Acceptance, ...]:
-        """Return the entries that can concern a package with these files: what its result depends on."""
-        if not self.entries:
-            return ()
-        return tuple(entry for file in sorted({*files, ""}) for entry in self._at.get(file, ()))
+    def shaping(self, files: Iterable[str]) -> Iterator[tuple[Acceptance, ...]]:
+        """Yield what the result of a package with these files depends on: entries that can concern it, if any."""
+        if self.entries and (found := tuple(entry for file in sorted({*files, ""}) for entry in self._at[file])):
+            yield found
 
     def of(self, finding: Finding) -> Acceptance | None:
         """Return the entry by which a finding is accepted."""
@@ -146,18 +143,12 @@ def _same(entry: Acceptance, finding: Finding) -> bool:
     """Return whether an entry of a file that moved says the same of it; numbers and the file's path may differ."""
     if entry.rule != finding.rule or within_file(entry.entity) != within_file(finding.entity):
         return False
-    return _said(entry.message, entry.path) == _said(finding.message, finding.path)
+    return said(entry.message, entry.path) == said(finding.message, finding.path)
 
 
-def _said(message: str, path: str) -> str:
-    return _NUMBER.sub("0", message.replace(path, "") if path else message)
-
-
-def within_file(entity: str) -> str:
-    """Return what of an entity's id does not depend on where its file is."""
-    kind, _, name = entity.partition(":")
-    _, separator, inside = name.partition("#")
-    return f"{kind}:{inside}" if separator else kind
+def acceptances_of(entries: Sequence[Acceptance], files: Mapping[str, Sequence[SourceFile]]) -> Acceptances:
+    """Return the entries for a run with these files of each package."""
+    return Acceptances(entries, frozenset(file.path for held in files.values() for file in held) if entries else ())
 
 
 def to_toml(entries: Sequence[Acceptance]) -> str:

@@ -1,0 +1,208 @@
+"""``--baseline``, ``--new-only`` and ``--changed`` of ``roslens check``, on a small repository."""
+
+import json
+import os
+import subprocess
+
+import pytest
+
+from roslens.cli.main import main
+
+LIMITS_ONLY = '[rules]\ndisable = ["*"]\n'
+CALLS = "def {}(step):\n" + "".join(f"    step.move_{number}()\n" for number in range(12)) + "    return step\n\n\n"
+
+
+def git(folder, *arguments):
+    who = {f"GIT_{role}_{what}": "a@b.c" for role in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+    environment = {**os.environ, **who, "GIT_CONFIG_GLOBAL": "/dev/null"}
+    command = ["git", "-C", str(folder), "-c", "init.defaultBranch=main", *arguments]
+    subprocess.run(command, check=True, capture_output=True, env=environment)
+
+
+@pytest.fixture
+def walking(talking):
+    (talking / "talk/talk/walking.py").write_text(CALLS.format("walk"))
+    (talking / ".gitignore").write_text(".roslens\n")
+    (talking / "roslens.toml").write_text(LIMITS_ONLY)
+    git(talking, "init", "-q")
+    git(talking, "add", ".")
+    git(talking, "commit", "-qm", "first")
+    return talking
+
+
+def add_finding(root, name="run"):
+    with (root / "talk/talk/walking.py").open("a") as stream:
+        stream.write(CALLS.format(name))
+
+
+def check(root, capsys, *more, code, form="json"):
+    assert (
+        main(["check", str(root), "--format", form, "--jobs", "1", "-q", "--no-graph", "--fail-on", "note", *more])
+        == code
+    )
+    out = capsys.readouterr().out
+    return json.loads(out) if form in {"json", "sarif"} else out
+
+
+def calls(report):
+    return [one["entity"].partition("#")[2] for one in report["findings"] if one["rule"] == "ros.calls.max"]
+
+
+@pytest.mark.parametrize("name", ["HEAD", "main"])
+def test_a_revision(walking, capsys, name):
+    assert check(walking, capsys, "--baseline", name, "--new-only", code=0)["findings"] == []
+    add_finding(walking)
+    report = check(walking, capsys, "--baseline", name, "--new-only", code=1)
+    assert calls(report) == ["run(step)"]
+    assert len(report["files"]) > 1
+    whole = check(walking, capsys, "--baseline", name, code=1)
+    assert {
+        one["entity"].partition("#")[2]: one["new"] for one in whole["findings"] if one["rule"] == "ros.calls.max"
+    } == {
+        "walk(step)": False,
+        "run(step)": True,
+    }
+
+
+def test_a_rename_is_not_new(walking, capsys):
+    git(walking, "mv", "talk/talk/walking.py", "talk/talk/striding.py")
+    git(walking, "commit", "-qm", "renamed")
+    assert check(walking, capsys, "--baseline", "HEAD~1", "--new-only", code=0)["findings"] == []
+
+
+def test_what_others_changed_meanwhile_is_not_new(walking, capsys):
+    git(walking, "checkout", "-qb", "topic")
+    git(walking, "checkout", "-q", "main")
+    (walking / "talk/talk/walking.py").write_text("")
+    git(walking, "commit", "-qam", "main has mended it")
+    git(walking, "checkout", "-q", "topic")
+    assert check(walking, capsys, "--baseline", "main", "--new-only", code=0)["findings"] == []
+
+
+@pytest.mark.parametrize("form", ["json", "sarif"])
+def test_a_report(walking, capsys, tmp_path, form):
+    kept = tmp_path / f"kept.{form}"
+    assert main(["check", str(walking), "-o", str(kept), "--jobs", "1", "-q", "--no-graph"]) == 0
+    assert check(walking, capsys, "--baseline", str(kept), "--new-only", code=0)["findings"] == []
+    add_finding(walking)
+    results = check(walking, capsys, "--baseline", str(kept), code=1, form="sarif")["runs"][0]["results"]
+    states = {
+        one["locations"][0]["logicalLocations"][0]["fullyQualifiedName"].partition("#")[2]: one["baselineState"]
+        for one in results
+        if one["ruleId"] == "ros.calls.max"
+    }
+    assert states == {"walk(step)": "unchanged", "run(step)": "new"}
+
+
+def test_a_kept_run(walking, capsys):
+    check(walking, capsys, code=1)
+    add_finding(walking)
+    assert calls(check(walking, capsys, "--baseline", "last", "--new-only", code=1)) == ["run(step)"]
+    assert calls(check(walking, capsys, "--baseline", "1", "--new-only", code=1)) == ["run(step)"]
+    text = check(walking, capsys, "--baseline", "1", code=1, form="text")
+    assert "New since run 1: " in text
+    assert "gone: 0" in text
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("no-such-branch", 'git knows no revision "no-such-branch"'),
+        ("mian", "Did you mean main?"),
+        ("77", "no such run is kept"),
+        ("gone.json", "no such file"),
+        ("{other}", "is of another workspace"),
+        ("{garbage}", "cannot be read"),
+        ("{none}", "is no report of roslens"),
+        ("{broken}", "is not as it was written"),
+    ],
+)
+def test_a_baseline_that_is_wrong_is_a_failure_and_the_results_stand(walking, capsys, tmp_path, name, said):
+    files = {
+        "other": {"schema": "roslens-report/1", "files": [{"path": "x/y.py", "content_hash": ""}], "findings": []},
+        "none": [],
+        "broken": {"schema": "roslens-report/1", "files": 3, "findings": [{}]},
+    }
+    for key, content in files.items():
+        (tmp_path / key).write_text(json.dumps(content))
+    (tmp_path / "garbage").write_text('{"')
+    given = name.format(**{key: tmp_path / key for key in (*files, "garbage")})
+    report = check(walking, capsys, "--baseline", given, "--new-only", "--fail-on", "never", code=3)
+    assert calls(report) == ["walk(step)"]
+    (failure,) = report["failures"]
+    assert failure["tool"] == "baseline"
+    assert said in f"{failure['what']}; {failure['expected']}. {failure['advice']}"
+
+
+def test_only_what_changed(walking, capsys):
+    (walking / "other").mkdir()
+    (walking / "other/package.xml").write_text((walking / "talk/package.xml").read_text().replace("talk", "other"))
+    (walking / "other/pacing.py").write_text(CALLS.format("pace"))
+    git(walking, "add", ".")
+    git(walking, "commit", "-qm", "second")
+    assert check(walking, capsys, "--changed", code=0)["packages"] == []
+    (walking / "talk/talk/fresh.py").write_text(CALLS.format("fresh"))
+    report = check(walking, capsys, "--changed", code=1)
+    assert (calls(report), [one["name"] for one in report["packages"]]) == (["fresh(step)"], ["talk"])
+    assert calls(check(walking, capsys, "--changed", "HEAD~1", code=1)) == ["pace(step)", "fresh(step)"]
+    # Nothing of it is kept, and a whole run has everything again.
+    assert not (walking / ".roslens/store.sqlite").exists()
+    assert len(calls(check(walking, capsys, code=1))) == 3
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--new-only"], "--new-only without --baseline"),
+        (["--changed", "HEAD", "--baseline", "HEAD"], "--changed with --baseline"),
+        (["--changed", "nowhere"], 'git knows no revision "nowhere"'),
+    ],
+)
+def test_options_that_mean_nothing(walking, capsys, words, said):
+    assert main(["check", str(walking), "-q", *words]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_changed_outside_of_a_repository_is_told(talking, capsys):
+    assert main(["check", str(talking), "-q", "--changed"]) == 2
+    assert "git repository" in capsys.readouterr().err
+
+
+def gate(root, text):
+    (root / "roslens.toml").write_text(f"{LIMITS_ONLY}[gate]\n{text}\n")
+    return ["check", str(root), "--jobs", "1", "-q", "--no-graph"]
+
+
+def test_the_gate_decides_and_says_why(walking, capsys):
+    words = gate(walking, "notes = 0\nnew_notes = 0\ncomment_ratio_of_new_code = 20")
+    assert main([*words, "--baseline", "HEAD"]) == 1
+    out = capsys.readouterr().out
+    assert "Gate is broken: " in out
+    assert "Gate holds: 0 new notes, at most 0" in out
+    assert "Gate holds: comment ratio of new code: there is no such code" in out
+    words = gate(walking, "new_notes = 0")
+    assert main([*words, "--baseline", "HEAD"]) == 0
+    add_finding(walking)
+    assert main([*words, "--baseline", "HEAD"]) == 1
+    (walking / "talk/talk/fresh.py").write_text("x = 1\n")
+    words = gate(walking, "comment_ratio_of_new_code = 20")
+    assert main([*words, "--baseline", "HEAD"]) == 1
+    assert "comment ratio of new code 0 %, at least 20 %" in capsys.readouterr().out
+
+
+def test_a_gate_that_cannot_be_told_is_not_passed(walking, capsys, tmp_path):
+    words = gate(walking, "new_errors = 0")
+    assert main(words) == 3
+    assert "Give --baseline REV, RUN or a JSON report" in " ".join(capsys.readouterr().out.split())
+    kept = tmp_path / "kept.sarif"
+    main([*words, "-o", str(kept)])
+    assert main([*words, "--baseline", str(kept)]) == 0
+    assert main([*gate(walking, "comment_ratio_of_new_code = 1"), "--baseline", str(kept)]) == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "said"), [("", "asks for nothing"), ("new_error = 0", "new_errors"), ('errors = "x"', "int")]
+)
+def test_a_wrong_gate_is_told(walking, capsys, text, said):
+    assert main(gate(walking, text)) == 2
+    assert said in capsys.readouterr().err

@@ -1,0 +1,34 @@
+"""The conditions of a gate: each holds, is broken, or cannot be told; never the last as one of the others."""
+
+import pytest
+
+from roslens.judge.gate import GateConditions, GateFacts, Lines, evaluate
+
+FACTS = GateFacts({"errors": 2}, Lines(200, 30), {"errors": 0, "warnings": 3}, Lines(50, 20))
+
+
+@pytest.mark.parametrize(
+    ("conditions", "facts", "holds", "text"),
+    [
+        (GateConditions(errors=1), FACTS, False, "2 errors, at most 1"),
+        (GateConditions(errors=2), FACTS, True, "2 errors, at most 2"),
+        (GateConditions(warnings=0), FACTS, True, "0 warnings, at most 0"),
+        (GateConditions(new_errors=0), FACTS, True, "0 new errors, at most 0"),
+        (GateConditions(new_warnings=2), FACTS, False, "3 new warnings, at most 2"),
+        (GateConditions(comment_ratio=20), FACTS, False, "comment ratio 15 %, at least 20 %"),
+        (GateConditions(comment_ratio_of_new_code=20), FACTS, True, "comment ratio of new code 40 %, at least 20 %"),
+        (GateConditions(new_errors=0), GateFacts({}, Lines()), None, "new errors: not known without --baseline"),
+        (GateConditions(comment_ratio_of_new_code=1), GateFacts({}, Lines()), None, "not known without --baseline"),
+        (GateConditions(comment_ratio=1), GateFacts({}, Lines()), True, "there is no such code"),
+    ],
+)
+def test_a_condition(conditions, facts, holds, text):
+    (one,) = evaluate(conditions, facts)
+    assert one.holds is holds
+    assert text in one.text
+
+
+def test_all_that_are_asked_for_in_their_order():
+    found = evaluate(GateConditions(comment_ratio=1, new_notes=9, notes=1), FACTS)
+    assert [one.condition for one in found] == ["notes", "new_notes", "comment_ratio"]
+    assert list(evaluate(GateConditions(), FACTS)) == []

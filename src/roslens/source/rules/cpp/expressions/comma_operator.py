@@ -14,14 +14,25 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each comma that separates expressions, but for the head of a loop."""
-    if node.parent is None or node.parent.type not in ("for_statement", "comma_expression"):
-        yield view.hit("cpp.comma_operator", node, f"`{view.text(node)[:60]}`; expected two statements")
+    around = node.parent
+    if around is not None and around.type in ("for_statement", "comma_expression", "argument_list"):
+        return
+    first = node.child_by_field_name("left")
+    while first is not None and first.type == "comma_expression":
+        first = first.child_by_field_name("left")
+    if first is not None and (
+        first.type != "binary_expression" or view.text(first.child_by_field_name("operator")) != "<<"
+    ):
+        yield view.hit(
+            "cpp.comma_operator", node, f"`{view.text(node)[:60]}` are two expressions; expected two statements"
+        )
 
 
 RULE = FileRule(
     id="cpp.comma_operator",
     title="Comma operator",
-    finds="The comma operator outside of the head of a `for`. Write two statements.",
+    finds="The comma operator outside of the head of a `for`. Lists such as `matrix << 1, 2;` of Eigen are let "
+    "be. Write two statements.",
     why="What looks like an argument or a condition is thrown away: `at(i, j)` and `at[i, j]` are not the same.",
     severity=Severity.NOTE,
     profiles=(
@@ -31,7 +42,6 @@ RULE = FileRule(
         "autosar-cpp14",
         "jsf-av",
         "safety",
-        "paper2016",
     ),
     clauses=(
         "misra-cpp-2008 5-18-1",

@@ -19,8 +19,9 @@ _TAKE_MODES = re.compile(r"(?:chmod|mkdir|open|umask|creat|mkfifo|mode|perm)\w*$
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each number that begins with 0 and has more digits."""
-    for _match, node in places(_OCTAL, view):
-        if node.type != "number_literal" or view.text(node).strip("0uUlL") == "":
+    for match, node in places(_OCTAL, view):
+        text = view.text(node)
+        if node.type != "number_literal" or text.strip("0uUlL") == "" or text.encode() != match[0]:
             continue
         call = above(
             node,
@@ -38,9 +39,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             )
             if _TAKE_MODES.search(view.text(target)):
                 continue
-        yield view.hit(
-            "cpp.octal_constant", node, f"`{view.text(node)}` is octal; expected a decimal or hexadecimal number"
-        )
+        yield view.hit("cpp.octal_constant", node, f"`{text}` is octal; expected a decimal or hexadecimal number")
 
 
 RULE = FileRule(

@@ -1,0 +1,45 @@
+"""Rule ``cpp.forward_declaration``: a declaration of a name in another class."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import lines_of
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_DECLARED = re.compile(rb"^[ \t]*(?:class|struct)[ \t]+\w+(?:::\w+)+[ \t]*;", re.MULTILINE)
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each forward declaration with a scope."""
+    for match, line in lines_of(_DECLARED, view):
+        text = match[0].decode("utf-8", "replace").strip()
+        yield view.hit_at("cpp.forward_declaration", line, f"`{text}` declares nothing; expected an include")
+
+
+RULE = FileRule(
+    id="cpp.forward_declaration",
+    title="Forward declaration inside of a class",
+    finds="`class A::B;` declares nothing. Include the header of `A`.",
+    why="With one compiler it compiles.",
+    severity=Severity.WARNING,
+    profiles=(
+        "google",
+        "paper2016",
+    ),
+    clauses=(
+        "cpplint build/forward_decl",
+        "paper2016 invalid_forward_declaration",
+    ),
+    bad="class A::B;\n",
+    good="class B;\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

@@ -1,0 +1,61 @@
+"""Rule ``cpp.removed_library``: a part of the library that is gone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each name that is written with ``std::``."""
+    if view.code[: node.start_byte].rstrip()[-5:] == b"std::" and node.type in ("identifier", "type_identifier"):
+        yield view.hit(
+            "cpp.removed_library", node, f"`std::{view.text(node)}` was removed in C++17; expected what replaces it"
+        )
+
+
+RULE = FileRule(
+    id="cpp.removed_library",
+    title="Part of the standard library that was removed",
+    finds="`std::auto_ptr`, `std::random_shuffle`, `std::bind1st`, `std::bind2nd`, `std::mem_fun`, "
+    "`std::mem_fun_ref`, `std::ptr_fun`, `std::unary_function`, `std::binary_function` and "
+    "`std::unexpected_handler` were removed in C++17. Use `std::unique_ptr`, `std::shuffle`, lambdas.",
+    why="The package does not compile with the next distribution; `std::auto_ptr` also moves where it seems to copy.",
+    severity=Severity.WARNING,
+    profiles=(
+        "ros2",
+        "ros1",
+        "hicpp",
+        "autosar-cpp14",
+        "safety",
+        "paper2016",
+    ),
+    clauses=(
+        "hicpp 1.3.3",
+        "autosar-cpp14 A18-1-3",
+        "paper2016 harosDeprecatedSTL",
+        "clang-tidy modernize-replace-auto-ptr",
+    ),
+    bad="std::auto_ptr<int> p;\n",
+    good="std::unique_ptr<int> p;\n",
+    syntax="cpp",
+    anchors=(
+        "auto_ptr",
+        "random_shuffle",
+        "bind1st",
+        "bind2nd",
+        "mem_fun",
+        "mem_fun_ref",
+        "ptr_fun",
+        "unary_function",
+        "binary_function",
+        "unexpected_handler",
+    ),
+    found=found,
+)

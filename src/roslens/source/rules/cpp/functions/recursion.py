@@ -1,0 +1,72 @@
+"""Rule ``cpp.recursion``: a function that calls itself."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
+from roslens.source.rules.cpp_statement import arguments_of
+from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each call of the function around it."""
+    body, declarator = node.child_by_field_name("body"), function_declarator(node)
+    name = view.text(name_node(declarator))
+    last = name.rpartition("::")[2]
+    if body is None or declarator is None or not last.isidentifier():
+        return
+    code = view.code[body.start_byte : body.end_byte]
+    if last.encode() not in code:
+        return
+    parameters = parameters_of(declarator)
+    least = sum(one.type == "parameter_declaration" for one in parameters)
+    for match in re.finditer(
+        rb"(?<![\w.>:~])(?:this\s*->\s*|%s::)?(%s)\s*\("
+        % (re.escape(name.rpartition("::")[0].encode()), last.encode()),
+        code,
+    ):
+        found_at = view.node_at(body.start_byte + match.start(1), body.start_byte + match.end(1))
+        call = above(found_at, "call_expression") if found_at is not None else None
+        function = call.child_by_field_name("function") if call is not None else None
+        if call is None or function is None or function.end_byte != body.start_byte + match.end(1):
+            continue
+        if least <= len(arguments_of(call)) <= len(parameters):
+            yield view.hit("cpp.recursion", call, f"`{last}` calls itself; expected a loop, or a bound on the depth")
+            return
+
+
+RULE = FileRule(
+    id="cpp.recursion",
+    title="Function that calls itself",
+    finds="A function that calls itself with as many arguments as it takes. Use a loop, or a bound on the depth.",
+    why="How much stack it takes is up to the data: a deep tree or a long path ends the node.",
+    severity=Severity.NOTE,
+    profiles=(
+        "hicpp",
+        "misra-cpp-2008",
+        "misra-cpp-2023",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+    ),
+    clauses=(
+        "misra-cpp-2008 7-5-4",
+        "misra-cpp-2023 8.2.10",
+        "autosar-cpp14 A7-5-2",
+        "jsf-av 119",
+        "hicpp 5.2.2",
+        "clang-tidy misc-no-recursion",
+    ),
+    bad="int f(int n) { return n ? n * f(n - 1) : 1; }\n",
+    good="int f(int n) { int r = 1; while (n) r *= n--; return r; }\n",
+    syntax="cpp",
+    kinds=("function_definition",),
+    found=found,
+)

@@ -1,0 +1,51 @@
+"""Rule ``cpp.single_exit``: a function that is left in several places."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.cpp_class import function_declarator, name_node
+from roslens.source.rules.file_view import FileView, below
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each function with more than one return of its own."""
+    body = node.child_by_field_name("body")
+    if body is None or len(_RETURN.findall(view.code, body.start_byte, body.end_byte)) < 2:
+        return
+    returns = list(below(body, "return_statement", inside=("lambda_expression", "class_specifier", "struct_specifier")))
+    if len(returns) > 1:
+        name = view.text(name_node(function_declarator(node)))
+        yield view.hit("cpp.single_exit", returns[0], f"{len(returns)} returns in `{name}`; expected one at the end")
+
+
+_RETURN = re.compile(rb"\breturn\b")
+
+
+RULE = FileRule(
+    id="cpp.single_exit",
+    title="More than one `return`",
+    finds="A function with more than one `return`. Leave it at its end.",
+    why="Standards ask for it, so that what was taken is given back in one place. With destructors that do so "
+    "it costs more than it gives, and is on by name only.",
+    severity=Severity.NOTE,
+    profiles=(
+        "misra-cpp-2008",
+        "jsf-av",
+    ),
+    clauses=(
+        "misra-cpp-2008 6-6-5",
+        "jsf-av 113",
+    ),
+    bad="int f(int a) { if (a) return 1; return 2; }\n",
+    good="int f(int a) { int r = 2; if (a) r = 1; return r; }\n",
+    syntax="cpp",
+    kinds=("function_definition",),
+    found=found,
+)

@@ -1,0 +1,45 @@
+"""Rule ``cpp.six_parameters``: a function that takes much."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each function with more than six parameters."""
+    declarator = function_declarator(node)
+    count = len(parameters_of(declarator)) if declarator is not None else 0
+    if declarator is not None and count > 6:
+        name = view.text(name_node(declarator))
+        yield view.hit("cpp.six_parameters", declarator, f"{count} parameters (limit 6) in `{name}`; expected a struct")
+
+
+RULE = FileRule(
+    id="cpp.six_parameters",
+    title="More than six parameters",
+    finds="A function with more than six parameters. Pass a struct.",
+    why="Two of seven numbers are exchanged at some call, and nobody sees it.",
+    severity=Severity.NOTE,
+    profiles=(
+        "hicpp",
+        "paper2016",
+    ),
+    clauses=(
+        "hicpp 8.2.2",
+        "paper2016 harosSixParams",
+        "clang-tidy readability-function-size",
+    ),
+    bad="void f(int a, int b, int c, int d, int e, int g, int h) {}\n",
+    good="void f(const Limits& limits) {}\n",
+    syntax="cpp",
+    kinds=("function_definition",),
+    found=found,
+)

@@ -11,6 +11,8 @@ OWN = {
     "dashboard/computation/to_svg.py": "comes with roslens",
     "dashboard/export.py": "comes with roslens, and the mark of a folder that roslens wrote",
     "dashboard/single_file.py": "comes with roslens",
+    "source/rules/precision.py": "comes with roslens",
+    "source/tools/witnesses.py": "comes with roslens",
     "live/adapters/bag/source.py": "reads a recording piece by piece, never beyond its end",
     "live/adapters/ros1/definition.py": "comes with roslens",
     "live/adapters/ros1/place.py": "of the kernel",

@@ -21,6 +21,9 @@ PIECE_ENDINGS = frozenset({".ipp", ".tpp", ".inl"})
 
 _PIECE_STEMS = ("-inl", "_inl", "-impl", "_impl", ".impl", ".inl")
 
+FORM_ENDING = ".ui.h"
+"""The end of a file of code of Qt Designer, which is included once by what is generated."""
+
 
 def place_hits(
     hits: Mapping[str, Iterable[Hit]],
@@ -60,7 +63,7 @@ def place_hits(
 
 def _counted(path: PurePosixPath) -> tuple[str, ...]:
     suffix = path.suffix.lower()
-    if suffix not in HEADER_ENDINGS:
+    if suffix not in HEADER_ENDINGS or path.name.endswith(FORM_ENDING):
         return (SOURCE,)
     is_piece = suffix in PIECE_ENDINGS or path.stem.lower().endswith(_PIECE_STEMS)
     return (HEADER,) if is_piece else (HEADER, GUARDED)

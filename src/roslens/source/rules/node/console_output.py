@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -11,11 +12,12 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _ROS = (b"ros/", b"rclcpp/")
+_MAIN = re.compile(rb"\bint\s+main\s*\(")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield each use of a stream of the console in a file that knows ROS."""
-    if any(word in view.content for word in _ROS):
+    """Yield each use of a stream of the console in a file that knows ROS and has no ``main`` of its own."""
+    if any(word in view.content for word in _ROS) and not _MAIN.search(view.code):
         yield view.hit(
             "node.console_output",
             node,
@@ -26,7 +28,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.console_output",
     title="Console output past the logger",
-    finds="`std::cout` or `std::cerr` in a file that includes ROS. Use the logging macros instead.",
+    finds="`std::cout` or `std::cerr` in a file that includes ROS and has no `main`. A program "
+    "may talk to its console; elsewhere use the logging macros.",
     why="What is not logged has no severity, no time and no node name, and is in no log file and on no /rosout: after "
     "a failure in the field it is gone.",
     profiles=("ros2", "ros1"),

@@ -13,7 +13,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _ENDS = re.compile(
-    rb"\b(?:return|co_return|co_yield|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable)\b"
+    rb"\b(?:return|co_return|co_yield|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable|static_assert)\b"
     rb"|\b(?:while|for)\s*\(\s*(?:1|true|;\s*;)\s*\)|#"
 )
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")

@@ -113,7 +113,7 @@ def test_it_says_what_a_reader_asks(rule):
 
 @pytest.mark.parametrize("rule", FILE_RULES, ids=lambda rule: rule.id)
 def test_something_makes_it_look(rule):
-    assert rule.anchors or rule.kinds or rule.whole, "name `anchors`, `kinds` or `whole`"
+    assert rule.anchors or rule.kinds or rule.quoted or rule.whole, "name `anchors`, `kinds`, `quoted` or `whole`"
     import tree_sitter_cpp
     import tree_sitter_python
 

@@ -26,6 +26,24 @@ STAMPED = frozenset(
 )
 """Of geometry_msgs, nav_msgs, sensor_msgs, visualization_msgs, diagnostic_msgs, stereo_msgs."""
 
+FAST = frozenset(
+    (
+        *("Image", "CompressedImage", "CameraInfo", "LaserScan", "PointCloud", "PointCloud2", "Imu", "JointState"),
+        *(
+            "Odometry",
+            "Twist",
+            "TwistStamped",
+            "NavSatFix",
+            "MagneticField",
+            "Range",
+            "Clock",
+            "TFMessage",
+            "WheelTicks",
+        ),
+    )
+)
+"""Messages that come ten times a second and more."""
+
 LARGE = frozenset(
     (
         *("Image", "CompressedImage", "PointCloud", "PointCloud2", "LaserScan", "OccupancyGrid", "Path", "MarkerArray"),

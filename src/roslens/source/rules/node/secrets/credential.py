@@ -1,0 +1,79 @@
+"""Rule ``node.credential``: a password or key in the source."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_ASSIGNED = re.compile(
+    rb"""(?i)(?<![\w.])([\w.]*(?:passw(?:or)?d|passphrase|secret_?key|api_?key|access_?key|auth_?token|secret))["']?\]?\s*"""
+    rb"""(?::\s*\w+\s*)?(?:=|:|,|\()\s*["']([^"'\s$<{%*]{6,80})["']"""
+)
+_KNOWN = re.compile(
+    rb"(-----BEGIN (?:RSA |EC |OPENSSH |DSA )?PRIVATE KEY-----|\bAKIA[0-9A-Z]{16}\b|\bghp_[A-Za-z0-9]{36}\b|"
+    rb"\bxox[bp]-[0-9A-Za-z-]{20,}|\bAIza[0-9A-Za-z_-]{35}\b|\bglpat-[0-9A-Za-z_-]{20})"
+)
+NAMES = (
+    *("assword", "asswd", "ASSWORD", "ASSWD", "assphrase", "ecret", "ECRET", "pi_key", "piKey", "PI_KEY", "ccess_key"),
+    *("auth_token", "AUTH_TOKEN", "PRIVATE KEY", "AKIA", "ghp_", "AIza", "glpat-", "xoxb-", "xoxp-"),
+)
+"""What a file with a secret mentions: looking for these is quicker than for the patterns."""
+
+_NO_SECRET = re.compile(
+    rb"(?i)^(password|passwd|secret|changeme|example|your|default|none|null|true|false|test|xxx+|\.+)|_|/"
+)
+
+
+def found(_node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each place of a file that looks like a key, or gives a password a literal value."""
+    return secrets_of(view, "node.credential")
+
+
+def secrets_of(view: FileView, rule: str) -> Iterator[Hit]:
+    """Yield the secrets of a file in any language; the message shows none of them."""
+    for match in _KNOWN.finditer(view.content):
+        line, column = view.place(match.start())
+        message = f"`{match[1][:8].decode()}…`, the beginning of a key, in the source; {_EXPECTED}"
+        yield _without_text(view.hit_at(rule, line, message, column=column), "key")
+    for match in _ASSIGNED.finditer(view.content):
+        if _NO_SECRET.search(match[2]) or view.code[match.start(1)] in b" \t\n":
+            continue
+        line, column = view.place(match.start())
+        name = match[1].decode("utf-8", "replace")
+        message = f"`{name}` has a literal value of {len(match[2])} characters in the source; {_EXPECTED}"
+        yield _without_text(view.hit_at(rule, line, message, column=column), name)
+
+
+_EXPECTED = "expected it from the environment or a file outside of the repository, and this one changed"
+
+
+def _without_text(hit: Hit, context: str) -> Hit:
+    import msgspec
+
+    return msgspec.structs.replace(hit, context=context)
+
+
+RULE = FileRule(
+    id="node.credential",
+    title="Password or key in the source",
+    finds="A variable or argument named as a password, secret or key that is given a literal value, or the beginning "
+    "of a known "
+    "kind of key. Read it from the environment, and change it: it is in the history.",
+    why="Every clone and every robot has it, and whoever reads the repository can log in to all of them.",
+    profiles=("ros2", "ros1"),
+    tags=("security",),
+    clauses=("cwe 798",),
+    bad='const char * password = "r0bot-4711";\n',
+    good='const char * password = std::getenv("ARM_PASSWORD");\n',
+    syntax="cpp",
+    whole=True,
+    mentions=NAMES,
+    spares_tests=True,
+    found=found,
+)

@@ -1,4 +1,5 @@
-# The commands to learn: demo, demo-live, demo-ros2, test, nightly, quick, lint, docs, accuracy, lock, bench, testbed.
+# The commands to learn: demo, demo-live, demo-ros2, test, nightly, quick, lint, docs, accuracy, lock, bench, testbed,
+# fuzz, mutants.
 PYTHON ?= python3
 WS ?= examples/workspace
 PORT ?= 8080
@@ -12,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings accuracy lock lock-ros2 bench sites clean
+.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings accuracy fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -46,6 +47,7 @@ nightly: parts lint
 	sh .ci/ros-source ros-geometry ros-image-pipeline ros-robot-state-publisher
 	ROSLENS_NIGHTLY=1 $(BIN)/pytest -n auto --dist worksteal -m "not slow"
 	$(BIN)/pytest -m slow $(ALONE)
+	$(MAKE) mutants ARGS="--seed $$(date +%j)"
 
 # Speed, size and whole robots alone; wants an otherwise idle machine.
 slow: parts lint
@@ -88,6 +90,14 @@ graph-findings: .venv/stamp
 accuracy: parts
 	sh .ci/ros-source ros-geometry ros-image-pipeline ros-robot-state-publisher
 	PYTHONPATH=tests $(BIN)/python -m accuracy $(ARGS)
+
+# Try mutated files of every kind that is read, and keep what fails in tests/fixtures/fuzz. ARGS="cpp --minutes 30"
+fuzz: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m fuzz $(ARGS)
+
+# Change source in one place and see whether tests notice: docs/mutants.md. ARGS="window --each 0" for all of a part.
+mutants: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m mutants $(ARGS)
 
 lock:
 	$(BIN)/python -m pip install --quiet uv

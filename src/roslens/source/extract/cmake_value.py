@@ -7,6 +7,7 @@ that is done with it.
 from __future__ import annotations
 
 import re
+import warnings
 from functools import lru_cache
 
 OPEN, CLOSE = "\ue000", "\ue001"
@@ -168,7 +169,10 @@ def expression_of(pattern: str) -> re.Pattern[str] | None:
             translated.append(sign)
         at += 1
     try:
-        return re.compile("".join(translated), re.DOTALL)
+        with warnings.catch_warnings():
+            # Python warns of what CMake has another meaning for: two hyphens within brackets.
+            warnings.simplefilter("ignore", FutureWarning)
+            return re.compile("".join(translated), re.DOTALL)
     except (re.error, RecursionError, OverflowError):
         return None
 

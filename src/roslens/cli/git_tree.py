@@ -90,7 +90,7 @@ def _joined(lacking: Lacking, entry: _Entry, inner: Lacking | None) -> Lacking:
 
 def _link(folder: Path, place: Path, target: str) -> None:
     inside = os.path.normpath(place.parent / target)
-    if target and not target.startswith("/") and Path(inside).is_relative_to(folder) and not place.exists():
+    if target and not target.startswith("/") and Path(inside).is_relative_to(folder) and not os.path.lexists(place):
         place.parent.mkdir(parents=True, exist_ok=True)
         place.symlink_to(target)
 

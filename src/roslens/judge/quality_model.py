@@ -9,6 +9,7 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.intake.is_there import is_file
 from roslens.judge.constraint import MAX, Constraint, spoken, verb
 from roslens.judge.document import Section, read_document
 from roslens.judge.fold_limits import SUFFIX
@@ -79,7 +80,7 @@ def find_model(name_or_path: str, base: Path) -> Path:
     if name_or_path in builtin_models():
         return MODELS / f"{name_or_path}.yaml"
     path = base / name_or_path
-    if path.is_file():
+    if is_file(path):
         return path
     names = builtin_models()
     raise DocumentError(

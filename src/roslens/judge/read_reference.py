@@ -9,6 +9,7 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.intake.is_there import is_file
 from roslens.judge.document import Section, parse_document, read_document
 from roslens.judge.expectation import Reference
 from roslens.judge.merge_references import merge_references
@@ -105,7 +106,7 @@ class _Reader:
                 raise document.fault(
                     "include", f"{text!r} includes itself", expected="documents that do not include this"
                 )
-            if not included.is_file():
+            if not is_file(included):
                 raise document.fault("include", f"no file {text!r}", expected=f"a path relative to {str(folder)!r}")
             self.read(included, namespace, (*line, path))
         scope = Scope(

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import roslens.judge
+from roslens.intake.is_there import is_file
 from roslens.model.errors import DocumentError
 from roslens.model.quantity import Quantity
 
@@ -44,7 +45,7 @@ def model_key(name: str, base: Path, known: Mapping[str, Quantity]) -> object:
     Raises:
         DocumentError: the model is wrong or not there.
     """
-    if (Path(roslens.judge.__path__[0]) / "models" / f"{name}.yaml").is_file():
+    if is_file(Path(roslens.judge.__path__[0]) / "models" / f"{name}.yaml"):
         return name
     from roslens.judge.quality_model import load_model
 

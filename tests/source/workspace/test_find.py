@@ -316,6 +316,15 @@ def test_links_are_followed_once(tree: Tree) -> None:
     assert workspace.packages[1].folder == str((root / "../elsewhere").resolve())
 
 
+@pytest.mark.parametrize("target", ["a" * 300, "/".join(["b" * 200] * 15), "link"])
+def test_a_link_to_a_name_that_cannot_be_hides_nothing_else(tree: Tree, target: str) -> None:
+    root = tree({"src/a/package.xml": "package:a", "src/a/link": f"link:{target}", "src/a/z.cpp": f"link:{target}"})
+    workspace = find(root)
+    assert [file.path for package in workspace.packages for file in package.files] == ["src/a/package.xml"]
+    assert str(failure(workspace).location) == "src/a/z.cpp"
+    assert "leads nowhere" in failure(workspace).what
+
+
 def test_two_links_to_one_folder_give_it_once(tree: Tree) -> None:
     root = tree({"b": "link:../elsewhere", "a": "link:../elsewhere", "../elsewhere/package.xml": "package:e"})
     assert layout(find(root)) == {"e": ["a/package.xml"]}

@@ -16,6 +16,7 @@ from stat import S_ISREG
 
 import msgspec
 
+from roslens.intake.is_there import is_folder
 from roslens.model.failure import Failure
 from roslens.model.source import Language, Location
 from roslens.source.workspace.languages import language_by_name
@@ -98,7 +99,7 @@ class _Walker:
             links, self._links = sorted(self._links), []
             for path, absolute, owner, beside in links:
                 target = os.path.realpath(absolute)
-                if Path(target).is_dir():
+                if is_folder(target):
                     if not any(start == target or start.startswith(target.rstrip("/") + "/") for start in self._starts):
                         self.follow(_Visit(target, path, owner, beside), named=True)
                     continue

@@ -12,7 +12,7 @@ import numpy as np
 from roslens.live.adapters.bag.block import FOREVER, Block, Bytes, Ints, Load, Message, Portion
 from roslens.live.adapters.bag.channel import Channel
 from roslens.live.adapters.bag.damage import DamageError, FailureLog
-from roslens.live.adapters.bag.decompress import decompress, unpack_start
+from roslens.live.adapters.bag.decompress import LARGEST, decompress, unpack_start
 from roslens.live.adapters.bag.layout import Entries, Layout, Walk
 from roslens.live.adapters.bag.source import Source
 from roslens.live.adapters.bag.stamp import stamps_of
@@ -208,7 +208,10 @@ def walk_chunk(source: Source, layout: Layout, chunk: Chunk) -> tuple[bytes, Wal
 
 
 def _gaps_between(entries: list[Entries], size: int, overhead: int) -> list[Ints]:
-    """Return sizes as the distances from one record to the next, whatever its channel."""
+    """Return sizes as the distances from one record to the next, whatever its channel.
+
+    Where a chunk claims a size that none has, its last message counts as empty.
+    """
     if not entries:
         return []
     offsets = np.concatenate([entry.offsets for entry in entries])
@@ -217,7 +220,7 @@ def _gaps_between(entries: list[Entries], size: int, overhead: int) -> list[Ints
     ordered = offsets[order]
     gaps = np.empty_like(offsets)
     np.subtract(ordered[1:], ordered[:-1], out=gaps[:-1])
-    gaps[-1] = max(size - int(ordered[-1]), 0)
+    gaps[-1] = max(size - int(ordered[-1]), 0) if size <= LARGEST else 0
     gaps -= overhead
     np.maximum(gaps, 0, out=gaps)
     sizes = np.empty_like(offsets)

@@ -7,6 +7,7 @@ It runs once the user has said so, for this folder and this content: after any c
 from __future__ import annotations
 
 import os
+import shlex
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from hashlib import sha256
@@ -28,18 +29,26 @@ class Trusted(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def code_of(configuration: Configuration) -> tuple[str, ...]:
-    """Return what the configuration would have run: paths of plug-ins, as it names them."""
-    return configuration.source.plugins
+    """Return what the configuration would have run: paths of plug-ins and commands of tools, as it names them."""
+    tools = configuration.source.tools.commands
+    commands = (f"[tools.{name}] {shlex.join(one.command)}" for name, one in sorted(tools.items()))
+    return (*configuration.source.plugins, *commands)
 
 
 def hash_of(configuration: Configuration) -> str:
     """Return the hash of all files that would run, with their names."""
     digest = sha256()
     base = Path(configuration.base or ".")
-    for name in code_of(configuration):
+    for name in configuration.source.plugins:
         digest.update(f"plug-in {name}\0".encode("utf-8", "surrogateescape"))
         for file in _files(base / name):
             digest.update(os.fsencode(file) + b"\0" + _content(file))
+    for name, tool in sorted(configuration.source.tools.commands.items()):
+        for word in (name, *tool.command):
+            digest.update(f"command {word}\0".encode("utf-8", "surrogateescape"))
+            # A script of the workspace is what would run, whether it comes first or behind an interpreter.
+            if (base / word).is_file():
+                digest.update(_content(base / word))
     return digest.hexdigest()
 
 
@@ -138,15 +147,19 @@ def admitted(
 
 
 def withheld(configuration: Configuration) -> Configuration:
-    """Return the configuration without its plug-ins, which are named in it as not trusted."""
-    source = msgspec.structs.replace(configuration.source, plugins=(), untrusted=configuration.source.plugins)
+    """Return the configuration without its plug-ins and commands, which are named in it as not trusted."""
+    tools = configuration.source.tools
+    tools = msgspec.structs.replace(tools, commands={}, untrusted=tuple(sorted(tools.commands)))
+    source = msgspec.structs.replace(
+        configuration.source, plugins=(), untrusted=configuration.source.plugins, tools=tools
+    )
     return msgspec.structs.replace(configuration, source=source)
 
 
 def _question(configuration: Configuration) -> str:
     listed = "".join(f"  {name}\n" for name in code_of(configuration))
     return (
-        f"{configuration.path} names plug-ins, which are programs that would run as you:\n{listed}"
+        f"{configuration.path} names plug-ins or commands, which are programs that would run as you:\n{listed}"
         f"Trust them as they are now? [y/N] "
     )
 

@@ -1,4 +1,4 @@
-"""``--trust``: run the plug-ins that the configuration names by path, this once."""
+"""``--trust``: run the plug-ins and commands that the configuration names, this once."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def add_trust_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--trust",
         action="store_true",
-        help="run plug-ins that the configuration names by path, without asking (see `roslens trust`)",
+        help="run plug-ins and commands that the configuration names, without asking (see `roslens trust`)",
     )
 
 
@@ -26,7 +26,7 @@ def admitted_by(options: argparse.Namespace, configuration: Configuration) -> Co
     """
     import os
 
-    if not configuration.source.plugins:
+    if not (configuration.source.plugins or configuration.source.tools.commands):
         return configuration
     from roslens.cli.trust import admitted, asked_on_terminal
 

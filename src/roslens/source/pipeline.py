@@ -162,7 +162,7 @@ def analyse(
     if is_wide([member for member in plugins.members if not member.builtin]):
         # What such a plug-in says of one package may come from a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
-    tools = tool_stage(settings, workspace, inventory.files, cache, jobs=jobs or os.cpu_count() or 1)
+    tools = tool_stage(settings, workspace, inventory.files, cache, base=base, jobs=jobs or os.cpu_count() or 1)
     silence = Silence(settings.ignore, acceptances_of(accepted, inventory.files))
     units = {
         found.package.id: key_of(

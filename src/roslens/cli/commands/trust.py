@@ -40,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
         print(f"{where}: {'no longer trusted' if revoke(configuration, os.environ) else 'was not trusted'}")
         return 0
     if not code:
-        print(f"{where} names no plug-in by path: nothing of it runs")
+        print(f"{where} names no plug-in by path and no command: nothing of it runs")
         return 0
     if options.list:
         state = "trusted" if is_trusted(configuration, os.environ) else "not trusted"

@@ -6,7 +6,6 @@ import re
 from pathlib import Path
 
 from roslens.intake.bounded_file import TooLargeError, read_bounded
-from roslens.plugins.points import Option
 from roslens.source.tools.run_tool import MOST_BYTES, Ended, ToolError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, own_paths
 from roslens.source.tools.xml_output import xml_root
@@ -23,12 +22,11 @@ class AmentLinter(Tool):
 
     get = "source a ROS 2 installation that has it (apt install ros-$ROS_DISTRO-ament-lint-common)"
     version_words = ()
-    options = (Option("arguments", "list", "Further arguments of the linter, as in CMakeLists.txt.", []),)
 
     def words(self, request: Request) -> list[str]:
         """Return the call; files come first, for some options take all that follows."""
         out = Path(request.scratch, "result.xml")
-        return [request.program, *request.files, "--xunit-file", str(out), *request.options["arguments"]]
+        return [request.program, *request.files, "--xunit-file", str(out)]
 
     def read(self, ended: Ended, request: Request) -> Reading:
         """Read the xUnit file: a test case that failed is a finding, and the files that were checked are listed."""

@@ -10,9 +10,11 @@ from typing import Any
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
+from roslens.intake.safe_yaml import MOST_BYTES, UnsafeYamlError, load_yaml
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
-from roslens.source.tools.compile_commands import Command, as_json, find_databases, merged
+from roslens.source.tools.compile_commands import LOADS, Command, as_json, find_databases, merged
 from roslens.source.tools.run_tool import Ended, ToolError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, unreadable
 
@@ -85,8 +87,12 @@ class ClangTidy(Tool):
         if not commands:
             unread = f" ({database.unread[0]})" if database.unread else ""
             raise ToolError(f"finds no command for any file in {found[0]}{unread}; build the workspace again")
+        inside = _settings_files(root, commands)
+        for path in inside:
+            if what := loaded_by(path):
+                raise ToolError(f"would load code that {path} names: {what!r}; take it out of ExtraArgs")
         above = any(Path(folder, ".clang-tidy").is_file() for folder in Path(root).parents)
-        return Build(commands, above or _has_settings(root, commands))
+        return Build(commands, above or bool(inside))
 
     def covers(self, file: SourceFile, beside: Any) -> bool:
         """Return whether the build says how a file is compiled; headers are looked at with what includes them."""
@@ -142,10 +148,24 @@ class ClangTidy(Tool):
         return Reading(tuple(found))
 
 
-def _has_settings(root: str, paths: Mapping[str, object]) -> bool:
-    """Return whether a folder from the root to a file has settings."""
+def _settings_files(root: str, paths: Mapping[str, object]) -> list[Path]:
+    """Return the settings from the root to the files."""
     folders = {parent for path in paths for parent in PurePosixPath(path).parents}
-    return any(Path(root, folder, ".clang-tidy").is_file() for folder in folders)
+    found = (Path(root, folder, ".clang-tidy") for folder in sorted(folders))
+    return [path for path in found if path.is_file()]
+
+
+def loaded_by(path: Path) -> str:
+    """Return the first argument of settings by which the compiler would load or run something; empty for none."""
+    try:
+        settings = load_yaml(read_bounded(path, MOST_BYTES))
+    except (OSError, UnsafeYamlError) as error:
+        return str(error)
+    if not isinstance(settings, Mapping):
+        return ""
+    arguments = [settings.get("ExtraArgs"), settings.get("ExtraArgsBefore")]
+    words = [str(word) for given in arguments if isinstance(given, Sequence) for word in given]
+    return next((word for word in words if word.startswith(LOADS)), "")
 
 
 plugin = ClangTidy()

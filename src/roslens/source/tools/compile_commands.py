@@ -20,7 +20,7 @@ MOST_BYTES = 200_000_000
 PLACES = (NAME, f"build*/{NAME}", f"build*/*/{NAME}", f".build*/{NAME}", f"*/build*/{NAME}", f"src/build*/{NAME}")
 """Where builds leave them, below the root."""
 
-_LOADS = ("-fplugin", "-fpass-plugin", "-specs", "--specs", "-load", "-plugin", "-add-plugin", "--config", "-B", "@")
+LOADS = ("-fplugin", "-fpass-plugin", "-specs", "--specs", "-load", "-plugin", "-add-plugin", "--config", "-B", "@")
 """How arguments begin by which a compiler loads or runs something."""
 
 
@@ -82,14 +82,14 @@ def _kept(words: Sequence[str]) -> Iterator[str]:
     for at in rest:
         word = words[at]
         follower = words[at + 1] if at + 1 < len(words) else ""
-        if at and word == "-Xclang" and follower.startswith(_LOADS):
+        if at and word == "-Xclang" and follower.startswith(LOADS):
             next(rest)
             # What it loads, or the option of a plug-in, comes as a second pair.
             if at + 3 < len(words) and words[at + 2] == "-Xclang":
                 next(rest, None)
                 next(rest, None)
-        elif at and word.startswith(_LOADS):
-            if word in _LOADS and word != "@":
+        elif at and word.startswith(LOADS):
+            if word in LOADS and word != "@":
                 next(rest, None)
         else:
             yield word

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import msgspec
 
@@ -26,8 +26,9 @@ def outcome_of(
     measured: MeasuredPackage,
     workspace: Workspace,
     files: Sequence[SourceFile],
+    imported: Mapping[str, RuleInfo],
 ) -> Outcome:
-    """Return the findings of one tool in one package."""
+    """Return the findings of one tool in one package; ``imported`` are rules that no data file describes."""
     grounds = _grounds(measured, workspace, files)
     levels: dict[_Place, Severity] = {}
     raw: list[RawFinding] = []
@@ -35,7 +36,7 @@ def outcome_of(
     rules: dict[str, RuleInfo] = {}
     for one in sorted(found):
         identity = rule_id(tool, one.check)
-        rules.setdefault(identity, rule_of(tool, one.check))
+        rules.setdefault(identity, imported.get(identity) or rule_of(tool, one.check))
         severity = checks.severity_of(one.check, one.level)
         levels[one.path, one.line, one.column, identity, one.message] = severity
         raw.append(_placed(one, identity, grounds))

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from roslens.model.finding import RuleInfo
 from roslens.source.tools.tool_checks import rule_of
 
 
-def seen_rules(seen: Iterable[str], tools: Sequence[str]) -> tuple[RuleInfo, ...]:
-    """Return the rules of ``tools`` among ids of rules, sorted."""
+def seen_rules(seen: Iterable[str], tools: Sequence[str], imported: Mapping[str, RuleInfo]) -> tuple[RuleInfo, ...]:
+    """Return the rules of ``tools`` and those that were ``imported`` among ids of rules, sorted."""
     found = []
     for identity in sorted(set(seen)):
         tool, dot, check = identity.partition(".")
-        if dot and tool in tools:
+        if identity in imported:
+            found.append(imported[identity])
+        elif dot and tool in tools:
             found.append(rule_of(tool, check))
     return tuple(found)

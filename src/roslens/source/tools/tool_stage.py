@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import msgspec
@@ -22,6 +23,7 @@ from roslens.source.keys import analyser_version, key_of
 from roslens.source.tools.batches import Batches, Looked
 from roslens.source.tools.programs import Program, check_age, find_program, version_of
 from roslens.source.tools.run_tool import ToolError, ToolRunner
+from roslens.source.tools.sarif_sources import SarifSources
 from roslens.source.tools.settings_files import SettingsFiles
 from roslens.source.tools.tool import Request, Tool, ToolFinding
 from roslens.source.tools.tool_findings import outcome_of
@@ -62,6 +64,7 @@ class ToolStage:
         cache: Cache,
         *,
         jobs: int,
+        base: Path,
         runner: ToolRunner | None = None,
     ) -> None:
         """Find out which of ``tools`` can run; why others cannot is among :attr:`failures`."""
@@ -71,6 +74,9 @@ class ToolStage:
         self._cache = cache
         self._jobs = jobs
         self._runner = runner or ToolRunner()
+        self._sources = SarifSources(settings.tools, workspace.root, base, files, cache, self._runner)
+        self._rules: dict[str, RuleInfo] = {}
+        self._imported: dict[str, str] = {}
         self._above = SettingsFiles(workspace.root)
         self._owner = {file.path: package for package, held in files.items() for file in held}
         self._named = frozenset(map(plain, settings.tools.use))
@@ -84,21 +90,21 @@ class ToolStage:
     @property
     def versions(self) -> dict[str, str]:
         """Versions of the tools that run, by name; why others of ``all`` cannot run."""
-        return {ready.tool.name: ready.version for ready in self._ready} | self._resting
+        return self._imported | {ready.tool.name: ready.version for ready in self._ready} | self._resting
 
     @property
     def failures(self) -> tuple[Failure, ...]:
         """Why tools could not run at all."""
-        return tuple(self._not_run)
+        return (*self._not_run, *self._sources.failures)
 
     @property
     def has_failed(self) -> bool:
         """Whether a tool that ran did not look at everything: the next run tries that again."""
-        return any(self._failed.values())
+        return self._sources.has_failed or any(self._failed.values())
 
     def key_of_package(self, package: str) -> str:
         """Return a key of all that shapes what tools say of a package besides its own files."""
-        parts: list[object] = []
+        parts: list[object] = [self._sources.key] if self._sources.key else []
         for ready in self._ready:
             read = [file for file in self._files[package] if ready.tool.reads(file)]
             parts.append((ready.tool.name, ready.key, self._across(ready.tool)))
@@ -109,6 +115,7 @@ class ToolStage:
     def run(self, changed: Iterable[str], progress: Progress) -> None:
         """Look at the files of the packages that changed, as far as nothing is known of them."""
         wanted = sorted(changed)
+        self._import()
         for ready in self._ready:
             packages = sorted(self._files) if ready.tool.across_packages and wanted else wanted
             read = [file for package in packages for file in self._files[package] if ready.tool.reads(file)]
@@ -130,12 +137,28 @@ class ToolStage:
         package = measured.package
         total = Outcome(failures=(*self._failed.get(package, ()), *self._left_out.get(package, ())))
         for name in sorted(found):
-            total += outcome_of(name, found[name], measured, self._workspace, self._files[measured.package])
+            files = self._files[measured.package]
+            total += outcome_of(name, found[name], measured, self._workspace, files, self._rules)
         return total
 
     def rules(self, seen: Iterable[str]) -> tuple[RuleInfo, ...]:
         """Return the rules of tools among those that findings of the run name."""
-        return seen_rules(seen, [ready.tool.name for ready in self._ready])
+        return seen_rules(seen, [ready.tool.name for ready in self._ready], self._rules)
+
+    def _import(self) -> None:
+        """Take the findings of SARIF files and of the user's own tools."""
+        for imported in self._sources.read():
+            self._rules |= imported.rules
+            self._imported |= imported.versions
+            for tool, findings in imported.findings.items():
+                strange = [finding for finding in findings if finding.path not in self._owner]
+                if strange:
+                    what = f"{len(strange):,} results of {tool} are in files that roslens does not look at"
+                    advice = "They are ignored by the configuration, or gone since the tool ran"
+                    place = Location(strange[0].path, strange[0].line)
+                    self._not_run.append(Failure(tool, what, "files of the workspace", advice, place, partial=True))
+                for finding in findings:
+                    self._found[self._owner.get(finding.path, "")][tool].add(finding)
 
     def _made_ready(self, tool: Tool) -> ReadyTool | None:
         program = find_program(tool.program, self._workspace.root)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ def tool_stage(
     files: Mapping[str, tuple[SourceFile, ...]],
     cache: Cache,
     *,
+    base: Path,
     jobs: int,
 ) -> ToolStage | None:
     """Return the tools that a run uses; None for none.
@@ -58,4 +60,4 @@ def tool_stage(
     from roslens.source.tools.tool_stage import ToolStage
 
     chosen = chosen_tools(tools.use, settings.disable, (*tools.commands, *tools.untrusted))
-    return ToolStage(chosen, settings, workspace, files, cache, jobs=jobs)
+    return ToolStage(chosen, settings, workspace, files, cache, base=base, jobs=jobs)

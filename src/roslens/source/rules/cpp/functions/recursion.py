@@ -25,6 +25,20 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     code = view.code[body.start_byte : body.end_byte]
     if last.encode() not in code:
         return
+    # Which of several functions of one name is called, types decide.
+    if (
+        len(
+            set(
+                re.findall(
+                    rb"(?m)^(?!\s*return)[\w:<>,&* ]*[\w&*>]\s+(?:\w+::)*%s\s*(\([^()]*\))\s*(?:const)?\s*[{:]"
+                    % last.encode(),
+                    view.code,
+                )
+            )
+        )
+        > 1
+    ):
+        return
     parameters = parameters_of(declarator)
     least = sum(one.type == "parameter_declaration" for one in parameters)
     for match in re.finditer(

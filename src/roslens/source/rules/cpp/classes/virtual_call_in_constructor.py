@@ -1,0 +1,106 @@
+"""Rule ``cpp.virtual_call_in_constructor``: a call that does not reach the derived class."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.cpp_class import Member, class_name, has_token, members_of
+from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each call of a virtual member in the body of a constructor or destructor."""
+    name = class_name(node, view)
+    virtual, bodies = set(), []
+    for member in members_of(node, view):
+        if member.declarator is None:
+            continue
+        if member.name in (name, f"~{name}"):
+            bodies.append(member.node)
+        elif has_token(member.node, "virtual") and not _is_final(member):
+            virtual.add(member.name)
+    if not virtual or has_token(node, "virtual_specifier") or not name:
+        return
+    bodies.extend(_outside(name, view))
+    words = re.compile(
+        rb"(?<![\w.>:])(?:this\s*->\s*)?\b(%s)\s*\(" % b"|".join(re.escape(one.encode()) for one in sorted(virtual))
+    )
+    for function in bodies:
+        body = function.child_by_field_name("body")
+        if body is None:
+            continue
+        for match in words.finditer(view.code, body.start_byte, body.end_byte):
+            at = view.node_at(match.start(1), match.end(1))
+            call = above(at, "call_expression", "lambda_expression", "function_definition") if at is not None else None
+            callee = (
+                call.child_by_field_name("function") if call is not None and call.type == "call_expression" else None
+            )
+            if (
+                call is not None
+                and callee is not None
+                and callee.end_byte == match.end(1)
+                and not above_lambda(call, body)
+            ):
+                called = match[1].decode("utf-8", "replace")
+                yield view.hit(
+                    "cpp.virtual_call_in_constructor",
+                    call,
+                    f"`{called}` is virtual, but in `{name}`'s constructor or destructor only `{name}::{called}` runs",
+                )
+
+
+def _is_final(member: Member) -> bool:
+    return member.declarator is not None and any(one.text == b"final" for one in member.declarator.children)
+
+
+def above_lambda(call: Node, body: Node) -> bool:
+    """Return whether the call runs later, in a lambda."""
+    around = above(call, "lambda_expression")
+    return around is not None and around.start_byte > body.start_byte
+
+
+def _outside(name: str, view: FileView) -> Iterator[Node]:
+    if f"{name}::".encode() not in view.code:
+        return
+    for match in re.finditer(rb"\b%s\s*::\s*~?%s\s*\(" % (name.encode(), name.encode()), view.code):
+        at = view.node_at(match.start(), match.end())
+        function = at if at is None or at.type == "function_definition" else above(at, "function_definition")
+        if function is not None:
+            yield function
+
+
+RULE = FileRule(
+    id="cpp.virtual_call_in_constructor",
+    title="Virtual function called in a constructor",
+    finds="A constructor or destructor calls a virtual function of its own class by name. The function of the "
+    "class itself runs, not of the one that is being built. Call it qualified, or from a separate `init`.",
+    why="A driver that overrides `connect` never gets there when the base connects in its constructor.",
+    severity=Severity.NOTE,
+    profiles=(
+        "hicpp",
+        "misra-cpp-2008",
+        "misra-cpp-2023",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+    ),
+    clauses=(
+        "misra-cpp-2008 12-1-1",
+        "misra-cpp-2023 15.1.1",
+        "autosar-cpp14 M12-1-1",
+        "jsf-av 71.1",
+        "hicpp 12.4.1",
+        "clang-tidy clang-analyzer-optin.cplusplus.VirtualCall",
+    ),
+    bad="struct A { A() { connect(); } virtual void connect(); };\n",
+    good="struct A { A() { A::connect(); } virtual void connect(); };\n",
+    syntax="cpp",
+    kinds=("class_specifier", "struct_specifier"),
+    found=found,
+)

@@ -1,0 +1,1 @@
+"""Rules on comments and the bytes of files."""

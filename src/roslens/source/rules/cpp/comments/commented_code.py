@@ -1,0 +1,52 @@
+"""Rule ``cpp.commented_code``: code that is asleep."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_CODE = re.compile(rb"(?:^[ \t]*//[ \t]*(?![/!*@\\\\])[^\n]*[;{}][ \t]*(?://[^\n]*)?\n){2,}", re.MULTILINE)
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each block of comments that reads like code."""
+    if b"//" not in view.content:
+        return
+    for match in _CODE.finditer(view.content):
+        if b"(" in match[0] or b"=" in match[0]:
+            yield view.hit_at(
+                "cpp.commented_code", view.place(match.start())[0], "code in comments; expected it to be deleted"
+            )
+
+
+RULE = FileRule(
+    id="cpp.commented_code",
+    title="Code in comments",
+    finds="Two or more lines of comments in a row that end like code. Delete them; the repository keeps them.",
+    why="Nobody knows whether it is meant to come back.",
+    severity=Severity.NOTE,
+    profiles=(
+        "hicpp",
+        "misra-cpp-2008",
+        "autosar-cpp14",
+        "jsf-av",
+    ),
+    clauses=(
+        "misra-cpp-2008 2-7-3",
+        "autosar-cpp14 A2-7-2",
+        "jsf-av 127",
+        "hicpp 2.3.2",
+    ),
+    bad="// int a = 3;\n// f(a);\n",
+    good="// The limit is three.\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

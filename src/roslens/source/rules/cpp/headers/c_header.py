@@ -1,0 +1,54 @@
+"""Rule ``cpp.c_header``: a header of C."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_HEADER = re.compile(
+    rb"#[ \t]*include[ \t]*<((?:assert|ctype|errno|fenv|float|inttypes|limits|locale|math|setjmp|signal|stdarg"
+    rb"|stddef|stdint|stdio|stdlib|string|time|wchar|wctype|complex|stdbool)\.h)>"
+)
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each include of a header that C++ has under another name."""
+    match = _HEADER.match(view.source, node.start_byte, node.end_byte)
+    if match:
+        name = match[1].decode()
+        yield view.hit_at(
+            "cpp.c_header", view.place(node.start_byte)[0], f"`<{name}>`; expected `<c{name.removesuffix('.h')}>`"
+        )
+
+
+RULE = FileRule(
+    id="cpp.c_header",
+    title="Header of C",
+    finds="`<math.h>` and other headers of the C library. Include `<cmath>` and its like.",
+    why="`abs` of a `double` may be the one of integers.",
+    severity=Severity.NOTE,
+    profiles=(
+        "misra-cpp-2008",
+        "autosar-cpp14",
+        "paper2016",
+    ),
+    clauses=(
+        "misra-cpp-2008 18-0-1",
+        "autosar-cpp14 A18-0-1",
+        "paper2016 c_headers",
+        "clang-tidy modernize-deprecated-headers",
+    ),
+    bad="#include <math.h>\n",
+    good="#include <cmath>\n",
+    syntax="cpp",
+    kinds=("preproc_include",),
+    in_c=False,
+    found=found,
+)

@@ -1,0 +1,1 @@
+"""Rules on macros and directives."""

@@ -1,0 +1,52 @@
+"""Rule ``cpp.text_after_endif``: text behind a directive."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import lines_of
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_TEXT = re.compile(rb"^[ \t]*#[ \t]*(endif|else)[ \t]+([^\s/][^\n]*)", re.MULTILINE)
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each such directive."""
+    if b"#" not in view.code:
+        return
+    for match, line in lines_of(_TEXT, view, 2):
+        text = match[2].decode("utf-8", "replace").strip()
+        yield view.hit_at(
+            "cpp.text_after_endif", line, f"`{text[:40]}` behind `#{match[1].decode()}`; expected `// {text[:40]}`"
+        )
+
+
+RULE = FileRule(
+    id="cpp.text_after_endif",
+    title="Text behind `#endif`",
+    finds="Text behind `#endif` or `#else` that is no comment. Put `//` in front.",
+    why="Compilers warn of it, and some refuse it.",
+    severity=Severity.NOTE,
+    profiles=(
+        "ros2",
+        "ros1",
+        "google",
+        "paper2016",
+    ),
+    clauses=(
+        "cpplint build/endif_comment",
+        "paper2016 text_after_endif",
+        "clang-tidy clang-diagnostic-extra-tokens",
+    ),
+    bad="#ifdef A\n#endif A\n",
+    good="#ifdef A\n#endif  // A\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import threading
 import time
+import tracemalloc
 from pathlib import Path
 
 import msgspec
@@ -113,6 +114,41 @@ def test_children_of_a_plugin_that_hangs_are_gone(member, make_package):
     run_package(member("misbehaving.py"), make_package({"a.py": "# hang with child\n"}), time_limit_s=0.5)
     # Other tests may have theirs, which come and go.
     assert _sleepers() <= before
+
+
+def test_a_hook_that_forks_reports_once(member, make_package):
+    outcome = run_package(member("misbehaving.py"), make_package({"a.py": "# fork\n", "b.py": BEHAVE}), jobs=1)
+    assert not outcome.failures
+    assert messages(outcome, "pack/a.py") == messages(outcome, "pack/b.py") == ["seen after", "seen before"]
+
+
+def test_what_a_hook_leaves_running_is_gone_at_the_end(member, make_package):
+    before = _sleepers()
+    outcome = run_package(member("misbehaving.py"), make_package({"a.py": "# fork and stay\n"}))
+    assert not outcome.failures
+    assert _comes_true(lambda: _sleepers() <= before)
+
+
+def test_a_hook_that_takes_too_much_of_the_machine_loses_its_file(member, make_package):
+    """Memory, files, and what is said at once, which does not make this process grow."""
+    acts = {
+        "say much": "at most 32,000,000 are taken",
+        "take memory": "MemoryError",
+        "write a large file": "OSError: [Errno 27] File too large",
+    }
+    files = {f"{act}.py": f"# {act}\n" for act in acts} | {"z.py": BEHAVE}
+    tracemalloc.start()
+    try:
+        outcome = run_package(member("misbehaving.py"), make_package(files), jobs=1)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 20_000_000
+    why = {failure.entity: failure.what for failure in outcome.failures}
+    assert len(why) == len(acts)
+    for act, reason in acts.items():
+        assert reason in why[f"file:pack/{act}.py"]
+    assert messages(outcome, "pack/z.py") == ["seen after", "seen before"]
 
 
 def _sleepers():

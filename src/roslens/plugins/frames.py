@@ -130,6 +130,16 @@ ORDER_DECODER = msgspec.msgpack.Decoder(Order)
 _ANSWER_DECODER = msgspec.msgpack.Decoder(Answer)
 _LENGTH = 4
 
+MOST_ANSWER_BYTES = 32_000_000
+"""Of one answer; a file with ten thousand findings makes some megabytes."""
+
+MOST_TASK_BYTES = 128_000_000
+"""Of all answers to one task."""
+
+
+class TooMuchError(ValueError):
+    """A worker says more than is taken in; the message says how much that is."""
+
 
 def frame(message: msgspec.Struct) -> bytes:
     """Return a message as a frame."""
@@ -152,17 +162,29 @@ class AnswerBuffer:
     def __init__(self) -> None:
         """Start empty."""
         self._bytes = bytearray()
+        self._taken = 0
+
+    def begin(self) -> None:
+        """Count the answers to another task."""
+        self._taken = 0
 
     def feed(self, piece: bytes) -> list[Answer]:
         """Return the answers that the piece completes.
 
         Raises:
+            TooMuchError: an answer, or those to this task together, are too long.
             msgspec.DecodeError: something else wrote into the pipe.
         """
         self._bytes += piece
+        self._taken += len(piece)
+        if self._taken > MOST_TASK_BYTES:
+            raise TooMuchError(f"it reported more than {MOST_TASK_BYTES:,} bytes for one task")
         answers: list[Answer] = []
         while len(self._bytes) >= _LENGTH:
-            end = _LENGTH + int.from_bytes(self._bytes[:_LENGTH], "big")
+            length = int.from_bytes(self._bytes[:_LENGTH], "big")
+            if length > MOST_ANSWER_BYTES:
+                raise TooMuchError(f"it reported {length:,} bytes at once; at most {MOST_ANSWER_BYTES:,} are taken")
+            end = _LENGTH + length
             if len(self._bytes) < end:
                 break
             answers.append(_ANSWER_DECODER.decode(bytes(self._bytes[_LENGTH:end])))

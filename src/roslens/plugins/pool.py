@@ -14,7 +14,7 @@ from typing import Protocol
 
 import msgspec
 
-from roslens.plugins.frames import LOADING, Answer, Began, Ended, Gave, Order, Step
+from roslens.plugins.frames import LOADING, Answer, Began, Ended, Gave, Order, Step, TooMuchError
 from roslens.plugins.job import Death, Job
 from roslens.plugins.log import write_log
 from roslens.plugins.process import WorkerProcess
@@ -146,19 +146,25 @@ class ProcessWorkers:
         try:
             piece = os.read(worker.stdout, _PIECE)
             answers = worker.buffer.feed(piece)
+        except TooMuchError as error:
+            self._bury(worker, str(error), waiting, selector)
+            return
         except (OSError, msgspec.DecodeError):
             piece, answers = b"", []
         if not piece:
             self._bury(worker, worker.ended(), waiting, selector)
             return
         for answer in answers:
+            if worker.job is None:
+                # A second end of the same task is none that was asked for.
+                break
             if isinstance(answer, Began):
                 worker.at = answer
                 worker.deadline = time.monotonic() + self._limit_of(answer.step)
             elif isinstance(answer, Ended):
                 worker.job = None
                 selector.unregister(worker.stdout)
-            elif worker.job is not None:
+            else:
                 worker.job.receive(answer)
                 if isinstance(answer, Gave) and answer.over:
                     self._keep_output(worker, f"{answer.step.plugin}: {answer.step.name}")

@@ -54,6 +54,7 @@ class WorkerProcess:
     def start(self, job: Job, deadline: float) -> None:
         """Give it a job; one that is dead says so when it is listened to."""
         self.job, self.at, self.deadline = job, None, deadline
+        self.buffer.begin()
         rest = memoryview(job.order())
         try:
             while rest:

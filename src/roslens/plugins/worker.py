@@ -7,30 +7,57 @@ children, whatever a plug-in is doing.
 
 from __future__ import annotations
 
+import contextlib
 import faulthandler
 import os
+import select
 import signal
 import sys
 import threading
 from queue import SimpleQueue
 from typing import BinaryIO
 
+from roslens.children.limits import limit_process
 from roslens.plugins.frames import LOST_CONNECTION, ORDER_DECODER, Answer, frame, read_frame
 from roslens.plugins.perform import Performer
 
 
 def main() -> None:
     """Serve orders from standard input until it is closed."""
+    limit_process()
+    _guard_group()
     orders, answers = _private_pipes()
+    own = os.getpid()
     faulthandler.enable()
     # A plug-in may stand in the workspace, and import or start its other files whenever it likes.
     sys.dont_write_bytecode = True
     os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
     queue: SimpleQueue[bytes] = SimpleQueue()
     threading.Thread(target=_receive, args=(orders, queue), daemon=True).start()
-    performer = Performer(lambda answer: _send(answers, answer))
+    performer = Performer(lambda answer: _send(answers, own, answer))
     while True:
         performer.perform(ORDER_DECODER.decode(queue.get()))
+
+
+def _guard_group() -> None:
+    """Have a process apart end this one and all that it starts once nobody can give orders any more.
+
+    The kernel ends this one with its parent, at times before its own thread sees the pipe closed; and a hook may hold
+    the interpreter for ever. What it started would go on.
+    """
+    group = os.getpgrp()
+    if os.fork():
+        return
+    os.setsid()
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for stream in (1, 2):
+        os.dup2(nothing, stream)
+    hung_up = select.poll()
+    hung_up.register(0, 0)
+    hung_up.poll()
+    with contextlib.suppress(OSError):
+        os.killpg(group, signal.SIGKILL)
+    os._exit(0)
 
 
 def _private_pipes() -> tuple[BinaryIO, int]:
@@ -53,7 +80,10 @@ def _receive(orders: BinaryIO, queue: SimpleQueue[bytes]) -> None:
     os.killpg(0, signal.SIGKILL)
 
 
-def _send(answers: int, answer: Answer) -> None:
+def _send(answers: int, own: int, answer: Answer) -> None:
+    if os.getpid() != own:
+        # A hook that forked came back twice; what this copy says would be said a second time.
+        os._exit(0)
     for stream in (sys.stdout, sys.stderr):
         if stream is not None and not stream.closed:
             stream.flush()

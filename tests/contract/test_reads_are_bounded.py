@@ -68,5 +68,7 @@ def test_every_read_of_a_whole_file_is_bounded_or_has_a_reason():
         for path in sorted(SOURCE.rglob("*.py"))
         if (lines := reads(path.read_text("utf-8")))
     }
-    assert not {path: lines for path, lines in found.items() if path not in OWN}, "read it by intake/bounded_file, or say above why it need not be"
+    assert not {path: lines for path, lines in found.items() if path not in OWN}, (
+        "take intake/bounded_file, or give a reason"
+    )
     assert not OWN.keys() - found.keys(), "reasons of reads that are no more"

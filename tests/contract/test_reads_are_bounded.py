@@ -33,10 +33,8 @@ OWN = {
     "source/extract/gazebo_plugins.py": "comes with roslens",
     "source/extract/ros_controllers.py": "comes with roslens",
     "source/keys.py": "comes with roslens",
-    "source/rules/precision.py": "comes with roslens",
     "source/syntax/macros.py": "comes with roslens",
     "source/tools/tool_checks.py": "comes with roslens",
-    "source/tools/witnesses.py": "comes with roslens",
     "store/migrate.py": "comes with roslens",
 }
 _WHOLE = {"read_bytes", "read_text"}

@@ -35,15 +35,20 @@ class Named(msgspec.Struct, frozen=True):
 
 
 class Assembled(msgspec.Struct, frozen=True):
-    """Configurations by name, what the rules of the graph find in each, and what could not be assembled."""
+    """Configurations by name, what the rules of the graph find in each, and what could not be assembled.
+
+    ``unstarted`` is what no known program starts.
+    """
 
     configurations: dict[str, Configuration]
     findings: dict[str, tuple[Finding, ...]]
     failures: tuple[Failure, ...] = ()
+    unstarted: tuple[Configuration, ...] = ()
 
     def judged(self) -> tuple[JudgedConfiguration, ...]:
         """Return each with what is wrong with it, as a run keeps it."""
-        return tuple(JudgedConfiguration(name, one, self.findings[name]) for name, one in self.configurations.items())
+        found = (JudgedConfiguration(name, one, self.findings[name]) for name, one in self.configurations.items())
+        return (*found, *(JudgedConfiguration(f"{one.title} ({one.generation})", one) for one in self.unstarted))
 
     def all_findings(self) -> tuple[Finding, ...]:
         """Return the findings of all configurations, sorted by place; what several have in common once.
@@ -91,12 +96,14 @@ def telling_first(found: Assembled) -> Assembled:
         {name: found.configurations[name] for name in names},
         {name: found.findings[name] for name in names},
         found.failures,
+        found.unstarted,
     )
 
 
 def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | None = None) -> Assembled:
     """Assemble configurations and look at them; one that cannot be assembled is a failure and the others stay."""
     from roslens.cli.graph_findings import findings_of
+    from roslens.cli.graph_linked import with_linked
     from roslens.source.progress import Silent
 
     watch = progress or Silent()
@@ -117,7 +124,14 @@ def assembled(source: GraphSource, named: Sequence[Named], progress: Progress | 
             if not made.nodes:
                 failures.append(_empty(one, made))
         watch.advance(item=one.name)
-    return Assembled(configurations, findings, (*failures, *source.facts.broken))
+    unstarted: tuple[Configuration, ...] = ()
+    try:
+        unstarted = source.unstarted(())
+        linked = with_linked(tuple(configurations.values()), unstarted, source.facts)
+        configurations = dict(zip(configurations, linked, strict=True))
+    except Exception as error:  # noqa: BLE001 - configurations stay, whatever the rest of the code is like
+        failures.append(_failure(Named("what no known program starts", ""), error))
+    return Assembled(configurations, findings, (*failures, *source.facts.broken), unstarted)
 
 
 def _failure(one: Named, error: Exception) -> Failure:

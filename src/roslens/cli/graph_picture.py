@@ -13,8 +13,13 @@ if TYPE_CHECKING:
     from roslens.model.configuration import Configuration
 
 
-def draw(source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace) -> None:
-    """Write the picture that is asked for.
+def draw(
+    source: GraphSource,
+    found: tuple[Configuration, ...],
+    options: argparse.Namespace,
+    unstarted: tuple[Configuration, ...] = (),
+) -> None:
+    """Write the picture that is asked for; what no known program starts is listed there.
 
     Raises:
         UsageError: one SVG cannot hold what was found, or a file cannot be written.
@@ -36,7 +41,8 @@ def draw(source: GraphSource, found: tuple[Configuration, ...], options: argpars
         from roslens.cli.streams import write_result
         from roslens.dashboard.computation.to_svg import to_svg
 
-        write_result(to_svg(shown[0], findings[0], everything=options.all), options.output)
+        loose = () if options.node else unstarted
+        write_result(to_svg(shown[0], findings[0], everything=options.all, unstarted=loose), options.output)
         return
     from roslens.dashboard.computation.pages import computation_file
 
@@ -46,6 +52,7 @@ def draw(source: GraphSource, found: tuple[Configuration, ...], options: argpars
         Path(options.html),
         dict(zip(names, findings, strict=True)),
         title=Path(options.path).resolve().name,
+        unstarted=() if options.node else unstarted,
     )
     print(options.html)
 

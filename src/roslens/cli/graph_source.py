@@ -164,6 +164,15 @@ class GraphSource:
             found.append(with_roles(made, facts.roles))
         return tuple(one for one in found if one.nodes)
 
+    def unstarted_beside(self, launched: Configuration) -> tuple[Configuration, ...]:
+        """Return what code of the packages that a launch file starts makes that no known program starts."""
+        names = sorted({node.package for node in launched.nodes if self.facts.has(node.package)})
+        near = (launched, *(self.packages(names) if names else ()))
+        if not names or not any(one.nodes for one in self.unstarted(names, near)):
+            return ()
+        found = self.unstarted(names, (launched, *self.packages(())))
+        return tuple(one for one in found if one.generation == launched.generation and one.nodes)
+
     def unstarted(self, names: Sequence[str], started: Sequence[Configuration] = ()) -> tuple[Configuration, ...]:
         """Return what code of packages makes that no known program starts: a configuration for each generation of ROS.
 
@@ -171,11 +180,11 @@ class GraphSource:
 
         Args:
             names: of packages; none means all.
-            started: what their builds make, where no names are given and it is known already.
+            started: what is shown elsewhere; by default what the builds of all packages make.
         """
         from roslens.source.extract.unstarted import places_shown, unstarted, unstarted_configuration
 
-        started = (not names and started) or self.packages(())
+        started = started or self.packages(())
         wanted = set(names) or {*self.facts.package_names.values()}
         found = []
         for generation in ("ros1", "ros2"):

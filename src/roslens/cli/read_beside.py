@@ -64,5 +64,5 @@ class GraphsBeside:
             if finish is not None:
                 finish()
         if found is not None:
-            self._site.show_graphs(found.configurations, found.findings, note, counted=False)
+            self._site.show_graphs(found.configurations, found.findings, note, counted=False, unstarted=found.unstarted)
         self._site.reading = ""

@@ -51,7 +51,7 @@ def graph_of_run(text: str, path: str = ".") -> RunGraph:
     number, _, wanted = text.partition(":")
     with open_store(path) as store:
         view = store.view(int(number))
-        kept = {one.name: one.configuration for one in view.configurations()}
+        kept = {one.name: one.configuration for one in view.configurations() if not one.configuration.unstarted}
         if not kept:
             _require_files(view)
         header = view.header

@@ -67,7 +67,8 @@ def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
     """Return the configurations that a run keeps, whatever became of its files; None where it keeps none."""
     from roslens.cli.graph_configurations import MOST, Assembled, telling_first
 
-    found = view.configurations()
+    every = view.configurations()
+    found = tuple(one for one in every if not one.configuration.unstarted)
     if not found:
         return None
     declared = bool(_settings_of(view.header).graph.configurations)
@@ -77,7 +78,11 @@ def kept_graphs(view: RunView, *, quiet: bool = False) -> Assembled | None:
         if not quiet:
             _tell_left_out(len(largest), len(found))
         found = tuple(one for one in found if one.name in largest)
-    kept = Assembled({one.name: one.configuration for one in found}, {one.name: one.findings for one in found})
+    kept = Assembled(
+        {one.name: one.configuration for one in found},
+        {one.name: one.findings for one in found},
+        unstarted=tuple(one.configuration for one in every if one.configuration.unstarted),
+    )
     return kept if declared else telling_first(kept)
 
 

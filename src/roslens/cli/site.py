@@ -44,6 +44,7 @@ def site_of(view: RunView, shown: Assembled | None = None, note: str = "", *, co
         about=shown.findings if shown else None,
         graph_note=note,
         graphs_counted=counted,
+        unstarted=shown.unstarted if shown else (),
     )
 
 

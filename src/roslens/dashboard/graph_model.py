@@ -14,6 +14,7 @@ from roslens.dashboard.site import Site
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better
 from roslens.model.result import PackageSummary
+from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.model.tags import TagFilter
 
 SMALLEST, LARGEST = 8.0, 30.0
@@ -70,11 +71,18 @@ class PackageGraph(msgspec.Struct, frozen=True):
     all_edges_drawn: bool
 
 
+def pictured(site: Site) -> tuple[PackageSummary, ...]:
+    """Return what has a disc: packages, and not what is in none."""
+    return tuple(package for package in site.packages if package.id != OUTSIDE_PACKAGES)
+
+
 def graph_of(site: Site) -> tuple[PackageGraph, Layout]:
     """Return the graph of the site's packages and the layout with the paths of its edges."""
-    packages = site.packages
+    packages = pictured(site)
     place = {package.id: number for number, package in enumerate(packages)}
-    needs = [tuple(place[needed] for needed in site.dependencies[package.id]) for package in packages]
+    needs = [
+        tuple(place[needed] for needed in site.dependencies[package.id] if needed in place) for package in packages
+    ]
     radii = _radii([package.values.get("loc") for package in packages])
     labels = [_label(package.id) for package in packages]
     layout = lay_out(
@@ -146,7 +154,7 @@ def _counts(
 def _metrics(site: Site) -> tuple[GraphMetric, ...]:
     found = []
     for key, measured in measured_on(site.quantities, EntityKind.PACKAGE).items():
-        values = tuple(_short(package.values.get(key)) for package in site.packages)
+        values = tuple(_short(package.values.get(key)) for package in pictured(site))
         if any(value is not None for value in values):
             quantity = measured.quantity
             found.append(
@@ -176,10 +184,10 @@ def colour_values(site: Site, colouring: Colouring) -> tuple[list[float | None],
         key = colouring.by.removeprefix("metric:")
         measured = measured_on(site.quantities, EntityKind.PACKAGE).get(key)
         if measured:
-            return [_short(package.values.get(key)) for package in site.packages], measured
+            return [_short(package.values.get(key)) for package in pictured(site)], measured
     if colouring.by == "kloc":
-        return [site.findings_per_kloc(package, colouring.tags) for package in site.packages], None
-    return [float(_total(package, colouring)) for package in site.packages], None
+        return [site.findings_per_kloc(package, colouring.tags) for package in pictured(site)], None
+    return [float(_total(package, colouring)) for package in pictured(site)], None
 
 
 def _total(package: PackageSummary, colouring: Colouring) -> int:

@@ -68,6 +68,7 @@ class Site:
         about: Mapping[str, Sequence[Finding]] | None = None,
         graph_note: str = "",
         graphs_counted: bool = True,
+        unstarted: Sequence[Configuration] = (),
     ) -> None:
         """Bring a run and its explanations together.
 
@@ -80,6 +81,7 @@ class Site:
             about: findings about each of them, by the same names.
             graph_note: what readers of these graphs have to know, as that they are not those of the run.
             graphs_counted: whether the findings about them are among those of the run.
+            unstarted: what no known program starts.
         """
         self.view = view
         self.quantities = dict(quantities)
@@ -89,6 +91,7 @@ class Site:
         self._about = dict(about or {})
         self._graph_note = graph_note
         self._graphs_counted = graphs_counted
+        self._unstarted = tuple(unstarted)
         self.reading = ""
         """What of the graphs is being read still; empty where all of them are there."""
 
@@ -282,8 +285,10 @@ class Site:
         note: str,
         *,
         counted: bool,
+        unstarted: Sequence[Configuration] = (),
     ) -> None:
         """Show computation graphs from now on; see the arguments of the class."""
+        self._unstarted = tuple(unstarted)
         # Another thread may be looking: the new book takes the place of the old one when it is whole.
         self.__dict__["book"] = self._book_of(configurations, about, note, counted=counted)
 
@@ -311,6 +316,7 @@ class Site:
             counted=counted,
             packages=self.by_id,
             rules=self.rules,
+            unstarted=self._unstarted,
         )
 
     @cached_property

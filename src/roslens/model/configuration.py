@@ -207,6 +207,8 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
         remaps: in the order in which they hold.
         timers: in source order.
         role: whose code it is where that is not own code: ``vendored``, ``generated`` or ``test``.
+        linked: of a node of which no endpoint is known, where code is that is linked into it, makes endpoints and is
+            started by nothing that is known.
     """
 
     name: str
@@ -226,6 +228,7 @@ class ConfiguredNode(msgspec.Struct, frozen=True, omit_defaults=True):
     remaps: tuple[ConfiguredRemap, ...] = ()
     timers: tuple[ConfiguredTimer, ...] = ()
     role: str = ""
+    linked: tuple[Proof, ...] = ()
 
     @property
     def name_is_guessed(self) -> bool:

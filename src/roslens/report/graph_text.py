@@ -140,6 +140,9 @@ def _node(node: ConfiguredNode, generation: str, *, set_by_unknown: bool) -> Ite
     if node.machine:
         yield f"  on {node.machine}"
     yield from endpoint_lines(node.endpoints)
+    if node.linked:
+        places = ", ".join(dict.fromkeys(one.place for one in node.linked))
+        yield f"  what it makes is not known; perhaps what is linked into it and started by no known program: {places}"
     # Where a part of what starts a node is unknown, as a file of parameters, other values may hold.
     head = "parameters, as far as is known" if set_by_unknown else "parameters"
     everywhere = _OF_EVERY_NODE if generation == "ros2" else frozenset[str]()

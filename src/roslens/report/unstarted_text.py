@@ -8,7 +8,18 @@ from itertools import groupby
 import msgspec
 
 from roslens.model.configuration import Configuration, ConfiguredNode
+from roslens.model.graph import Role
+from roslens.model.unstarted import REASONS
 from roslens.report.graph_text import counted, endpoint_lines, printable, unresolved_lines
+
+VERBS = {
+    Role.PUBLISHER: "publishes",
+    Role.SUBSCRIPTION: "subscribes to",
+    Role.SERVICE_SERVER: "serves",
+    Role.SERVICE_CLIENT: "calls",
+    Role.ACTION_SERVER: "serves action",
+    Role.ACTION_CLIENT: "calls action",
+}
 
 
 def to_unstarted_text(configuration: Configuration) -> str:
@@ -28,13 +39,33 @@ def to_unstarted_text(configuration: Configuration) -> str:
     return "".join(f"{printable(line)}\n" for line in lines)
 
 
+def unstarted_packages(configuration: Configuration) -> Iterator[tuple[str, list[str]]]:
+    """Yield the packages whose own code makes endpoints that nothing starts, each with a line for each unit and end."""
+    own = [one for one in configuration.nodes if not one.role and one.endpoints]
+    for package, nodes in groupby(own, lambda one: one.package):
+        lines = []
+        for one in nodes:
+            lines.append(f"{unit_name(one)}, {REASONS.get(one.kind, one.kind)}:")
+            for end in one.endpoints:
+                type_ = f" ({end.endpoint.type})" if end.endpoint.type else ""
+                does = VERBS[end.endpoint.role]
+                lines.append(f"  {does} {end.endpoint.name}{type_} at {end.proof.place}")
+        yield package, [printable(line) for line in lines]
+
+
+def unit_name(one: ConfiguredNode) -> str:
+    """Return what makes endpoints: a class or function as its language writes it, else its file or plug-in."""
+    place = one.defined.place if one.defined is not None else one.proof.place
+    unit = "" if one.unit in ("main", "<module>") else one.unit.replace(".", "::" if _is_cpp(place) else ".")
+    return unit or one.executable
+
+
 def _package(nodes: Sequence[ConfiguredNode]) -> Iterator[str]:
     for one in nodes:
         place = one.defined.place if one.defined is not None else one.proof.place
-        unit = "" if one.unit in ("main", "<module>") else one.unit.replace(".", "::" if _is_cpp(place) else ".")
         loaded = f", loaded as {one.executable}" if one.kind == "plugin" else ""
         described = f" in {one.proof.place}" if loaded and one.proof.place != place else ""
-        yield f"  {one.kind} {unit or one.executable}{loaded}{described}  {place}"
+        yield f"  {one.kind} {unit_name(one)}{loaded}{described}  {place}"
         # What is so of all of them stands in the title.
         certain = (
             msgspec.structs.replace(end, proof=msgspec.structs.replace(end.proof, how="", sure="certain"))

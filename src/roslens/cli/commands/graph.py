@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 TEXT = "Show which node publishes, subscribes, serves and calls what, from source and launch files."
 FORMATS = ("text", "json", "dot", "mermaid", "svg", "nodl", "rosgraph", "markdown")
 _ONE = ("rosgraph",)
-_WITH_UNSTARTED = ("text", "json")
+_WITH_UNSTARTED = ("text", "json", "dot")
 EXAMPLES = """\
   roslens graph                                    every node of the packages below this folder
   roslens graph --launch rover_bringup/rover.launch.py --arg navigation:=false
@@ -90,11 +90,13 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("--arg without --launch", expected="the launch file whose argument it is")
     if options.launch and options.package:
         raise UsageError("--package with --launch", expected="one of them")
+    from roslens.cli.graph_linked import with_linked
     from roslens.cli.graph_opened import open_source
 
     with open_source(options) as source:
         found = _configurations(source, options)
-        unstarted = () if options.launch or options.check else source.unstarted(options.package, found)
+        unstarted = () if options.check else _unstarted(source, found, options)
+        found = with_linked(found, unstarted, source.facts)
         for failure in source.facts.broken:
             print(f"roslens: {failure.what}; {failure.advice}", file=sys.stderr)
         if options.check:
@@ -107,7 +109,7 @@ def run(options: argparse.Namespace) -> int:
         if options.html or options.format == "svg":
             from roslens.cli.graph_picture import draw
 
-            draw(source, found, options)
+            draw(source, found, options, unstarted)
             return _complete(source, found)
         code = _complete(source, (*found, *unstarted))
         if not found:
@@ -116,6 +118,15 @@ def run(options: argparse.Namespace) -> int:
     shown = tuple(chosen(one, options.node, implicit=options.all) for one in told)
     write_result(_text(shown, options), options.output)
     return code
+
+
+def _unstarted(
+    source: GraphSource, found: tuple[Configuration, ...], options: argparse.Namespace
+) -> tuple[Configuration, ...]:
+    """Return what no known program starts: of the packages that are asked for, or that the launch file starts."""
+    if options.launch:
+        return source.unstarted_beside(found[0])
+    return source.unstarted(options.package, () if options.package else found)
 
 
 def _say_why(source: GraphSource, options: argparse.Namespace) -> None:
@@ -167,6 +178,10 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
             expected="one configuration",
             advice="Choose with --launch or --package",
         )
+    if options.format == "dot":
+        from roslens.report.to_dot import to_dots
+
+        return to_dots(configurations)
     writer = _writer(options.format)
     return "\n".join(writer(one) for one in configurations)
 
@@ -186,7 +201,6 @@ def _writer(form: str) -> Callable[[Configuration], str]:
 
 _WRITERS = {
     "text": ("graph_text", "to_graph_text"),
-    "dot": ("to_dot", "to_dot"),
     "mermaid": ("to_mermaid", "to_mermaid"),
     "nodl": ("to_nodl", "to_nodl"),
 }

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.noise import IMPLICIT
 from roslens.dashboard.computation.picture import ComputationGraph, Left, computation_graph
 from roslens.dashboard.computation.system import Element, Kind, System
 from roslens.dashboard.table import Cell
-from roslens.model.configuration import Proof
+from roslens.model.configuration import Configuration, Proof
 
 
 def _no_page(path: str) -> bool:  # noqa: ARG001 - the shape of every lookup
@@ -28,6 +28,7 @@ class Book:
         counted: bool = True,
         packages: Collection[str] = (),
         rules: Collection[str] = (),
+        unstarted: Sequence[Configuration] = (),
     ) -> None:
         """Take the systems.
 
@@ -38,7 +39,9 @@ class Book:
             counted: whether the findings about them are those of the run that the report is about.
             packages: ids of those that the report has a page for.
             rules: ids of those that the report has a page for.
+            unstarted: what no known program starts.
         """
+        self.unstarted = tuple(unstarted)
         self.note = note
         self.counted = counted
         self.packages = frozenset(packages)

@@ -11,6 +11,7 @@ from roslens.dashboard.computation.finding_rows import finding_tables
 from roslens.dashboard.computation.noise import DEFAULT, NONE, PRESETS, presets_of
 from roslens.dashboard.computation.picture import Left, style_of
 from roslens.dashboard.computation.system import KIND_OF_ROLE, Kind, System
+from roslens.dashboard.computation.unstarted_rows import unstarted_table
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
 
@@ -30,6 +31,8 @@ def build(book: Book, request: Request) -> View | None:
     nodes = sort_rows(_nodes(book, system), query.get("sort_nodes"))
     endpoints = _endpoints(book, system, request)
     sure, doubted = (sort_rows(table, query.get(f"sort_{table.name}")) for table in finding_tables(book, system))
+    loose = unstarted_table(book, system.configuration.generation)
+    loose = sort_rows(loose, query.get(f"sort_{loose.name}"), None if request.complete else request.limits.rows)
     return View(
         ref=PageRef("computation", system.slug, query=query.pairs),
         title=f"Computation graph: {system.configuration.title}",
@@ -49,7 +52,7 @@ def build(book: Book, request: Request) -> View | None:
             "unresolved": msgspec.to_builtins(system.configuration.unresolved),
             "note": book.note,
         },
-        tables=(nodes, endpoints, sure, doubted),
+        tables=(nodes, endpoints, sure, doubted, *((loose,) if loose.total else ())),
         shown={
             "note": book.note,
             "counted": book.counted,
@@ -67,6 +70,7 @@ def build(book: Book, request: Request) -> View | None:
             "picture": _picture(system, graph, left, as_lines=as_lines),
             "unresolved": [(one, book.place(one.proof)) for one in system.configuration.unresolved],
             "counts": _counts(system, set(graph.topics.places)),
+            "loose": loose.total,
             "hidden": len(system.elements) - len(graph.topics.places),
         },
     )

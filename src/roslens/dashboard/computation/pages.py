@@ -34,6 +34,7 @@ def computation_pages(
     *,
     has_page: Callable[[str], bool] = lambda path: False,  # noqa: ARG005 - the shape of every lookup
     medium: str = "folder",
+    unstarted: Sequence[Configuration] = (),
 ) -> Iterator[View]:
     """Yield every page: a graph for each configuration, then nodes, then topics, services and actions.
 
@@ -42,8 +43,9 @@ def computation_pages(
         findings: about each, by the same names.
         has_page: whether the report has a page for a file, by its path below the workspace root.
         medium: served, folder or file.
+        unstarted: what no known program starts.
     """
-    book = Book(systems_of(configurations, findings), has_page)
+    book = Book(systems_of(configurations, findings), has_page, unstarted=unstarted)
     for ref in book.refs():
         view = COMPUTATION_PAGES[ref.page](book, Request(ref.key, limits=FOLDER, medium=medium))
         if view is not None:
@@ -55,6 +57,7 @@ def computation_page(
     findings: Mapping[str, Sequence[Finding]] | None = None,
     *,
     title: str = "Computation graph",
+    unstarted: Sequence[Configuration] = (),
 ) -> str:
     """Return the text of one HTML file with a section for each page.
 
@@ -62,8 +65,9 @@ def computation_page(
         configurations: by the names under which they are shown.
         findings: about each, by the same names.
         title: of the file.
+        unstarted: what no known program starts.
     """
-    views = list(computation_pages(configurations, findings, medium="file"))
+    views = list(computation_pages(configurations, findings, medium="file", unstarted=unstarted))
     links = FileLinks(frozenset(section_id(view.ref) for view in views))
     templates = environment("file", help_keys={area: KEYS[area] for area in ("Everywhere", "Graph")})
     sections = []
@@ -95,10 +99,11 @@ def computation_file(
     findings: Mapping[str, Sequence[Finding]] | None = None,
     *,
     title: str = "Computation graph",
+    unstarted: Sequence[Configuration] = (),
 ) -> None:
     """Write the pages of configurations into one HTML file that loads nothing.
 
     Raises:
         UsageError: ``out`` cannot be written.
     """
-    write_page(computation_page(configurations, findings, title=title), out, "--html")
+    write_page(computation_page(configurations, findings, title=title, unstarted=unstarted), out, "--html")

@@ -14,6 +14,7 @@ from roslens.dashboard.figures import plural
 from roslens.dashboard.render import WEB
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
+from roslens.report.unstarted_text import unstarted_packages
 
 _RULES = (
     (".paper", "fill", "ground"),
@@ -54,24 +55,34 @@ _BASELINE = 4
 
 _CHARACTER = 6.3
 _FOOT = 76
+_MOST_LISTED = 60
 _LEGEND = (("node", 34), ("topic", 34), ("service", 42), ("action", 36))
 
 
-def to_svg(configuration: Configuration, findings: Sequence[Finding] = (), *, everything: bool = False) -> str:
+def to_svg(
+    configuration: Configuration,
+    findings: Sequence[Finding] = (),
+    *,
+    everything: bool = False,
+    unstarted: Sequence[Configuration] = (),
+) -> str:
     """Return the picture: a box for each namespace, dashed what depends on a condition, dotted what is not resolved.
 
     Args:
         configuration: what would run.
         findings: about it; elements that have some are marked by the worst.
         everything: whether also what is the same in every system is drawn.
+        unstarted: what no known program starts: a list below the picture.
     """
     system = System("picture", configuration, findings)
     left = Left(frozenset()) if everything else Left()
     graph = computation_graph(system, left)
     drawing, lines = (graph.lines, graph.flows) if graph.many else (graph.topics, graph.wires)
-    captions = _captions(system, drawing, as_lines=graph.many)
+    captions = [*_captions(system, drawing, as_lines=graph.many)]
+    first = len(captions)
+    captions += _unstarted(unstarted)
     width = max(drawing.width, 960.0, 32 + max(map(len, captions)) * _CHARACTER)
-    height = drawing.height + _FOOT
+    height = drawing.height + _FOOT + 17 * max(0, len(captions) - first)
     size = f'width="{width:g}" height="{height:g}"'
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="0 0 {width:g} {height:g}" role="img">',
@@ -88,6 +99,17 @@ def to_svg(configuration: Configuration, findings: Sequence[Finding] = (), *, ev
         "</svg>",
     ]
     return "\n".join(parts) + "\n"
+
+
+def _unstarted(found: Sequence[Configuration]) -> Iterator[str]:
+    """Yield lines about what no known program starts, by package."""
+    packages = [one for each in found for one in unstarted_packages(each)]
+    if packages:
+        yield "Started by no known program, so in no node of the picture:"
+    lines = [line for package, told in packages for line in (package, *(f"\N{NO-BREAK SPACE} {one}" for one in told))]
+    yield from lines[:_MOST_LISTED]
+    if len(lines) > _MOST_LISTED:
+        yield f"and {len(lines) - _MOST_LISTED} more lines, which roslens graph prints"
 
 
 def _style() -> str:

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import msgspec
 
 from roslens.model.configuration import Configuration, ConfiguredNode, Unresolved
+from roslens.model.unstarted import REASONS
 from roslens.source.extract.assemble import with_checksums
 from roslens.source.extract.assemble_arguments import CommandLine
 from roslens.source.extract.assemble_node import Given, assembled
@@ -24,12 +25,6 @@ from roslens.source.settings import NodeHint
 TITLE = "made by libraries, plug-ins and scripts that no known program starts"
 _LOADED = frozenset({TargetKind.PLUGIN, TargetKind.COMPONENT, TargetKind.NODELET})
 _ORDER = {"program": 0, "script": 0, "plugin": 1, "library": 2}
-_WORDS = {
-    "program": "a program that no build makes or installs",
-    "script": "a script that nothing starts by name",
-    "plugin": "a plug-in that no known program loads",
-    "library": "code of a library that no known program uses",
-}
 _ALONE = ("function", "part")
 _UNKNOWN_NAME = "name of the node"
 
@@ -142,7 +137,7 @@ def _given(one: Unstarted, generation: str, hints: Mapping[str, NodeHint], hinte
 
 
 def _doubted(one: Unstarted) -> NodeFacts:
-    reasons = (one.facts.doubt, f"of {_WORDS[one.kind]}")
+    reasons = (one.facts.doubt, f"of {REASONS[one.kind]}")
     return msgspec.structs.replace(one.facts, doubt="; ".join(filter(None, reasons)))
 
 

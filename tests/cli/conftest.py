@@ -49,11 +49,14 @@ MANIFEST = """\
 """
 SETUP = (
     "from setuptools import setup\nsetup(name='talk', packages=['talk'], entry_points={'console_scripts': "
-    "['talker = talk.nodes:talk', 'listener = talk.nodes:listen']})\n"
+    "['talker = talk.nodes:talk', 'listener = talk.nodes:listen']}, data_files=["
+    "('share/ament_index/resource_index/packages', ['resource/talk']), ('share/talk', ['package.xml']), "
+    "('share/talk/launch', ['launch/robot.launch.xml', 'launch/fleet.launch.xml'])])\n"
 )
 FILES = {
     "package.xml": MANIFEST,
     "setup.py": SETUP,
+    "resource/talk": "",
     "setup.cfg": "[install]\ninstall_scripts=$base/lib/talk\n",
     "talk/__init__.py": "",
     "talk/nodes.py": NODES,

@@ -3,8 +3,9 @@
     python benchmarks/rules_speed.py CORPUS [--cpplint COMMAND] [--rounds N]
 
 CORPUS is a folder with clones, as for ``source_speed.py``; their C and C++ files are copied to a temporary folder.
-There run in turn: a bare tree-sitter parse, the facts that metrics are made of, the same with all native rules,
-``roslens check`` of all of it without a cache, and cpplint. CPU seconds are of whole processes, children included.
+There run in turn: a bare tree-sitter parse, the facts that metrics are made of, the same with the native rules that
+are on by default and with all of them, ``roslens check`` of all of it without a cache, and cpplint. CPU seconds are of
+whole processes, children included.
 """
 
 from __future__ import annotations
@@ -26,9 +27,13 @@ from roslens.source.parsed_file import parse_file
 from roslens.source.settings import MacroSettings
 from roslens.source.metrics.measure_file import measure_file
 from roslens.source.settings import CountingSettings
+from roslens.source.settings import RuleSettings
 if {rules}:
     from roslens.source.rules.callbacks import callbacks_of
     from roslens.source.rules.match_file import match_file
+    from roslens.source.rules.selection import wanted_rules
+    from roslens.source.rules.table import native_rules
+    wanted = wanted_rules(RuleSettings(), native_rules()) if {rules} == 1 else None
 gc.disable()
 macros, counting = MacroSettings(), CountingSettings()
 for line in Path(sys.argv[1]).read_text().splitlines():
@@ -36,7 +41,7 @@ for line in Path(sys.argv[1]).read_text().splitlines():
     measure_file(line, parsed.facts(), counting)
     if {rules}:
         view = parsed.view()
-        match_file(view)
+        match_file(view, wanted)
         callbacks_of(view)
 """
 
@@ -56,8 +61,9 @@ def main() -> int:
         check = [str(Path(sys.executable).with_name("roslens")), "check", str(root), "--jobs", "1", "-q"]
         commands = {
             "bare parse": [sys.executable, "-c", BARE, str(listing)],
-            "metrics alone": [sys.executable, "-c", FACTS.format(rules=False), str(listing)],
-            "metrics and rules": [sys.executable, "-c", FACTS.format(rules=True), str(listing)],
+            "metrics alone": [sys.executable, "-c", FACTS.format(rules=0), str(listing)],
+            "metrics and default rules": [sys.executable, "-c", FACTS.format(rules=1), str(listing)],
+            "metrics and all rules": [sys.executable, "-c", FACTS.format(rules=2), str(listing)],
             "roslens check": [*check, "--fail-on", "never", "--no-store", "--no-cache"],
         }
         if options.cpplint:

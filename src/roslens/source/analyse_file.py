@@ -39,9 +39,13 @@ def analyse_file(content: bytes, language: Language, macros: MacroSettings) -> F
     return analyse_parsed(content, parse_file(content, language, macros))
 
 
-def analyse_parsed(content: bytes, parsed: ParsedFile) -> FileAnalysis:
-    """Take the facts of what was parsed already."""
+def analyse_parsed(content: bytes, parsed: ParsedFile, wanted: frozenset[str] | None = None) -> FileAnalysis:
+    """Take the facts of what was parsed already; ``wanted`` are the rules that look at it, all for None."""
     view = parsed.view()
     return FileAnalysis(
-        parsed.facts(), suppressions(content), encoding_failure("", content), match_file(view), callbacks_of(view)
+        parsed.facts(),
+        suppressions(content),
+        encoding_failure("", content),
+        match_file(view, wanted),
+        callbacks_of(view),
     )

@@ -50,6 +50,7 @@ class PackageTask(msgspec.Struct, frozen=True):
     cache: str = ""
     program_keys: dict[str, str] = {}
     rules: RuleSettings = RuleSettings()
+    wanted: frozenset[str] | None = None
     others: tuple[str, ...] = ()
 
 
@@ -158,7 +159,7 @@ def _analyses(
             content = read_bounded(f"{task.root}/{file.path}")
             with time_budget(SOURCE_FILE_S):
                 parsed = parse_file(content, file.language, task.macros)
-                analysis = analyse_parsed(content, parsed) if blob is None else decoder.decode(blob)
+                analysis = analyse_parsed(content, parsed, task.wanted) if blob is None else decoder.decode(blob)
         except OverBudgetError as error:
             failures.append(over_budget(file, error, package=task.package.id))
             continue

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -362,10 +363,24 @@ def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: P
         yield measured
 
 
+@cache
+def _wanted_of(profiles: tuple[str, ...], enable: tuple[str, ...], disable: tuple[str, ...]) -> frozenset[str]:
+    from roslens.source.rules.selection import wanted_rules
+    from roslens.source.rules.table import native_rules
+
+    return wanted_rules(RuleSettings(profiles, enable, disable), native_rules())
+
+
+def _wanted(settings: RuleSettings) -> frozenset[str]:
+    """Return the rules that files are held against; a severity changes nothing of that."""
+    return _wanted_of(settings.profiles, settings.enable, settings.disable)
+
+
 def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
     from roslens.source.analyse_package import PackageTask
 
-    syntax = key_of(analyser_version(), run.settings.macros)
+    wanted = _wanted(run.settings.rules)
+    syntax = key_of(analyser_version(), run.settings.macros, sorted(wanted))
     files = run.inventory.files[found.package.id]
     return PackageTask(
         package=found.package,
@@ -379,6 +394,7 @@ def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
         counting=run.settings.counting,
         macros=run.settings.macros,
         rules=run.settings.rules,
+        wanted=wanted,
         others=run.inventory.others[found.package.id],
         cache=str(cache.path) if cache.path else "",
         program_keys=_program_keys(run, files) if run.programs else {},

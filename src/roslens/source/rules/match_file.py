@@ -1,6 +1,6 @@
-"""Native rules on one parsed file: all of them, with one query and a search for each anchor.
+"""Native rules on one parsed file: those that some package may want, with one query and a search for each anchor.
 
-Which rules a user wants is asked later: what they find is kept by content, and another profile costs no parse.
+Which of them count for the package of the file is asked later: what they find is kept by content.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ class Matched(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
 class _Plan:
     """The rules of a syntax, arranged by what makes them look."""
 
-    def __init__(self, syntax: str, language: Language) -> None:
-        rules = file_rules(syntax)
+    def __init__(self, syntax: str, language: Language, wanted: frozenset[str] | None) -> None:
+        rules = [rule for rule in file_rules(syntax) if wanted is None or rule.id in wanted]
         self.whole = tuple(rule for rule in rules if rule.whole)
         self.anchored = tuple(
             (rule, tuple(anchor.encode() for anchor in rule.anchors)) for rule in rules if rule.anchors
@@ -53,22 +53,26 @@ class _Plan:
 
 
 @cache
-def _plan(syntax: str) -> _Plan:
+def _plan(syntax: str, wanted: frozenset[str] | None) -> _Plan:
     if syntax == "cpp":
         import tree_sitter_cpp
 
-        return _Plan(syntax, Language(tree_sitter_cpp.language()))
+        return _Plan(syntax, Language(tree_sitter_cpp.language()), wanted)
     import tree_sitter_python
 
-    return _Plan(syntax, Language(tree_sitter_python.language()))
+    return _Plan(syntax, Language(tree_sitter_python.language()), wanted)
 
 
-def match_file(view: FileView) -> Matched:
-    """Return what all native rules find in a file, in order of lines, then of rules.
+def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
+    """Return what native rules find in a file, in order of lines, then of rules.
 
     A rule that raises is a failure; what the others find stands.
+
+    Args:
+        view: the file.
+        wanted: ids of the rules that look at it; all for None.
     """
-    plan = _plan(view.syntax)
+    plan = _plan(view.syntax, wanted)
     found: list[Hit] = []
     broken: dict[str, Failure] = {}
     asked = _Asked(view, found, broken)

@@ -22,6 +22,7 @@ PROFILES = {
 }
 """Name of each profile and what it is for."""
 
+ROS2, ROS1 = "ros2", "ros1"
 AUTOMATIC = "auto"
 """The default: ``ros2`` or ``ros1``, by package."""
 

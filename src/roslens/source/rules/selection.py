@@ -9,7 +9,7 @@ from roslens.model.errors import UsageError
 from roslens.model.finding import Severity
 from roslens.model.source import Package
 from roslens.plugins.nearest import did_you_mean
-from roslens.source.rules.profiles import AUTOMATIC, PROFILES, profiles_of
+from roslens.source.rules.profiles import AUTOMATIC, PROFILES, ROS1, ROS2, profiles_of
 from roslens.source.rules.rule import Rule
 from roslens.source.settings import RuleSettings
 
@@ -26,6 +26,15 @@ def selected(settings: RuleSettings, package: Package, rules: Mapping[str, Rule]
     chosen.update(one for one in rules if _is_named(one, settings.enable))
     chosen = {one for one in chosen if not _is_named(one, settings.disable)}
     return {one: Severity(settings.severity.get(one, rules[one].severity.value)) for one in sorted(chosen)}
+
+
+def wanted_rules(settings: RuleSettings, rules: Mapping[str, Rule]) -> frozenset[str]:
+    """Return the ids of the rules that are on for any package: no other has to look at files."""
+    automatic = (ROS2, ROS1)
+    profiles = {one for name in settings.profiles for one in (automatic if name == AUTOMATIC else (name,))}
+    on = {rule.id for rule in rules.values() if profiles & set(rule.profiles)}
+    on.update(one for one in rules if _is_named(one, settings.enable))
+    return frozenset(one for one in on if not _is_named(one, settings.disable))
 
 
 def check_rule_settings(settings: RuleSettings, rules: Mapping[str, Rule]) -> None:

@@ -1,0 +1,32 @@
+"""``colcon roslens``: ``roslens check`` as a verb of colcon; only colcon imports this."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from colcon_core.plugin_system import satisfies_version
+from colcon_core.verb import VerbExtensionPoint
+
+from roslens.cli.boundary import guarded
+from roslens.cli.commands import check
+
+
+class RoslensVerb(VerbExtensionPoint):  # type: ignore[misc]
+    """Measure and judge the packages of the workspace with roslens."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        satisfies_version(VerbExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
+
+    def add_arguments(self, *, parser: argparse.ArgumentParser) -> None:
+        """Add the options of ``roslens check``."""
+        check.add_arguments(parser)
+        parser.set_defaults(paths=[])
+
+    def main(self, *, context: Any) -> int:
+        """Check the folders given, or those that colcon looks into: ``src`` where there is one."""
+        options = context.args
+        options.paths = options.paths or ["src" if Path("src").is_dir() else "."]
+        return guarded(lambda: check.run(options), ["check", *options.paths])

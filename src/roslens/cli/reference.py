@@ -22,6 +22,8 @@ def pages() -> Mapping[str, str]:
     from roslens.source.rules.pages import rule_pages
     from roslens.source.rules.table import native_rules
     from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
+    from roslens.source.tools.page import tool_page, tools_page
+    from roslens.source.tools.used import TOOLS
 
     known = {**QUANTITIES, **{quantity.key: quantity for quantity in CCCC_QUANTITIES}}
     models = [load_model(name, known) for name in builtin_models()]
@@ -31,6 +33,8 @@ def pages() -> Mapping[str, str]:
         "model.schema.json": _json(model_schema()),
         "references.md": references_page(BY_KEY),
         "reference.schema.json": _json(reference_schema(BY_KEY)),
+        "tools.md": tools_page(),
+        **{f"tools/{name}.md": tool_page(name) for name in TOOLS},
         "graph.schema.json": _json(graph_schema()),
         **rule_pages(native_rules()),
         "graph_rules.md": graph_rules_page(graph.manifest.rules, graph.manifest.options),

@@ -200,3 +200,21 @@ def test_a_suppression_in_the_source_holds(check, played, workspace):
 def test_code_of_others_is_left_out(check, played, workspace: Path):
     (workspace / "roslens.toml").write_text('[workspace]\nvendored = ["b.cpp"]\n')
     assert found(check("--tools", "cpplint")[1]) == [ALL[0], ALL[2]]
+
+
+def test_the_tools_are_listed(workspace, played, monkeypatch, capsys):
+    monkeypatch.setattr("roslens.source.tools.programs.find_program", lambda name, root: None)
+    assert main(["plugins", str(workspace), "--format", "json"]) == 0
+    tools = json.loads(capsys.readouterr().out)["tools"]
+    assert {"cpplint", "clang_tidy", "ament_copyright"} <= {tool["name"] for tool in tools}
+    assert all(tool["trouble"] == "it is not installed" and tool["get"] for tool in tools)
+    main(["doctor", str(workspace)])
+    assert "not installed: ament_copyright," in capsys.readouterr().out
+
+
+def test_a_check_of_a_tool_is_explained(workspace, capsys):
+    assert main(["explain", "cpplint.runtime/explicit", str(workspace)]) == 0
+    told = capsys.readouterr().out
+    assert "hicpp 12.1.1" in told
+    assert main(["explain", "clang_tidy.bugprone-something-new", str(workspace)]) == 0
+    assert "bugprone-something-new" in capsys.readouterr().out

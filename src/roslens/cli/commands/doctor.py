@@ -57,11 +57,28 @@ def _checks(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
         yield (
             ("ok", f"{program}: {place}") if place else ("note", f"{program} is not installed; it is needed for {use}")
         )
+    yield from _tools(options)
     try:
         yield from _configuration(options)
     except RoslensError as error:
         yield "fail", str(error)
     yield from _store(options)
+
+
+def _tools(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    """Say which foreign tools are there; none is needed."""
+    from roslens.cli.tools_found import found_tools
+
+    absent = []
+    for tool in found_tools(str(Path(options.path).resolve()), ask=True):
+        if tool.trouble and tool.path:
+            yield "note", f"{tool.name} will not be run: {tool.trouble} ({tool.path})"
+        elif tool.path:
+            yield "ok", f"{tool.name}{f' {tool.version}' if tool.version else ''}: {tool.path}"
+        else:
+            absent.append(tool.name)
+    if absent:
+        yield "note", f"not installed: {', '.join(absent)}; `roslens plugins` says how to get them for --tools"
 
 
 def _libraries() -> Iterator[tuple[str, str]]:

@@ -43,12 +43,14 @@ def known(configuration: Configuration) -> Known:
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
     from roslens.source.rules.table import native_rules
+    from roslens.source.tools.layout import RULE as LAYOUT
+    from roslens.source.tools.tool_rules import mapped_rules
     from roslens.source.workspace.silence import RULES
 
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     quantities = dict(QUANTITIES)
     rules: dict[str, RuleInfo] = {rule.id: rule.info for rule in native_rules().values()}
-    rules.update({rule.id: rule for rule in RULES})
+    rules.update({rule.id: rule for rule in (*RULES, LAYOUT, *mapped_rules())})
     for member in found.members:
         quantities.update({quantity.key: quantity for quantity in member.manifest.quantities})
         rules.update({rule.id: rule for rule in member.manifest.rules})
@@ -78,6 +80,8 @@ def run(options: argparse.Namespace) -> int:
         print(_of_quantity(quantities[wanted], models))
     elif wanted in rules:
         print(_of_rule(rules[wanted]))
+    elif (rule := _of_tool(wanted)) is not None:
+        print(_of_rule(rule))
     else:
         near = difflib.get_close_matches(wanted, (*models, *quantities, *rules), 3, 0.5)
         raise UsageError(
@@ -86,6 +90,15 @@ def run(options: argparse.Namespace) -> int:
             advice=f"Did you mean {', '.join(near)}?" if near else "See `roslens plugins`",
         )
     return 0
+
+
+def _of_tool(identity: str) -> RuleInfo | None:
+    """Return the rule of a foreign tool that no data file names, by what its family is."""
+    from roslens.source.tools.tool_checks import rule_of
+    from roslens.source.tools.used import TOOLS
+
+    tool, _, check = identity.partition(".")
+    return rule_of(tool, check) if tool in TOOLS and check else None
 
 
 def _of_rule(rule: RuleInfo) -> str:

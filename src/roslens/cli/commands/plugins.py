@@ -9,7 +9,7 @@ from pathlib import Path
 from roslens.cli.boundary import CLEAN, NOT_ANALYSED
 from roslens.cli.trust_option import add_trust_argument, admitted_by
 
-TEXT = "List plug-ins with the quantities and rules that each gives."
+TEXT = "List plug-ins with the quantities and rules that each gives, and the foreign tools that --tools can name."
 EXAMPLES = """\
   roslens plugins
   roslens plugins --format json"""
@@ -28,13 +28,16 @@ def run(options: argparse.Namespace) -> int:
     import msgspec
 
     from roslens.cli.configuration import find_configuration
+    from roslens.cli.tools_found import found_tools
     from roslens.source.plugin_stage import discover_plugins
 
+    root = str(Path(options.path).resolve())
     configuration = admitted_by(options, find_configuration(Path(options.path).resolve(), options.config))
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
     if options.format == "json":
         document = {
             "plugins": [{"origin": member.origin, **msgspec.to_builtins(member.manifest)} for member in found.members],
+            "tools": msgspec.to_builtins(list(found_tools(root, ask=False))),
             "failures": msgspec.to_builtins(found.failures),
         }
         print(msgspec.json.format(msgspec.json.encode(document)).decode())
@@ -52,8 +55,21 @@ def run(options: argparse.Namespace) -> int:
                 print(f"  rule {rule.id} ({rule.severity.value}): {rule.title}")
             for option in manifest.options:
                 print(f"  option {option.name} ({option.type}, default {option.default!r}): {option.text}")
+        _print_tools(root)
     for item in found.unavailable:
         print(f"roslens: {item.plugin} rests until the program {item.program!r} is installed", file=sys.stderr)
     for failure in found.failures:
         print(f"roslens: {failure}", file=sys.stderr)
     return NOT_ANALYSED if found.failures else CLEAN
+
+
+def _print_tools(root: str) -> None:
+    """List the foreign tools: those that are there, and how to get the others."""
+    from roslens.cli.tools_found import found_tools
+
+    print("\nForeign tools, for `roslens check --tools NAME`:")
+    for tool in found_tools(root, ask=False):
+        print(f"  {tool.name}  [{tool.path or 'not installed'}]")
+        print(f"    {tool.text}")
+        if not tool.path:
+            print(f"    get it: {tool.get}")

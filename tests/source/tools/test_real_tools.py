@@ -1,0 +1,56 @@
+"""Tools that are installed find in the recorded sources what they found when that was recorded, in any version."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from recorded_tools import SOURCES
+
+from roslens.cli.main import main
+from roslens.source.tools.programs import find_program
+from roslens.source.tools.table import tool_named
+from roslens.source.tools.used import TOOLS
+
+pytestmark = pytest.mark.real
+
+MANIFEST = """<package format="2"><name>arm</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@b.org">A</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend></package>
+"""
+
+FINDS = {
+    "ament_copyright": ("arm/sample.cpp", "copyright"),
+    "ament_flake8": ("arm/sample.py", "F821"),
+    "ament_lint_cmake": ("cat/CMakeLists.txt", "whitespace/extra"),
+    "ament_pep257": ("arm/sample.py", "D400"),
+    "catkin_lint": ("cat/CMakeLists.txt", "missing_file"),
+    "clang_format": ("arm/sample.cpp", "violation"),
+    "clang_tidy": ("arm/whole.cpp", "clang-analyzer-core.DivideZero"),
+    "cppcheck": ("arm/sample.cpp", "zerodiv"),
+    "cpplint": ("arm/sample.hpp", "runtime/explicit"),
+    "pylint": ("arm/sample.py", "undefined-variable"),
+    "ruff": ("arm/sample.py", "F821"),
+}
+
+
+@pytest.mark.parametrize("name", [name for name in TOOLS if name != "ament_xmllint"])  # which asks the net
+def test_a_tool_that_is_installed_is_understood(name, tmp_path, capfd):
+    tool = tool_named(name)
+    if find_program(tool.program, str(tmp_path)) is None:
+        pytest.skip(f"{tool.program} is not installed; {tool.get}")
+    root = tmp_path / "ws"
+    shutil.copytree(SOURCES, root / "arm", ignore=shutil.ignore_patterns("cat"))
+    shutil.copytree(SOURCES / "cat", root / "cat")
+    (root / "arm" / "package.xml").write_text(MANIFEST)
+    (root / ".clang-format").write_text("BasedOnStyle: Google\n")
+    source = root / "arm" / "whole.cpp"
+    entry = {"directory": str(root), "command": f"c++ -std=c++17 -c {source}", "file": str(source)}
+    Path(root / "compile_commands.json").write_text(json.dumps([entry]))
+    (root / "roslens.toml").write_text(f'[tools]\nuse = ["{name}"]\nlayout = "each"\n')
+    main(["check", str(root), "--jobs", "1", "--format", "json", "--no-store", "--no-cache"])
+    report = json.loads(capfd.readouterr().out)
+    # A catkin package without catkin is the tool's own trouble; what is asked is that it was run and understood.
+    assert not [failure["what"] for failure in report["failures"] if "was not run" in failure["what"]]
+    path, check = FINDS[name]
+    found = {(one["path"], rule) for one in report["findings"] for rule in (one["rule"], *one.get("witnesses", ()))}
+    assert (path, f"{name}.{check}") in found

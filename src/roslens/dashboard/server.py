@@ -26,6 +26,7 @@ from roslens.model.errors import StoreError
 
 _LIVE = "/live/"
 _OF_GRAPHS = ("/computation/", "/nodes/", "/topics/")
+_GRACE_S = 2
 _ADVICE = "start `roslens serve` with --host HOST"
 _MEDIA: Mapping[str, str] = {"json": "application/json", "csv": "text/csv; charset=utf-8"}
 
@@ -131,6 +132,8 @@ def serve(
     """
     import uvicorn
 
+    from roslens.dashboard.patient_protocol import PatientProtocol
+
     stopping: list[bool] = []
 
     class Server(uvicorn.Server):
@@ -146,7 +149,10 @@ def serve(
     )
     with closing(listen(host, port, local=local, free=free)) as listener:
         ready(address_shown(listener))
-        config = uvicorn.Config(app, log_level="error", access_log=False, lifespan="off", server_header=False)
+        config = uvicorn.Config(
+            app, log_level="error", access_log=False, lifespan="off", server_header=False, ws="none",
+            http=PatientProtocol, timeout_graceful_shutdown=_GRACE_S,
+        )  # fmt: skip
         try:
             Server(config).run(sockets=[listener])
         except KeyboardInterrupt:

@@ -9,6 +9,7 @@ import uvicorn
 
 from roslens.dashboard.listener import address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, nothing
+from roslens.dashboard.patient_protocol import PatientProtocol
 
 _ADVICE = "Give --serve another port, or 0 for any free one"
 _GRACE_S = 2
@@ -39,6 +40,7 @@ class LivePage:
                 lifespan="off",
                 server_header=False,
                 ws="none",
+                http=PatientProtocol,
                 timeout_graceful_shutdown=_GRACE_S,
             )
         )

@@ -25,3 +25,23 @@ def lines_of(pattern: re.Pattern[bytes], view: FileView, group: int = 0) -> Iter
     """Yield each match in the code of a file, with its line, 1-based."""
     for match in pattern.finditer(view.code):
         yield match, view.place(match.start(group))[0]
+
+
+def word_places(word: bytes, view: FileView, start: int = 0, end: int | None = None) -> Iterator[int]:
+    """Yield each position in the code of a file at which a name stands as a whole word.
+
+    It compiles no pattern: names are many, and each is asked once.
+    """
+    code = view.code
+    last = len(code) if end is None else end
+    at = code.find(word, start, last)
+    while at >= 0:
+        behind = at + len(word)
+        if not (_is_word(code, at - 1) or _is_word(code, behind)):
+            yield at
+        at = code.find(word, behind, last)
+
+
+def _is_word(code: bytes, at: int) -> bool:
+    one = code[at : at + 1] if at >= 0 else b""
+    return one.isalnum() or one == b"_" or one >= b"\x80"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from tree_sitter import Node
 
@@ -74,8 +74,16 @@ def bases_of(cls: Node, view: FileView) -> tuple[str, ...]:
     return tuple(view.text(one) for one in clause.named_children if one.type != "access_specifier")
 
 
-def members_of(cls: Node, view: FileView) -> Iterator[Member]:
-    """Yield what the body of a class declares, in order; what stands in ``#if`` as well."""
+def members_of(cls: Node, view: FileView) -> tuple[Member, ...]:
+    """Return what the body of a class declares, in order; what stands in ``#if`` as well."""
+    key = ("members", cls.start_byte, cls.type)
+    found = view.kept.get(key)
+    if found is None:
+        found = view.kept[key] = tuple(_members(cls, view))
+    return cast("tuple[Member, ...]", found)
+
+
+def _members(cls: Node, view: FileView) -> Iterator[Member]:
     body = cls.child_by_field_name("body")
     if body is None:
         return

@@ -65,6 +65,16 @@ class FileView:
                 found.append(node)
         return found
 
+    @cached_property
+    def may_be_header(self) -> bool:
+        """Whether something keeps the file from being read twice, as headers do; sources may pass."""
+        return b"#pragma once" in self.code or b"#ifndef" in self.code or b"!defined" in self.code
+
+    @cached_property
+    def kept(self) -> dict[object, object]:
+        """What rules worked out and ask again, by keys of their own."""
+        return {}
+
     def text(self, node: Node | None) -> str:
         """Return the source of a node with its white space squeezed; empty for none."""
         if node is None:

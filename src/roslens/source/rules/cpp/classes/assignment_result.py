@@ -15,6 +15,8 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each assignment operator whose result is no reference."""
+    if view.code.find(b"operator", node.start_byte, node.end_byte) < 0:
+        return
     for member in members_of(node, view):
         if member.name.replace(" ", "") != "operator=" or member.is_deleted or member.declarator is None:
             continue

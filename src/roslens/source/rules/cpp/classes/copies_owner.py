@@ -37,7 +37,7 @@ _OWNERS = (
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a class that frees a member in its destructor and does not say how it is copied."""
     # A base class may forbid copies: noncopyable, QObject, Nodelet.
-    if bases_of(node, view):
+    if view.code.find(b"~", node.start_byte, node.end_byte) < 0 or bases_of(node, view):
         return
     name = class_name(node, view)
     destructor = None

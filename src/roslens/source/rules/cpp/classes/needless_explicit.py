@@ -15,6 +15,8 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each explicit constructor that takes nothing."""
+    if view.code.find(b"explicit", node.start_byte, node.end_byte) < 0:
+        return
     name = class_name(node, view)
     for member in members_of(node, view):
         if (

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import bases_of, class_name, is_static, members_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -61,6 +62,7 @@ RULE = FileRule(
     "parameters, without `override`. Add `override`.",
     why="When the base class changes a parameter, the function silently is a new one, and the safe default of "
     "the base runs.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

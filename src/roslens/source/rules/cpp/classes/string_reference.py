@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -12,9 +13,13 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_REFERENCE = re.compile(rb"string\s*&\s*\w+\s*;")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each member that is a reference to a constant string."""
+    if not _REFERENCE.search(view.code, node.start_byte, node.end_byte):
+        return
     for member in members_of(node, view):
         declarator = member.node.child_by_field_name("declarator")
         if member.node.type != "field_declaration" or declarator is None or declarator.type != "reference_declarator":

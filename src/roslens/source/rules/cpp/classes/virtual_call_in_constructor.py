@@ -16,6 +16,8 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each call of a virtual member in the body of a constructor or destructor."""
+    if view.code.find(b"virtual", node.start_byte, node.end_byte) < 0:
+        return
     name = class_name(node, view)
     virtual, bodies = set(), []
     for member in members_of(node, view):

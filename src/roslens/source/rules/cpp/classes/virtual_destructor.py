@@ -14,6 +14,8 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a class that has virtual functions and no virtual destructor."""
+    if view.code.find(b"virtual", node.start_byte, node.end_byte) < 0:
+        return
     if node.child_by_field_name("body") is None or has_token(node, "virtual_specifier") or bases_of(node, view):
         return
     virtual = ""

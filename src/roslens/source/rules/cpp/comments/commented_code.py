@@ -12,18 +12,19 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_CODE = re.compile(rb"(?:^[ \t]*//[ \t]*(?![/!*@\\\\])[^\n]*[;{}][ \t]*(?://[^\n]*)?\n){2,}", re.MULTILINE)
+_CODE = re.compile(rb"//[ \t]*(?![/!*@\\\\])[^\n]*[;{}][ \t]*\n[ \t]*//[^\n]*[;{}][ \t]*\n")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each block of comments that reads like code."""
     if b"//" not in view.content:
         return
+    end = -1
     for match in _CODE.finditer(view.content):
-        if b"(" in match[0] or b"=" in match[0]:
-            yield view.hit_at(
-                "cpp.commented_code", view.place(match.start())[0], "code in comments; expected it to be deleted"
-            )
+        line, column = view.place(match.start())
+        is_first, end = line > end + 1, line + 1
+        if is_first and not view.lines[line - 1][: column - 1].strip() and (b"(" in match[0] or b"=" in match[0]):
+            yield view.hit_at("cpp.commented_code", line, "code in comments; expected it to be deleted")
 
 
 RULE = FileRule(

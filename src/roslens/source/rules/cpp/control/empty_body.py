@@ -16,8 +16,6 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     body = node.child_by_field_name("consequence") or node.child_by_field_name("body")
     if body is None or body.type != "expression_statement" or body.named_child_count or body.text != b";":
         return
-    if node.child_by_field_name("alternative") is not None:
-        return  # nothing to do in this case, and something in the other
     following = node.next_named_sibling
     while following is not None and following.type == "comment":
         following = following.next_named_sibling

@@ -8,24 +8,28 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_INTEGER = re.compile(rb"\b(?:unsigned|signed|short|long|int)\b")
+_INTEGERS = tuple(re.compile(rb"%s(?!\w)" % word) for word in (b"int", b"unsigned", b"signed", b"short", b"long"))
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each integer type that does not say its size."""
-    seen = -1
-    for _match, node in places(_INTEGER, view):
+    seen = set()
+    for match in (one for pattern in _INTEGERS for one in pattern.finditer(view.code)):
+        before = view.code[max(match.start() - 1, 0) : match.start()]
+        if before.isalnum() or before == b"_" or (node := view.node_at(match.start(), match.end())) is None:
+            continue
         one = node if node.type in ("primitive_type", "sized_type_specifier") else node.parent
-        if one is None or one.start_byte <= seen or one.type not in ("primitive_type", "sized_type_specifier"):
+        if one is None or one.type not in ("primitive_type", "sized_type_specifier"):
             continue
         if one.parent is not None and one.parent.type == "sized_type_specifier":
             one = one.parent
-        seen = one.start_byte
+        if one.start_byte in seen:
+            continue
+        seen.add(one.start_byte)
         text = view.text(one)
         is_main = re.match(rb"\s*(?:main\s*\(|argc\b|\))", view.code[one.end_byte : one.end_byte + 40])
         if not is_main and "char" not in text and "double" not in text:

@@ -13,14 +13,18 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_DECLARED = re.compile(rb"^[ \t]*(?:class|struct)[ \t]+\w+(?:::\w+)+[ \t]*;", re.MULTILINE)
+_DECLARED = (
+    re.compile(rb"class[ \t]+\w+(?:::\w+)+[ \t]*;"),
+    re.compile(rb"struct[ \t]+\w+(?:::\w+)+[ \t]*;"),
+)
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each forward declaration with a scope."""
-    for match, line in lines_of(_DECLARED, view):
-        text = match[0].decode("utf-8", "replace").strip()
-        yield view.hit_at("cpp.forward_declaration", line, f"`{text}` declares nothing; expected an include")
+    for match, line in (one for pattern in _DECLARED for one in lines_of(pattern, view)):
+        text = match[0].decode("utf-8", "replace")
+        if view.lines[line - 1].lstrip().startswith(match[0]):
+            yield view.hit_at("cpp.forward_declaration", line, f"`{text}` declares nothing; expected an include")
 
 
 RULE = FileRule(

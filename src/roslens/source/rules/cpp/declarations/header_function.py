@@ -17,6 +17,8 @@ _FREE = re.compile(rb"\b(?:inline|static|constexpr|consteval|template|[A-Z_]*INL
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each function with a body at the level of a namespace that has external linkage."""
+    if not view.may_be_header:
+        return
     for node in view.top_level:
         if node.type != "function_definition" or node.child_by_field_name("body") is None or node.has_error:
             continue

@@ -19,6 +19,8 @@ _MACRO_LIKE = re.compile(r"[A-Z][A-Z0-9_]*")
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each variable that is defined at the level of a namespace and may change."""
+    if not view.may_be_header:
+        return
     for node in view.top_level:
         if node.type != "declaration" or node.has_error:
             continue

@@ -13,7 +13,7 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_POINTERS = re.compile(rb"(?<![\w)\]])?(\*\s*(?:const\s*)?\*+)")
+_POINTERS = re.compile(rb"(\*\s*(?:const\s*)?\*+)")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:

@@ -8,21 +8,19 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_LATE = re.compile(
-    rb"\b(?:auto|char|short|int|long|float|double|bool|void|signed|unsigned)[ \t]+(static|extern|typedef|register)\b"
-)
+_TYPE = re.compile(rb"\b(?:auto|char|short|int|long|float|double|bool|void|signed|unsigned)[ \t]+\Z")
 
 
-def found(_: Node, view: FileView) -> Iterator[Hit]:
+def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each storage class behind a type."""
-    for match, node in places(_LATE, view, 1):
-        text = match[0].decode("utf-8", "replace")
-        yield view.hit("cpp.storage_order", node, f"`{text}`; expected `{match[1].decode()}` first")
+    before = _TYPE.search(view.code[max(node.start_byte - 12, 0) : node.start_byte])
+    if before:
+        word = view.text(node)
+        yield view.hit("cpp.storage_order", node, f"`{before[0].decode().strip()} {word}`; expected `{word}` first")
 
 
 RULE = FileRule(
@@ -44,6 +42,6 @@ RULE = FileRule(
     bad="int static counter;\n",
     good="static int counter;\n",
     syntax="cpp",
-    whole=True,
+    anchors=("static", "extern", "typedef"),
     found=found,
 )

@@ -14,6 +14,8 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each local number or pointer without an initialiser."""
+    if any(one in view.code[node.start_byte : node.end_byte] for one in (b"=", b"(", b"{", b"[")):
+        return
     around = node.parent
     if around is None or around.type not in ("compound_statement", "case_statement"):
         return

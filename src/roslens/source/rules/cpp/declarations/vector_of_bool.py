@@ -13,7 +13,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_BITS = re.compile(rb"\b(vector)\s*<\s*bool\s*[>,]")
+_BITS = re.compile(rb"(vector)\s*<\s*bool\s*[>,]")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:

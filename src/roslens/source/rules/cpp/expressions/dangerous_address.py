@@ -13,7 +13,7 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_ADDRESS = re.compile(rb"(?:[=(,]|\breturn)\s*(&)\s*(?:static|dynamic|reinterpret)_cast\b")
+_ADDRESS = re.compile(rb"(&)\s*(?:static|dynamic|reinterpret)_cast\b")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:

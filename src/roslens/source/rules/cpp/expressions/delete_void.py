@@ -19,6 +19,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     text = view.text(operand)
     if operand.type == "identifier":
+        if not re.search(rb"void\s*\*+\s*(?:const\s+)?%s\b" % re.escape(text.encode()), view.code):
+            return
         declared = re.findall(rb"(\w+)\s*\*+\s*(?:const\s+)?%s\b" % re.escape(text.encode()), view.code)
         is_void = bool(declared) and set(declared) == {b"void"}
     else:

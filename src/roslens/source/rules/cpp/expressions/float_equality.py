@@ -8,24 +8,25 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.code_pattern import places
-from roslens.source.rules.file_view import FileView, above
+from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_COMPARED = re.compile(
-    rb"[=!]=\s*-?(?:\d+\.\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlL]?(?![\w.])|(?<![\w.])(?:\d+\.\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlL]?\s*[=!]=(?!=)"
-)
+_NUMBER = rb"(?:\d+\.\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlL]?"
+_BEHIND = re.compile(rb"\s*-?" + _NUMBER + rb"(?![\w.])")
+_BEFORE = re.compile(rb"(?<![\w.])" + _NUMBER + rb"\s*\Z")
 
 
-def found(_: Node, view: FileView) -> Iterator[Hit]:
+def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each comparison with a literal that has a fraction."""
-    for _match, node in places(_COMPARED, view):
-        around = node if node.type == "binary_expression" else above(node, "binary_expression", "compound_statement")
-        if around is not None and around.type == "binary_expression":
-            yield view.hit(
-                "cpp.float_equality", around, f"`{view.text(around)[:60]}` compares for equality; expected a tolerance"
-            )
+    around = node.parent
+    if around is None or around.type != "binary_expression":
+        return
+    code = view.code
+    if _BEHIND.match(code, node.end_byte) or _BEFORE.search(code[max(node.start_byte - 24, 0) : node.start_byte]):
+        yield view.hit(
+            "cpp.float_equality", around, f"`{view.text(around)[:60]}` compares for equality; expected a tolerance"
+        )
 
 
 RULE = FileRule(
@@ -53,6 +54,6 @@ RULE = FileRule(
     bad="bool f(double x) { return x == 0.1; }\n",
     good="bool f(double x) { return std::abs(x - 0.1) < 1e-9; }\n",
     syntax="cpp",
-    whole=True,
+    anchors=("==", "!="),
     found=found,
 )

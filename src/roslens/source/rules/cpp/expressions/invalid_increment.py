@@ -12,7 +12,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_LINE = re.compile(rb"^[ \t]*(\*)[ \t]*\w+(?:\+\+|--)[ \t]*;", re.MULTILINE)
+_LINE = re.compile(rb"(\*)[ \t]*\w+(?:\+\+|--)[ \t]*;")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:

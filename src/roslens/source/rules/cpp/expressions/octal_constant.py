@@ -13,7 +13,7 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_OCTAL = re.compile(rb"(?<![\w.\x80-\xff])0[0-7]+[uUlL]*(?![\w.\x80-\xff])")
+_OCTAL = re.compile(rb"0[0-7](?<![\w.\x80-\xff]0[0-7])[0-7]*[uUlL]*(?![\w.\x80-\xff])")
 _TAKE_MODES = re.compile(r"(?:chmod|mkdir|open|umask|creat|mkfifo|mode|perm)\w*$", re.IGNORECASE)
 
 

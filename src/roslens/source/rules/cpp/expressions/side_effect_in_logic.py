@@ -18,7 +18,10 @@ _EFFECT = re.compile(r"\+\+|--|(?<![=!<>])=(?!=)")
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each ``&&`` or ``||`` whose right operand changes something."""
     right = node.child_by_field_name("right")
-    if right is None or view.text(node.child_by_field_name("operator")) not in ("&&", "||", "and", "or"):
+    code = view.code[right.start_byte : right.end_byte] if right is not None else b""
+    if right is None or not (b"=" in code or b"++" in code or b"--" in code):
+        return
+    if view.text(node.child_by_field_name("operator")) not in ("&&", "||", "and", "or"):
         return
     text = view.text(right)
     if (

@@ -7,39 +7,33 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.code_pattern import places
-from roslens.source.rules.cpp_statement import arguments_of, free_call
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.cpp_statement import arguments_of, callee
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_CALL = re.compile(
-    rb"\b(printf|syslog|fprintf|ROS_(?:DEBUG|INFO|WARN|ERROR|FATAL)(?:_ONCE|_NAMED|_THROTTLE|_COND)?"
-    rb"|RCLCPP_(?:DEBUG|INFO|WARN|ERROR|FATAL)(?:_ONCE)?|RCUTILS_LOG_\w+)\s*\("
+_NAME = re.compile(
+    r"(?:std::)?(?:f?printf|syslog)|ROS_(?:DEBUG|INFO|WARN|ERROR|FATAL)(?:_ONCE|_NAMED|_THROTTLE|_COND)?"
+    r"|RCLCPP_(?:DEBUG|INFO|WARN|ERROR|FATAL)(?:_ONCE)?|RCUTILS_LOG_(?:DEBUG|INFO|WARN|ERROR|FATAL)"
 )
-_BEHIND = {"fprintf": 1, "syslog": 1}
+_SECOND = re.compile(r"(?:std::)?fprintf|syslog|RCLCPP_\w+|\w+_(?:NAMED|THROTTLE|COND)")
 
 
-def found(_: Node, view: FileView) -> Iterator[Hit]:
+def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each call whose last argument is the format, and is the text of a variable."""
-    if b"c_str" not in view.code and b"what" not in view.code:
+    text = above(node, "call_expression")
+    listed = text.parent if text is not None else None
+    call = listed.parent if listed is not None and listed.type == "argument_list" else None
+    if text is None or call is None or call.type != "call_expression":
         return
-    for match, node in places(_CALL, view, 1):
-        call = free_call(node, view)
-        arguments = arguments_of(call) if call is not None else []
-        name = match[1].decode()
-        before = _BEHIND.get(
-            name, 1 if name.startswith("RCLCPP") or name.endswith(("_NAMED", "_THROTTLE", "_COND")) else 0
+    name, arguments = callee(call, view), arguments_of(call)
+    if not _NAME.fullmatch(name) or len(arguments) != 1 + bool(_SECOND.fullmatch(name)) or arguments[-1] != text:
+        return
+    written = view.text(text)
+    if written.endswith(("c_str()", "what()")):
+        yield view.hit(
+            "cpp.format_string", text, f'`{written[:60]}` is the format of `{name}`; expected `"%s", {written[:40]}`'
         )
-        if len(arguments) != before + 1:
-            continue
-        text = view.text(arguments[before])
-        if text.endswith((".c_str()", "->c_str()", ".what()", "->what()")):
-            yield view.hit(
-                "cpp.format_string",
-                arguments[before],
-                f'`{text[:60]}` is the format of `{name}`; expected `"%s", {text[:40]}`',
-            )
 
 
 RULE = FileRule(
@@ -63,6 +57,6 @@ RULE = FileRule(
     bad="void f(const std::string& text) { ROS_INFO(text.c_str()); }\n",
     good='void f(const std::string& text) { ROS_INFO("%s", text.c_str()); }\n',
     syntax="cpp",
-    whole=True,
+    anchors=("c_str", "what"),
     found=found,
 )

@@ -13,7 +13,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _ENDS = re.compile(
-    rb"\b(?:return|co_return|co_yield|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable|static_assert)\b"
+    rb"\b(?:return|co_return|co_yield|throw|exit|_exit|abort|terminate|asm|goto|longjmp|exec[lv]\w*|[A-Za-z_]*(?:RETURN|THROW|FAIL|ASSERT|ABORT|UNREACHABLE|FATAL|NOT_IMPLEMENTED)[A-Z_]*|__builtin_\w+|unreachable)\b"
     rb"|\b(?:while|for)\s*\(\s*(?:1|true|;\s*;)\s*\)|#"
 )
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
@@ -21,8 +21,11 @@ _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a function that has a type of result and a body, and never returns one."""
-    kind, body = node.child_by_field_name("type"), node.child_by_field_name("body")
-    if kind is None or body is None or not body.named_child_count or body.type != "compound_statement":
+    body = node.child_by_field_name("body")
+    if body is None or view.code.find(b"return", body.start_byte, body.end_byte) >= 0:
+        return
+    kind = node.child_by_field_name("type")
+    if kind is None or not body.named_child_count or body.type != "compound_statement":
         return
     text = view.text(kind)
     if (

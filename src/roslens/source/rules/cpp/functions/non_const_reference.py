@@ -19,7 +19,9 @@ _STREAMS = re.compile(r"stream\b|Archive\b|archive\b")
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each parameter that is a reference to what may change."""
     around = node.parent
-    if around is None or around.type != "parameter_declaration" or not has_token(node, "&"):
+    if around is None or view.code.find(b"const", around.start_byte, node.start_byte) >= 0:
+        return
+    if around.type != "parameter_declaration" or not has_token(node, "&"):
         return
     kind = view.text(around.child_by_field_name("type"))
     if any(one.type == "type_qualifier" and one.text == b"const" for one in around.children) or _STREAMS.search(kind):

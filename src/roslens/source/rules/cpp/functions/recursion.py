@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
 from roslens.source.rules.cpp_statement import arguments_of
 from roslens.source.rules.file_view import FileView, above
@@ -22,38 +23,31 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     last = name.rpartition("::")[2]
     if body is None or declarator is None or not last.isidentifier():
         return
-    code = view.code[body.start_byte : body.end_byte]
-    if last.encode() not in code:
-        return
-    # Which of several functions of one name is called, types decide.
-    if (
-        len(
-            set(
-                re.findall(
-                    rb"(?m)^(?!\s*return)[\w:<>,&* ]*[\w&*>]\s+(?:\w+::)*%s\s*(\([^()]*\))\s*(?:const)?\s*[{:]"
-                    % last.encode(),
-                    view.code,
-                )
-            )
-        )
-        > 1
-    ):
-        return
     parameters = parameters_of(declarator)
     least = sum(one.type == "parameter_declaration" for one in parameters)
-    for match in re.finditer(
-        rb"(?<![\w.>:~])(?:this\s*->\s*|%s::)?(%s)\s*\("
-        % (re.escape(name.rpartition("::")[0].encode()), last.encode()),
-        code,
-    ):
-        found_at = view.node_at(body.start_byte + match.start(1), body.start_byte + match.end(1))
+    word, owner = last.encode(), name.rpartition("::")[0].encode()
+    for at in word_places(word, view, body.start_byte, body.end_byte):
+        before = view.code[max(at - 80, 0) : at].rstrip()
+        if before.endswith((b".", b"->", b"::", b"~")) and not before.endswith(
+            (b"this->", b"this ->", owner + b"::" if owner else b"this->")
+        ):
+            continue
+        found_at = view.node_at(at, at + len(word))
         call = above(found_at, "call_expression") if found_at is not None else None
         function = call.child_by_field_name("function") if call is not None else None
-        if call is None or function is None or function.end_byte != body.start_byte + match.end(1):
+        if call is None or function is None or function.end_byte != at + len(word):
             continue
         if least <= len(arguments_of(call)) <= len(parameters):
+            # Which of several functions of one name is called, types decide.
+            if _heads(last, view) > 1:
+                return
             yield view.hit("cpp.recursion", call, f"`{last}` calls itself; expected a loop, or a bound on the depth")
             return
+
+
+def _heads(name: str, view: FileView) -> int:
+    head = rb"^(?!\s*return)[\w:<>,&* ]*[\w&*>]\s+(?:\w+::)*%s\s*(\([^()]*\))\s*(?:const)?\s*[{:]"
+    return len(set(re.findall(head % name.encode(), view.code, re.MULTILINE)))
 
 
 RULE = FileRule(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import function_declarator, name_node
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
@@ -17,15 +17,24 @@ from roslens.source.rules.rule import FileRule
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each function with more than one return of its own."""
     body = node.child_by_field_name("body")
-    if body is None or len(_RETURN.findall(view.code, body.start_byte, body.end_byte)) < 2:
+    if body is None or view.code.count(b"return", body.start_byte, body.end_byte) < 2:
         return
-    returns = list(below(body, "return_statement", inside=("lambda_expression", "class_specifier", "struct_specifier")))
-    if len(returns) > 1:
+    code = view.code[body.start_byte : body.end_byte]
+    if b"](" not in code and b"] (" not in code and b"] {" not in code and b"class" not in code:
+        count = sum(1 for _ in word_places(b"return", view, body.start_byte, body.end_byte))
+        first = view.node_at(
+            *(2 * (next(word_places(b"return", view, body.start_byte, body.end_byte), body.start_byte),))
+        )
+    else:
+        returns = list(
+            below(body, "return_statement", inside=("lambda_expression", "class_specifier", "struct_specifier"))
+        )
+        count, first = len(returns), returns[0] if returns else None
+    if count > 1 and first is not None:
         name = view.text(name_node(function_declarator(node)))
-        yield view.hit("cpp.single_exit", returns[0], f"{len(returns)} returns in `{name}`; expected one at the end")
-
-
-_RETURN = re.compile(rb"\breturn\b")
+        yield view.hit_at(
+            "cpp.single_exit", view.place(first.start_byte)[0], f"{count} returns in `{name}`; expected one at the end"
+        )
 
 
 RULE = FileRule(

@@ -15,6 +15,9 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each function with more than six parameters."""
+    body = node.child_by_field_name("body")
+    if body is None or view.code.count(b",", node.start_byte, body.start_byte) < 6:
+        return
     declarator = function_declarator(node)
     count = len(parameters_of(declarator)) if declarator is not None else 0
     if declarator is not None and count > 6:

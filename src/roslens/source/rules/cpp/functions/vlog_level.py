@@ -13,7 +13,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_LEVEL = re.compile(rb"\b(VLOG)\s*\(\s*(?:INFO|ERROR|WARNING|DFATAL|FATAL)\b")
+_LEVEL = re.compile(rb"(VLOG)\s*\(\s*(?:INFO|ERROR|WARNING|DFATAL|FATAL)\b")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:

@@ -12,18 +12,16 @@ from roslens.source.rules.hit import GUARDED, Hit
 from roslens.source.rules.rule import FileRule
 
 _GUARD = re.compile(
-    rb"^[ \t]*#[ \t]*if(?:ndef[ \t]+(\w+)|[ \t]+!?[ \t]*!defined[ \t]*\(?[ \t]*(\w+)[ \t]*\)?)[^\n]*\n"
-    rb"(?:[ \t]*\n)*[ \t]*#[ \t]*define[ \t]+(\w+)",
-    re.MULTILINE,
+    rb"#[ \t]*if(?:ndef[ \t]+(\w+)|[ \t]+!?[ \t]*!defined[ \t]*\(?[ \t]*(\w+)[ \t]*\)?)[^\n]*\n"
+    rb"(?:[ \t]*\n)*[ \t]*#[ \t]*define[ \t]+(\w+)"
 )
-_ONCE = re.compile(rb"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
-_FIRST = re.compile(rb"^[ \t]*(\S[^\n]*)", re.MULTILINE)
-_NO_CODE = re.compile(rb"\A[\s;]*\Z")
+_ONCE = re.compile(rb"#[ \t]*pragma[ \t]+once\b")
+_FIRST = re.compile(rb"\s*(\S)")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield a file that nothing keeps from being read twice; whether it is a header, its name tells."""
-    first = _FIRST.search(view.code)
+    first = _FIRST.match(view.code)
     if first is None or _ONCE.search(view.code):
         return
     guard = _GUARD.search(view.code)

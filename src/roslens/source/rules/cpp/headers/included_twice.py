@@ -13,11 +13,15 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_NAME = re.compile(rb"include[\xa0\x89]*([\xa2\xbc]\S+)")
 _INCLUDE = re.compile(rb"^[ \t]*(?:#[ \t]*(if|endif)|\xa3[\xa0\x89]*include[\xa0\x89]*([^\s]+))", re.MULTILINE)
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each include of what the file has included before, at the same level of ``#if``."""
+    names = _NAME.findall(view.code)
+    if len(set(names)) == len(names):
+        return
     seen: dict[bytes, int] = {}
     depth = 0
     outermost = 1 if view.code.lstrip().startswith((b"#ifndef", b"#if !defined")) else 0

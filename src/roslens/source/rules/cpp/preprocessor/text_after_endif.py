@@ -13,7 +13,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_TEXT = re.compile(rb"^[ \t]*#[ \t]*(endif|else)[ \t]+([^\s/][^\n]*)", re.MULTILINE)
+_TEXT = re.compile(rb"#[ \t]*(endif|else)[ \t]+([^\s/][^\n]*)")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:

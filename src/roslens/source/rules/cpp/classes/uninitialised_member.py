@@ -1,0 +1,131 @@
+"""Rule ``cpp.uninitialised_member``: a member that no constructor sets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.code_pattern import word_places
+from roslens.source.rules.cpp_class import class_name, function_declarator, members_of, name_node, parameters_of
+from roslens.source.rules.file_view import FileView, above, below
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each scalar member that all constructors, which are all in this file, leave out."""
+    name = class_name(node, view)
+    bodies: list[tuple[int, int]] = []
+    fields: list[tuple[str, Node]] = []
+    for member in members_of(node, view):
+        if member.declarator is not None:
+            if member.name != name or member.is_deleted:
+                continue
+            if member.is_defaulted or _is_copy(member.declarator, name, view):
+                continue
+            body = member.node.child_by_field_name("body")
+            if body is None:
+                body = _outside(name, len(parameters_of(member.declarator)), view)
+            function = body.parent if body is not None else None
+            if body is None or function is None or _calls(body, view):
+                return
+            bodies.append((function.start_byte, function.end_byte))
+        else:
+            fields.extend(_scalars(member.node, view))
+    for field, place in fields if bodies else ():
+        if not any(True for start, end in bodies for _ in word_places(field.encode(), view, start, end)):
+            yield view.hit(
+                "cpp.uninitialised_member",
+                place,
+                f"`{field}` has no value after construction; expected one where it is declared",
+            )
+
+
+def _scalars(declaration: Node, view: FileView) -> Iterator[tuple[str, Node]]:
+    if declaration.type != "field_declaration" or any(
+        one.type == "storage_class_specifier" for one in declaration.children
+    ):
+        return
+    if declaration.child_by_field_name("default_value") is not None or any(
+        one.type == "bitfield_clause" for one in declaration.children
+    ):
+        return
+    kind = declaration.child_by_field_name("type")
+    is_scalar = kind is not None and kind.type in ("primitive_type", "sized_type_specifier")
+    text = view.code[declaration.start_byte : declaration.end_byte]
+    if b"=" in text or b"{" in text or b"(" in text:
+        return
+    for one in declaration.children_by_field_name("declarator"):
+        if (is_scalar and one.type == "field_identifier") or one.type == "pointer_declarator":
+            yield view.text(name_node(one)), one
+
+
+def _calls(body: Node, view: FileView) -> bool:
+    """Return whether the body calls what may set members."""
+    for one in below(body, "call_expression", inside=("lambda_expression",)):
+        function = one.child_by_field_name("function")
+        if (
+            function is None
+            or function.type in ("identifier", "template_function")
+            or view.text(function).startswith("this->")
+        ):
+            return True
+        arguments = one.child_by_field_name("arguments")
+        if arguments is not None and ("this" in view.text(arguments) or "&" in view.text(arguments)):
+            return True
+    return (
+        b"memset" in view.code[body.start_byte : body.end_byte]
+        or b"*this" in view.code[body.start_byte : body.end_byte]
+    )
+
+
+def _is_copy(declarator: Node, name: str, view: FileView) -> bool:
+    parameters = parameters_of(declarator)
+    if len(parameters) != 1:
+        return False
+    return view.text(parameters[0].child_by_field_name("type")).partition("<")[0].rpartition("::")[2] == name
+
+
+def _outside(name: str, count: int, view: FileView) -> Node | None:
+    """Return the body of the constructor with so many parameters that is defined outside of its class."""
+    for match in re.finditer(rb"\b%s(?:<\w+>)?\s*::\s*%s\s*\(" % (name.encode(), name.encode()), view.code):
+        at = view.node_at(match.start(), match.end())
+        function = at if at is None or at.type == "function_definition" else above(at, "function_definition")
+        declarator = function_declarator(function) if function is not None else None
+        if function is not None and declarator is not None and len(parameters_of(declarator)) == count:
+            return function.child_by_field_name("body")
+    return None
+
+
+RULE = FileRule(
+    id="cpp.uninitialised_member",
+    title="Member without a value",
+    finds="A member of a number, `bool` or pointer type without a value, that none of the constructors in the "
+    "file mentions; classes whose constructors call functions of their own are let be. Give it a value "
+    "where it is declared.",
+    why="A limit or a flag begins with what was in memory: the robot behaves differently after each start.",
+    profiles=(
+        "ros2",
+        "ros1",
+        "hicpp",
+        "autosar-cpp14",
+        "jsf-av",
+        "safety",
+        "paper2016",
+    ),
+    clauses=(
+        "hicpp 12.4.2",
+        "autosar-cpp14 A12-1-1",
+        "jsf-av 71",
+        "paper2016 uninitMemberVar",
+        "clang-tidy cppcoreguidelines-pro-type-member-init",
+    ),
+    bad="class A { public: A() : a_(3) {} private: int a_; bool on_; };\n",
+    good="class A { public: A() : a_(3) {} private: int a_; bool on_ = false; };\n",
+    syntax="cpp",
+    kinds=("class_specifier", "struct_specifier"),
+    spares_tests=True,
+    found=found,
+)

@@ -1,0 +1,1 @@
+"""Rules on threads, callback groups and what callbacks may still reach."""

@@ -1,0 +1,75 @@
+"""Rule ``node.callback_group_dropped``: a callback group that nobody keeps."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.callbacks import function_name
+from roslens.source.rules.calls import arguments, body_of, call_at, function_around
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import RCLCPP, FileRule
+
+_STAYS = re.compile(rb"\bspin|\bok\s*\(|add_callback_group")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a group in a local variable that goes into options and arguments alone."""
+    call, function = call_at(node), function_around(node)
+    body = body_of(function) if function is not None else None
+    declared = call.parent if call is not None else None
+    if call is None or function is None or body is None or declared is None or declared.type != "init_declarator":
+        return
+    if function.type != "function_definition" or any(view.text(one) == "false" for one in arguments(call)):
+        return
+    name = view.text(declared.child_by_field_name("declarator"))
+    code = view.code[body.start_byte : body.end_byte]
+    if not name.isidentifier() or function_name(function, view) == "main" or _STAYS.search(code):
+        return
+    word = name.encode()
+    all_uses = len(re.findall(rb"\b" + word + rb"\b", code)) - 1
+    into_options = len(re.findall(rb"\bcallback_group\s*=\s*" + word + rb"\s*;", code))
+    into_calls = len(re.findall(rb",\s*" + word + rb"\s*\)\s*;", code))
+    if all_uses and all_uses == into_options + into_calls:
+        yield view.hit(
+            "node.callback_group_dropped",
+            call,
+            f"`{name}` keeps its callback group only until this function ends: the node holds it weakly, and its "
+            "callbacks "
+            "never run afterwards; expected a member",
+        )
+
+
+RULE = FileRule(
+    id="node.callback_group_dropped",
+    title="Callback group not kept",
+    finds="A callback group in a local variable of a function that returns, used for subscriptions, timers, services "
+    "or "
+    "clients. Keep it in a member.",
+    why="Node and executor hold groups weakly: when the variable is gone, so is the group, and no callback of it ever "
+    "runs. "
+    "Nothing says so.",
+    severity=Severity.ERROR,
+    profiles=("ros2",),
+    tags=("concurrency", "callbacks"),
+    bad="""#include <rclcpp/rclcpp.hpp>
+Arm::Arm() : Node("arm") {
+  auto group = create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  timer_ = create_wall_timer(1s, [this] { tick(); }, group);
+}
+""",
+    good="""#include <rclcpp/rclcpp.hpp>
+Arm::Arm() : Node("arm") {
+  group_ = create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  timer_ = create_wall_timer(1s, [this] { tick(); }, group_);
+}
+""",
+    syntax="cpp",
+    anchors=("create_callback_group",),
+    mentions=RCLCPP,
+    found=found,
+)

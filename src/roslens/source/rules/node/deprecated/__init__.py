@@ -1,0 +1,1 @@
+"""Rules on names that a distribution of ROS has deprecated or removed."""

@@ -1,0 +1,40 @@
+"""Rule ``node.deprecated_ros2``: names of rclcpp and headers of ROS 2 that are deprecated or gone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.node.deprecated.table import CPP_ROS2, HEADERS_ROS2, find
+from roslens.source.rules.rule import RCLCPP, FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a name of the table."""
+    return find(node, view, "node.deprecated_ros2", _ROWS)
+
+
+_ROWS = (
+    *CPP_ROS2,
+    *HEADERS_ROS2,
+)
+
+RULE = FileRule(
+    id="node.deprecated_ros2",
+    title="Deprecated name of ROS 2",
+    finds="A name or header that a distribution deprecated or removed. The finding says since when, and what to write.",
+    why="What is deprecated warns in every build of everybody who uses it, and with the next distribution it does not "
+    "build.",
+    profiles=("ros2",),
+    tags=("deprecated",),
+    bad="#include <rclcpp/rclcpp.hpp>\nauto done = rclcpp::executor::FutureReturnCode::SUCCESS;\n",
+    good="#include <rclcpp/rclcpp.hpp>\nauto done = rclcpp::FutureReturnCode::SUCCESS;\n",
+    syntax="cpp",
+    anchors=tuple(row.name for row in CPP_ROS2),
+    quoted=tuple(row.name for row in HEADERS_ROS2),
+    mentions=RCLCPP,
+    found=found,
+)

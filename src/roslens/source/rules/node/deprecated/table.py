@@ -1,0 +1,92 @@
+"""Names that distributions of ROS deprecated or removed, by the changelogs of their packages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import msgspec
+from tree_sitter import Node
+
+from roslens.source.rules.calls import whole_name
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+
+
+class Deprecated(msgspec.Struct, frozen=True, array_like=True):
+    """A name, or the path of a header, that should not be used any more.
+
+    Attributes:
+        name: as it stands in the code.
+        since: the distribution that deprecated it.
+        instead: what to write.
+        gone: the distribution that removed it; empty where it is still there.
+    """
+
+    name: str
+    since: str
+    instead: str
+    gone: str = ""
+
+
+CPP_ROS2 = (
+    Deprecated("set_on_parameters_set_callback", "Foxy", "add_on_set_parameters_callback", "Galactic"),
+    Deprecated("rclcpp::executor::FutureReturnCode", "Foxy", "rclcpp::FutureReturnCode", "Galactic"),
+    Deprecated("rclcpp::executor::ExecutorArgs", "Foxy", "rclcpp::ExecutorOptions", "Galactic"),
+    Deprecated("rclcpp::executor::Executor", "Foxy", "rclcpp::Executor", "Galactic"),
+    Deprecated("rclcpp::callback_group::CallbackGroup", "Foxy", "rclcpp::CallbackGroup", "Galactic"),
+    Deprecated("rclcpp::callback_group::CallbackGroupType", "Foxy", "rclcpp::CallbackGroupType", "Galactic"),
+    Deprecated(
+        "rclcpp::executors::StaticSingleThreadedExecutor", "Kilted", "rclcpp::executors::SingleThreadedExecutor"
+    ),
+)
+"""Sources: changelog of rclcpp 0.9.0, 1.1.0, 5.1.0, 29.0.0."""
+
+HEADERS_ROS2 = (
+    Deprecated("tf2_geometry_msgs/tf2_geometry_msgs.h", "Humble", "tf2_geometry_msgs/tf2_geometry_msgs.hpp"),
+    Deprecated("tf2_eigen/tf2_eigen.h", "Humble", "tf2_eigen/tf2_eigen.hpp"),
+    Deprecated("tf2_sensor_msgs/tf2_sensor_msgs.h", "Humble", "tf2_sensor_msgs/tf2_sensor_msgs.hpp"),
+    Deprecated("tf2_kdl/tf2_kdl.h", "Humble", "tf2_kdl/tf2_kdl.hpp"),
+    Deprecated("tf2_bullet/tf2_bullet.h", "Humble", "tf2_bullet/tf2_bullet.hpp"),
+)
+"""Source: geometry2, which warns of each «This header is obsolete» since Humble."""
+
+PYTHON_ROS2 = (
+    Deprecated("set_parameters_callback", "Foxy", "add_on_set_parameters_callback", "Galactic"),
+    Deprecated("RMW_QOS_POLICY_RELIABILITY_RELIABLE", "Galactic", "ReliabilityPolicy.RELIABLE"),
+    Deprecated("RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT", "Galactic", "ReliabilityPolicy.BEST_EFFORT"),
+    Deprecated("RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL", "Galactic", "DurabilityPolicy.TRANSIENT_LOCAL"),
+    Deprecated("RMW_QOS_POLICY_DURABILITY_VOLATILE", "Galactic", "DurabilityPolicy.VOLATILE"),
+    Deprecated("RMW_QOS_POLICY_HISTORY_KEEP_LAST", "Galactic", "HistoryPolicy.KEEP_LAST"),
+    Deprecated("RMW_QOS_POLICY_HISTORY_KEEP_ALL", "Galactic", "HistoryPolicy.KEEP_ALL"),
+)
+"""Sources: changelog of rclpy 0.9.0, 1.2.1."""
+
+CPP_ROS1 = (
+    Deprecated("PLUGINLIB_DECLARE_CLASS", "Indigo", "PLUGINLIB_EXPORT_CLASS", "Melodic"),
+    Deprecated("PLUGINLIB_REGISTER_CLASS", "Indigo", "PLUGINLIB_EXPORT_CLASS", "Melodic"),
+)
+HEADERS_ROS1 = (
+    Deprecated("pluginlib/class_list_macros.h", "Melodic", "pluginlib/class_list_macros.hpp"),
+    Deprecated("pluginlib/class_loader.h", "Melodic", "pluginlib/class_loader.hpp"),
+)
+PYTHON_ROS1 = (Deprecated("roslib.load_manifest", "Groovy", "no call: catkin sets the paths"),)
+"""Sources: changelog of pluginlib 1.10, 1.12; roslib."""
+
+
+def find(node: Node, view: FileView, rule: str, table: tuple[Deprecated, ...]) -> Iterator[Hit]:
+    """Yield a hit where a node, or the name it is part of, is one of a table."""
+    if node.type == "string_content" or "string" in node.type:
+        name = view.text(node).strip('<>"')
+        place: Node = node
+    else:
+        place = whole_name(node)
+        name = view.text(place)
+    for row in table:
+        if (
+            name == row.name
+            or name.startswith(f"{row.name}::")
+            or (place is not node and name.endswith((f".{row.name}", f"->{row.name}")))
+        ):
+            gone = f" and removed in {row.gone}" if row.gone else ""
+            yield view.hit(rule, place, f"`{row.name}` is deprecated since {row.since}{gone}; expected `{row.instead}`")
+            return

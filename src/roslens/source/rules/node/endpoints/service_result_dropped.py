@@ -1,0 +1,61 @@
+"""Rule ``node.service_result_dropped``: a call of a service that may have failed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.calls import arguments, call_at, is_discarded, receiver
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FIRMWARE, ROSCPP, FileRule
+
+_CLIENT = re.compile(r"client|srv|service", re.IGNORECASE)
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield ``client.call(request)`` as a statement of its own."""
+    call = call_at(node)
+    if any(one in view.content for one in FIRMWARE):
+        return
+    if call is None or not is_discarded(call) or len(arguments(call)) not in (1, 2):
+        return
+    text = view.text(call.child_by_field_name("function"))
+    of = receiver(call)
+    name = view.text(of)
+    is_client = text == "ros::service::call" or (
+        of is not None
+        and (
+            re.search(rb"ServiceClient\s+" + re.escape(name.encode()) + rb"\b", view.code) is not None
+            or (_CLIENT.search(name) is not None and name.isidentifier())
+        )
+    )
+    if is_client:
+        yield view.hit(
+            "node.service_result_dropped",
+            call,
+            f"result of `{view.text(call)}` is dropped: where the service is not there, the response is empty; "
+            "expected "
+            "`if (!...)`",
+        )
+
+
+RULE = FileRule(
+    id="node.service_result_dropped",
+    title="Result of a service call dropped",
+    finds="`client.call(...)` of roscpp as a statement of its own. Ask whether it is true.",
+    why="It returns false where the service is gone or refuses, and the response then holds its defaults: brakes that "
+    "were "
+    "asked to close are taken for closed.",
+    profiles=("ros1",),
+    tags=("endpoints",),
+    bad="#include <ros/ros.h>\nvoid f() { ros::ServiceClient brake; brake.call(close); drive(); }\n",
+    good="#include <ros/ros.h>\nvoid f() { ros::ServiceClient brake; if (brake.call(close)) drive(); }\n",
+    syntax="cpp",
+    anchors=("call",),
+    mentions=ROSCPP,
+    spares_tests=True,
+    found=found,
+)

@@ -20,6 +20,7 @@ def pages() -> Mapping[str, str]:
     from roslens.source.rules.graph import plugin as graph
     from roslens.source.rules.graph.page import graph_rules_page
     from roslens.source.rules.pages import rule_pages
+    from roslens.source.rules.standards import standards_page
     from roslens.source.rules.table import native_rules
     from roslens.source.tools.cccc_quantities import CCCC_QUANTITIES
     from roslens.source.tools.page import tool_page, tools_page
@@ -37,6 +38,7 @@ def pages() -> Mapping[str, str]:
         **{f"tools/{name}.md": tool_page(name) for name in TOOLS},
         "graph.schema.json": _json(graph_schema()),
         **rule_pages(native_rules()),
+        "standards.md": standards_page(native_rules()),
         "graph_rules.md": graph_rules_page(graph.manifest.rules, graph.manifest.options),
     }
 

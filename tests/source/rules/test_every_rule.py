@@ -79,7 +79,7 @@ def test_it_reports_what_its_fixture_marks_and_nothing_else(rule):
 @pytest.mark.parametrize("rule", PACKAGE_RULES, ids=lambda rule: rule.id)
 def test_it_reports_what_its_packages_mark_and_nothing_else(rule, package_view):
     family, name = rule.id.split(".")
-    folders = sorted(one.parent for one in (FIXTURES / family / name).glob("*/package.xml"))
+    folders = sorted(one.parent for one in (FIXTURES / family).rglob(f"{name}/*/package.xml"))
     assert folders, f"add packages in tests/fixtures/rules/{family}/{name}/"
     flagged = 0
     for folder in folders:

@@ -44,7 +44,7 @@ RULE = FileRule(
     clauses=(
         "misra-cpp-2008 6-2-1",
         "misra-cpp-2023 8.18.2",
-        "autosar-cpp14 A6-2-1",
+        "autosar-cpp14 M6-2-1",
         "jsf-av 160",
         "paper2016 harosAssignAssignment",
         "clang-tidy bugprone-assignment-in-if-condition",

@@ -48,6 +48,7 @@ RULE = FileRule(
         "misra-cpp-2023",
         "autosar-cpp14",
         "jsf-av",
+        "paper2016",
     ),
     clauses=(
         "misra-cpp-2008 3-9-2",

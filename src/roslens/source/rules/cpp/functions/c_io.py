@@ -31,6 +31,7 @@ RULE = FileRule(
     profiles=(
         "misra-cpp-2008",
         "misra-cpp-2023",
+        "autosar-cpp14",
         "jsf-av",
     ),
     clauses=(

@@ -1,0 +1,76 @@
+"""Rule ``cpp.missing_include``: a header of the standard library that comes by luck."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import PurePosixPath
+
+from roslens.model.finding import Severity
+from roslens.model.source import Language, Role
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.standard_headers import BROUGHT_ALONG, HEADER_OF
+from roslens.source.syntax.comments import blank_comments
+
+_NAME = re.compile(rb"std::(\w+)")
+_HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx"})
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield the first use of each header that is missing in a file."""
+    files = view.of_language(Language.CPP, roles=(Role.OWN,))
+    own: dict[str, set[str]] = {}
+    for file in files:
+        facts, path = view.facts.get(file.path), PurePosixPath(file.path)
+        if facts is not None and path.suffix in _HEADERS:
+            own.setdefault(path.stem, set()).update(name for name, _ in facts.includes)
+    for file in files:
+        facts, path = view.facts.get(file.path), PurePosixPath(file.path)
+        if facts is None:
+            continue
+        included = {name for name, _ in facts.includes}
+        if path.suffix not in _HEADERS and any(PurePosixPath(name.strip('<>"')).stem == path.stem for name in included):
+            included |= own.get(path.stem, set())
+        yield from _missing(file.path, blank_comments(view.read(file.path), "cpp"), _standard(included))
+
+
+def _standard(included: set[str]) -> set[str]:
+    known = {name.strip('<>"') for name in included}
+    known |= {f"c{name.removesuffix('.h')}" for name in known if name.endswith(".h") and "/" not in name}
+    return known | {other for name in known for other in BROUGHT_ALONG.get(name, ())}
+
+
+def _missing(path: str, code: bytes, included: set[str]) -> Iterator[Hit]:
+    seen: set[str] = set()
+    for match in _NAME.finditer(code):
+        name = match[1].decode("utf-8", "replace")
+        header = HEADER_OF.get(name)
+        if header is None or header in included or header in seen:
+            continue
+        seen.add(header)
+        line = code.count(b"\n", 0, match.start()) + 1
+        message = f"`std::{name}` without `<{header}>`; expected `#include <{header}>`"
+        yield Hit("cpp.missing_include", message, line, context=header, path=path)
+
+
+RULE = PackageRule(
+    id="cpp.missing_include",
+    title="Header of the standard library not included",
+    finds="A name of the standard library, written with `std::`, whose header neither the file nor its own "
+    "header includes. Include it.",
+    why="It compiles because another header happens to include it; with the next distribution that one does not.",
+    severity=Severity.NOTE,
+    profiles=(
+        "google",
+        "paper2016",
+    ),
+    clauses=(
+        "cpplint build/include_what_you_use",
+        "paper2016 include_what_you_use",
+    ),
+    bad="std::vector<int> numbers;\n",
+    good="#include <vector>\nstd::vector<int> numbers;\n",
+    found=found,
+)

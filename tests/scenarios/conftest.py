@@ -19,9 +19,16 @@ MANIFEST = """<?xml version="1.0"?>
   <description>A package.</description>
   <maintainer email="a@example.org">A</maintainer>
   <license>Apache-2.0</license>
+  <buildtool_depend>ament_cmake</buildtool_depend>
   {more}
   <export><build_type>ament_cmake</build_type></export>
 </package>
+"""
+
+BUILD = """cmake_minimum_required(VERSION 3.8)
+project({name})
+find_package(ament_cmake REQUIRED)
+ament_package()
 """
 
 CLEAN = """// A small file
@@ -80,6 +87,7 @@ class Robot:
         place = self.root / (folder or name)
         (place / "src").mkdir(parents=True)
         (place / "package.xml").write_text(MANIFEST.format(name=name, more=more), "utf-8")
+        (place / "CMakeLists.txt").write_text(BUILD.format(name=name), "utf-8")
         for key, text in (files or {"one__cpp": CLEAN}).items():
             (place / "src" / key.replace("__", ".")).write_text(text, "utf-8")
         return place

@@ -147,7 +147,8 @@ def test_the_workspaces_hold_what_makes_sums_differ(run: Run, name: str) -> None
     if name == "with_every_role":
         assert {role_of[one["path"]] for one in findings if one["path"]} == {"own", "test", "generated", "vendored"}
     if name == "of_two_packages":
-        assert {one["package"] for one in findings} == {"talk", "(outside packages)"}
+        assert {one["package"] for one in graph} == {"talk"}
+        assert {one["package"] for one in findings} == {"talk", "fleet", "(outside packages)"}
 
 
 def test_tables_and_report_hold_the_same_findings(run: Run) -> None:

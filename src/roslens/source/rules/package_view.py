@@ -18,6 +18,7 @@ from roslens.source.syntax.facts import FileFacts
 if TYPE_CHECKING:
     from roslens.source.extract.python_setup import Setup
     from roslens.source.rules.cmake_view import CmakeView
+    from roslens.source.rules.dependency_uses import Use
     from roslens.source.workspace.mistakes import Mistake
 
 MOST_BYTES = 4_000_000
@@ -87,6 +88,13 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
             return None
         calls = (one for one in ast.walk(tree) if isinstance(one, ast.Call))
         return next((one for one in calls if getattr(one.func, "id", getattr(one.func, "attr", "")) == "setup"), None)
+
+    @cached_property
+    def uses(self) -> tuple[Use, ...]:
+        """Where it uses other packages."""
+        from roslens.source.rules.dependency_uses import uses_of
+
+        return uses_of(self)
 
     @cached_property
     def mistakes(self) -> tuple[Mistake, ...]:

@@ -30,8 +30,10 @@ def mistakes_of(content: bytes, path: str) -> tuple[Mistake, ...]:
     root = document.root
     if root is None or root.tag != "package":
         return ()
+    # What was open where the reading ended may have been going to say more.
+    torn = {fault.offset for fault in document.faults}
     return tuple(
         Mistake(kind, what, expected, advice, Location(path, *document.place(element.start)))
         for kind, element, what, expected, advice in faults_of(root, complete=not document.faults)
-        if kind not in LOSING
+        if kind not in LOSING and (element is root or element.end not in torn)
     )

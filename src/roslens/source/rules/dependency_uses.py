@@ -1,0 +1,98 @@
+"""Where a package uses others: in its build, its includes and its imports."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from posixpath import dirname
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.model.source import Language, Role
+from roslens.source.rules.system_packages import is_ros_package
+
+if TYPE_CHECKING:
+    from roslens.source.rules.package_view import PackageView
+
+BUILD, RUN, TEST = "build", "run", "test"
+"""When it is used."""
+
+_AFTER_COMPONENTS = frozenset({"OPTIONAL_COMPONENTS", "REQUIRED", "QUIET", "NO_MODULE", "CONFIG", "EXACT", "MODULE"})
+_AROUND = re.compile(r"(?:^|/)(?:examples?|demos?|docs?|ros_lib|templates?)(?:/|$)")
+"""Folders of code that the package carries and does not build for itself."""
+
+
+class Use(msgspec.Struct, frozen=True):
+    """A place where another package is used.
+
+    Attributes:
+        name: as used.
+        when: :data:`BUILD`, :data:`RUN` or :data:`TEST`.
+        how: as a message says it.
+        path: below the workspace.
+        line: 1-based.
+        required: whether it cannot do without.
+    """
+
+    name: str
+    when: str
+    how: str
+    path: str
+    line: int
+    required: bool = True
+
+
+def uses_of(view: PackageView) -> tuple[Use, ...]:
+    """Return where a package uses others, those in the build first; one for each package, way and time."""
+    found: dict[tuple[str, str, bool], Use] = {}
+    for use in (*_of_build(view), *_of_sources(view)):
+        found.setdefault((use.name, use.when, use.how.startswith("find")), use)
+    return tuple(found.values())
+
+
+def _of_build(view: PackageView) -> Iterator[Use]:
+    for one in view.cmake.named("find_package"):
+        if not one.words or one.defined:
+            continue
+        when = TEST if one.for_tests else BUILD
+        # In a condition it may be for the other ROS, or another system.
+        required = "REQUIRED" in one.words and not (one.conditions and when == BUILD)
+        name, *rest = one.words
+        if name != "catkin":
+            if "$" not in name:
+                yield Use(name, when, f"find_package({name})", one.path, one.command.line, required)
+            continue
+        if "COMPONENTS" in rest:
+            for part in rest[rest.index("COMPONENTS") + 1 :]:
+                if part not in _AFTER_COMPONENTS and "$" not in part:
+                    how = f"find_package(catkin COMPONENTS {part})"
+                    yield Use(part, when, how, one.path, one.command.line, required)
+
+
+def _of_sources(view: PackageView) -> Iterator[Use]:
+    own = {view.package.name, *(one.partition("/")[0] for one in view.listing if "/" in one)}
+    for file in view.files:
+        facts = view.facts.get(file.path)
+        if facts is None or file.role not in (Role.OWN, Role.TEST):
+            continue
+        folder = view.inside(dirname(file.path))
+        if _AROUND.search(folder):
+            continue
+        is_test = file.role is Role.TEST or "test" in folder
+        for written, line in facts.includes:
+            if facts.syntax == "cpp":
+                name, when = _included(written), TEST if is_test else BUILD
+                how = f"#include {written}"
+            elif file.language is Language.LAUNCH_PYTHON:
+                continue
+            else:
+                name, when, how = written.partition(".")[0], TEST if is_test else RUN, f"import {written}"
+            if name and name not in own and is_ros_package(name):
+                yield Use(name, when, how, file.path, line)
+
+
+def _included(written: str) -> str:
+    path = written.strip('<>"')
+    name, _, rest = path.partition("/")
+    return name if rest else ""

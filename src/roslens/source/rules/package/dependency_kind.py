@@ -1,0 +1,59 @@
+"""Rule ``package.dependency_kind``: a dependency is declared for another time than that of its use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_FOR_BUILD = frozenset({"build", "depend", "buildtool", "build_export", "buildtool_export"})
+_FOR_RUN = frozenset({"exec", "run", "depend"})
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each dependency that the build, or a program, needs and that is declared for something else only."""
+    kinds: dict[str, set[str]] = {}
+    for one in view.package.dependencies:
+        kinds.setdefault(one.name, set()).add(one.kind)
+    told: set[str] = set()
+    for use in view.uses:
+        declared = kinds.get(use.name)
+        if declared is None or use.when == TEST or use.name in told or not use.required or use.name == "catkin":
+            continue
+        wanted = _FOR_BUILD if use.when == BUILD else _FOR_RUN
+        if declared & wanted or (use.when == RUN and not _runs(use, view)):
+            continue
+        if not declared & {"build", "exec", "run", "test", "doc", "buildtool"}:
+            continue
+        told.add(use.name)
+        has = ", ".join(f"<{kind if kind == 'depend' else f'{kind}_depend'}>" for kind in sorted(declared))
+        expected = "<build_depend> or <depend>" if use.when == BUILD else "<exec_depend> or <depend>"
+        place = next(one for one in view.package.dependencies if one.name == use.name).location
+        at = f"{use.path}:{use.line}"
+        message = f"{use.name!r} is declared by {has}, and {at} uses it: {use.how}; expected {expected}"
+        yield Hit("package.dependency_kind", message, place.line, place.column, context=use.name, path=place.path)
+
+
+def _runs(use: Use, view: PackageView) -> bool:
+    """Return whether a module is one that runs, and no setup.py or generator."""
+    inside = view.inside(use.path)
+    return not inside.startswith(("setup.py", "cmake/", "doc", "test"))
+
+
+RULE = PackageRule(
+    id="package.dependency_kind",
+    title="Dependency declared for another time than that of its use",
+    finds="What CMakeLists.txt finds outside of tests, or C++ includes, and package.xml declares for tests or for "
+    "running only; and what Python imports and package.xml declares for the build or for tests only.",
+    why="Where packages are installed for their purpose (robots get no test dependencies, build machines no "
+    "others), the build fails, or the node ends with an ImportError.",
+    profiles=("ros2", "ros1"),
+    tags=("manifest", "dependency"),
+    clauses=("catkin_lint missing_build_depend",),
+    bad="<test_depend>sensor_msgs</test_depend>  <!-- #include <sensor_msgs/msg/imu.hpp> in src/driver.cpp -->",
+    good="<depend>sensor_msgs</depend>",
+    found=found,
+)

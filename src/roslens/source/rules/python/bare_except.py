@@ -1,0 +1,44 @@
+"""Rule ``python.bare_except``: an except that catches everything, the end of the program too."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView, below
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield an ``except`` without a type that does not raise again."""
+    if any(child.is_named and child.type not in ("block", "comment") for child in node.children):
+        return
+    if next(below(node, "raise_statement"), None) is None and not _ends(node, view):
+        message = "except without a type catches SystemExit, KeyboardInterrupt and misspelt names; expected a type"
+        yield view.hit("python.bare_except", node.children[0], message)
+
+
+def _ends(node: Node, view: FileView) -> bool:
+    text = view.text(node)
+    return "exit(" in text or "traceback." in text or "exc_info" in text
+
+
+RULE = FileRule(
+    id="python.bare_except",
+    title="Except that catches everything",
+    finds="An `except:` without a type that neither raises again, ends the program nor prints the trace. Name the "
+    "exceptions, or write `except Exception`.",
+    why="It also catches KeyboardInterrupt, SystemExit and the exception by which rospy and rclpy end a wait: the "
+    "node cannot be stopped, and a misspelt name is never noticed.",
+    profiles=("ros2", "ros1"),
+    tags=(),
+    syntax="python",
+    kinds=("except_clause",),
+    clauses=("pylint W0702", "ruff E722"),
+    bad="try:\n    pose = listener.lookup()\nexcept:\n    pose = None",
+    good="try:\n    pose = listener.lookup()\nexcept LookupError:\n    pose = None",
+    spares_tests=True,
+    found=found,
+)

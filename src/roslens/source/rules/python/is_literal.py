@@ -1,0 +1,46 @@
+"""Rule ``python.is_literal``: identity with a literal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_LITERALS = frozenset({"string", "integer", "float", "list", "dictionary", "tuple", "set", "concatenated_string"})
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield ``is`` and ``is not`` beside a literal."""
+    operators = {child.type for child in node.children}
+    if not operators & {"is", "is not"}:
+        return
+    children = node.children
+    for at, sign in enumerate(children):
+        if sign.type in ("is", "is not") and 0 < at < len(children) - 1:
+            sides = (children[at - 1].type, children[at + 1].type)
+            if _LITERALS & set(sides):
+                expected = "==" if sign.type == "is" else "!="
+                message = f"{view.text(node)[:60]!r} asks for the same object; expected {expected!r}"
+                yield view.hit("python.is_literal", node, message)
+                return
+
+
+RULE = FileRule(
+    id="python.is_literal",
+    title="Identity with a literal",
+    finds="`is` or `is not` beside a number, a text, a list, a tuple or a dictionary. Write `==` or `!=`.",
+    why="Whether equal values are one object is chance: the branch is taken on one machine, or for small numbers, "
+    "and not on another.",
+    profiles=("ros2", "ros1"),
+    tags=(),
+    syntax="python",
+    kinds=("comparison_operator",),
+    clauses=("ruff F632", "pylint R0123"),
+    bad='if mode is "auto":\n    start()',
+    good='if mode == "auto":\n    start()',
+    found=found,
+)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from roslens.source.extract.python_setup import Setup
     from roslens.source.rules.cmake_view import CmakeView
     from roslens.source.rules.dependency_uses import Use
+    from roslens.source.rules.launch_view import LaunchXml
     from roslens.source.workspace.mistakes import Mistake
 
 MOST_BYTES = 4_000_000
@@ -95,6 +96,13 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
         from roslens.source.rules.dependency_uses import uses_of
 
         return uses_of(self)
+
+    @cached_property
+    def launch(self) -> tuple[LaunchXml, ...]:
+        """The launch files in XML."""
+        from roslens.source.rules.launch_view import launch_files
+
+        return launch_files(self)
 
     @cached_property
     def mistakes(self) -> tuple[Mistake, ...]:

@@ -15,7 +15,7 @@ from roslens.source.rules.rule import FileRule
 _WORD = re.compile(rb"\b(?:print|exec|except|raise)\b")
 
 
-def found(node: Node, view: FileView) -> Iterator[Hit]:
+def found(_root: Node, view: FileView) -> Iterator[Hit]:
     """Yield the first statement of Python 2, with how many there are."""
     first: tuple[Node, str] | None = None
     count = 0

@@ -15,13 +15,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield ``yaml.load`` with nothing but the text."""
     attribute = node.parent
     call = attribute.parent if attribute is not None else None
-    if (
-        attribute is None
-        or call is None
-        or call.type != "call"
-        or view.text(attribute) != "yaml.load"
-        or b"ruamel" in view.code
-    ):
+    if attribute is None or call is None or call.type != "call" or view.text(attribute) != "yaml.load":
+        return
+    if b"ruamel" in view.code:
         return
     arguments = call.child_by_field_name("arguments")
     if arguments is None or arguments.type != "argument_list":

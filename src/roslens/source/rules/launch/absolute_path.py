@@ -1,0 +1,52 @@
+"""Rule ``launch.absolute_path``: a path of one machine."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.model.source import Language, Role
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_HOME = re.compile(r"(?:^|[\s'\"=:(\[,])((?:file://)?/(?:home|Users|root)/[\w.@+-]+(?:/[^\s'\"<>,)\]]*)?)")
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield the first path below a home folder in each attribute, line of YAML or text of a launch file in Python."""
+    for file in view.launch:
+        for element, _ in file.elements:
+            for value in (*element.attributes.values(), element.text()):
+                if match := _HOME.search(value):
+                    yield file.hit("launch.absolute_path", element, _message(match[1]), match[1])
+                    break
+    others = view.of_language(Language.YAML, Language.LAUNCH_YAML, Language.LAUNCH_PYTHON, roles=(Role.OWN,))
+    for one in others:
+        text = view.read(one.path)
+        if one.path.rpartition("/")[2].startswith(("snapcraft", "docker")):
+            continue
+        if b"/home/" not in text and b"/root/" not in text and b"/Users/" not in text:
+            continue
+        for number, line in enumerate(text.decode("utf-8", "replace").splitlines(), 1):
+            match = _HOME.search(re.sub(r"(?:^|\s)#.*", "", line))
+            if match:
+                yield Hit("launch.absolute_path", _message(match[1]), number, context=match[1], path=one.path)
+
+
+def _message(path: str) -> str:
+    return f"{path!r} is on one machine; expected $(find …), an argument, or a path below the package"
+
+
+RULE = PackageRule(
+    id="launch.absolute_path",
+    title="Path of one machine in a configuration",
+    finds="A path below `/home`, `/Users` or `/root` in a launch file (XML, YAML, Python) or a file of parameters. "
+    "Use `$(find PACKAGE)`, `$(find-pkg-share PACKAGE)`, an argument, or `$(env HOME)`.",
+    why="The robot has another user: the map, model or calibration is not found there.",
+    profiles=("ros2", "ros1"),
+    tags=("launch",),
+    bad='<arg name="map" default="/home/ada/maps/office.yaml"/>',
+    good='<arg name="map" default="$(find office_maps)/maps/office.yaml"/>',
+    found=found,
+)

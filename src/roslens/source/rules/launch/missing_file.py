@@ -1,0 +1,66 @@
+"""Rule ``launch.missing_file``: a launch file names a file that its package does not have."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from posixpath import normpath
+
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_OWN = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w-]+)\)/([^\s$'\"]+)$")
+_FILES = frozenset({"file", "textfile", "binfile", "from", "value", "args", "command", "default"})
+_ENDINGS = (
+    ".launch",
+    ".xml",
+    ".yaml",
+    ".yml",
+    ".rviz",
+    ".urdf",
+    ".xacro",
+    ".py",
+    ".pgm",
+    ".world",
+    ".sdf",
+    ".dae",
+    ".stl",
+)
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each path below the own package that leads nowhere."""
+    names = {path.rpartition("/")[2] for path in view.listing}
+    for file in view.launch:
+        for element, _ in () if file.is_test else file.elements:
+            for key, value in element.attributes.items():
+                match = _OWN.search(value.strip()) if key in _FILES else None
+                if match is None or match[1] != view.package.name or not match[2].endswith(_ENDINGS):
+                    continue
+                path = normpath(match[2])
+                name = path.rpartition("/")[2]
+                # Builds make files of templates, and install them elsewhere.
+                made = name in view.cmake.text or f"{name}.in" in names or f"{name}.xacro" in names
+                if not view.exists(view.path(path)) and not (2 in view.ros and name in names) and not made:
+                    yield file.hit("launch.missing_file", element, _message(path, name, view), path)
+
+
+def _message(path: str, name: str, view: PackageView) -> str:
+    like = sorted(one for one in view.listing if one.rpartition("/")[2] == name)
+    advice = f"; {like[0]!r} has that name" if like else ""
+    return f"{path!r} does not exist in this package{advice}; expected a file of it"
+
+
+RULE = PackageRule(
+    id="launch.missing_file",
+    title="Launch file that names a missing file",
+    finds="`$(find PACKAGE)/…` or `$(find-pkg-share PACKAGE)/…` of the own package, with an ending of "
+    "configuration, launch, model or map, that leads to no file and is made by no build. Correct the path.",
+    why="Launching fails with that file, on the robot, when that branch is first taken.",
+    profiles=("ros2", "ros1"),
+    tags=("launch",),
+    bad='<include file="$(find base_bringup)/launch/lidr.launch"/>',
+    good='<include file="$(find base_bringup)/launch/lidar.launch"/>',
+    found=found,
+)

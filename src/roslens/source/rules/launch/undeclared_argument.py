@@ -1,0 +1,50 @@
+"""Rule ``launch.undeclared_argument``: an argument is used that the file does not declare."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.finding import Severity
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.launch_view import ROS_1_ARGUMENT
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+from roslens.source.workspace.elements import Element
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield the first use of each argument that a launch file of ROS 1 uses and does not declare."""
+    for file in view.launch:
+        declared = {
+            element.attributes.get("name", "") for element, around in file.elements if _declares(element, around)
+        }
+        if file.broken or file.is_test:
+            continue
+        for element, _ in file.elements:
+            for value in (*element.attributes.values(), element.text()):
+                for name in ROS_1_ARGUMENT.findall(value):
+                    if name not in declared:
+                        declared.add(name)
+                        message = f"$(arg {name}) is used, and the file has no <arg name={name!r}>; expected it"
+                        yield file.hit("launch.undeclared_argument", element, message, name)
+
+
+def _declares(element: Element, around: str) -> bool:
+    return element.tag == "arg" and around != "include"
+
+
+RULE = PackageRule(
+    id="launch.undeclared_argument",
+    title="Launch argument that is not declared",
+    finds='`$(arg name)` in a launch file of ROS 1 that has no `<arg name="name"/>`. Declare it, with a default '
+    "where there is one. The files of ROS 2 are left out: they inherit what the including file declares.",
+    why='roslaunch ends with "arg has not been set"; in a branch behind `if` it does so on the day somebody takes it.',
+    severity=Severity.ERROR,
+    profiles=("ros1",),
+    tags=("launch",),
+    bad='<launch>\n  <node pkg="joy" type="joy_node" name="joy"><param name="dev" value="$(arg '
+    'device)"/></node>\n</launch>',
+    good='<launch>\n  <arg name="device" default="/dev/input/js0"/>\n  <node pkg="joy" type="joy_node" '
+    'name="joy"><param name="dev" value="$(arg device)"/></node>\n</launch>',
+    found=found,
+)

@@ -43,6 +43,18 @@ def test_three_of_different_rules_that_count():
     assert one.excess == 9.0
 
 
+def test_one_limit_at_most_where_there_is_something_else():
+    limits = [count(f"m{number}.max", excess=9.0 + number, tags=("metrics",)) for number in range(4)]
+    assert chosen(*limits) == ["m3.max", "m2.max", "m1.max"]
+    assert chosen(*limits, count("a"), count("b")) == ["m3.max", "a", "b"]
+    assert chosen(*limits, count("a")) == ["m3.max", "a", "m2.max"]
+
+
+def test_nothing_is_not_infinitely_too_little():
+    low = count("comment_ratio.min", excess=20.0, tags=("metrics",))
+    assert chosen(low, count("eloc.max", excess=2.0, tags=("metrics",)))[0] == "eloc.max"
+
+
 def test_what_belongs_to_no_package_takes_part():
     finding = Finding("graph.qos", Severity.ERROR, "never connected", "a.launch", 3)
     (one,) = first_to_fix([], [finding], {}, ALL)

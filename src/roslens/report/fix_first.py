@@ -10,6 +10,8 @@ from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
 
 MOST = 3
+METRICS = "metrics"
+"""The tag of findings of quality models: one of them at most is named where there is something else to mend."""
 UNMEASURED = 0.75
 """Share of true findings that is supposed of a rule whose precision nobody measured."""
 LIMIT = 0.4
@@ -43,15 +45,20 @@ def first_to_fix(
         score = _score(one, rules.get(one.rule))
         if one.rule not in best or score > best[one.rule][0]:
             best[one.rule] = (score, one)
-    ordered = sorted(best.values(), key=lambda pair: (-pair[0], pair[1].rule))
-    return tuple(one for _score_, one in ordered[:MOST])
+    ordered = [one for _, one in sorted(best.values(), key=lambda pair: (-pair[0], pair[1].rule))]
+    limits = [one for one in ordered if METRICS in one.tags]
+    rest = [one for one in ordered if METRICS not in one.tags]
+    spared = set(limits[1:]) if len(rest) + 1 >= MOST else set(limits[MOST - len(rest) :])
+    return tuple(one for one in ordered if one not in spared)[:MOST]
 
 
 def _score(one: RuleCount, rule: RuleInfo | None) -> float:
-    precision = LIMIT if "metrics" in one.tags else UNMEASURED
+    precision = LIMIT if METRICS in one.tags else UNMEASURED
     if rule is not None and rule.precision:
         precision = rule.precision
-    return _WEIGHTS[one.severity] * precision * (1 + log2(max(one.excess, 1.0)) / 4)
+    # What is too little cannot be less than nothing: how many times says little.
+    excess = 1.0 if one.rule.endswith(".min") else max(one.excess, 1.0)
+    return _WEIGHTS[one.severity] * precision * (1 + log2(excess) / 4)
 
 
 def _counted(finding: Finding) -> RuleCount:

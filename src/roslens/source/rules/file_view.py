@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterator
 from functools import cached_property
@@ -12,6 +13,7 @@ from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 
 _LONGEST_CONTEXT = 200
+_WORD = re.compile(rb"\w+")
 _OPEN = frozenset(
     (
         *("namespace_definition", "declaration_list", "linkage_specification"),
@@ -42,6 +44,11 @@ class FileView:
     def lines(self) -> list[bytes]:
         """The lines of the content, without what ends them."""
         return self.content.split(b"\n")
+
+    @cached_property
+    def words(self) -> frozenset[bytes]:
+        """The words of the code, of its strings too; a set is quicker to ask than the code for hundreds of them."""
+        return frozenset(_WORD.findall(self.code))
 
     @cached_property
     def _starts(self) -> list[int]:

@@ -5,6 +5,7 @@ Which of them count for the package of the file is asked later: what they find i
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Set
 from functools import cache
@@ -38,9 +39,7 @@ class _Plan:
     def __init__(self, syntax: str, language: Language, wanted: frozenset[str] | None) -> None:
         rules = [rule for rule in file_rules(syntax) if wanted is None or rule.id in wanted]
         self.whole = tuple(rule for rule in rules if rule.whole)
-        self.anchored = tuple(
-            (rule, tuple(anchor.encode() for anchor in rule.anchors)) for rule in rules if rule.anchors
-        )
+        self.anchored = tuple((rule, tuple(map(_anchor, rule.anchors))) for rule in rules if rule.anchors)
         self.quoted = tuple((rule, tuple(part.encode() for part in rule.quoted)) for rule in rules if rule.quoted)
         self.mentions = {one: tuple(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
         self.concerns = {(rule.mentions, rule.spares_tests) for rule in rules}
@@ -99,7 +98,9 @@ def _lookouts(
             yield rule, (view.root,)
     for rule, anchors in plan.anchored:
         if (rule.mentions, rule.spares_tests) in concerns:
-            yield from ((rule, _anchored(view, anchor)) for anchor in anchors if anchor in view.code)
+            for anchor, words in anchors:
+                if words <= view.words and (len(words) == 1 or anchor in view.code):
+                    yield rule, _anchored(view, anchor)
     for rule, parts in plan.quoted:
         if (rule.mentions, rule.spares_tests) in concerns:
             yield from ((rule, _quoted(view, part)) for part in parts if part in view.content)
@@ -129,6 +130,11 @@ class _Asked:
                     return
         except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
             self._broken.setdefault(rule.id, _broken(rule, error))
+
+
+def _anchor(text: str) -> tuple[bytes, frozenset[bytes]]:
+    """Return an anchor with the words that a file with it has; where it begins or ends within one, none is known."""
+    return text.encode(), frozenset(word.encode() for word in re.findall(r"\w+", text))
 
 
 def _anchored(view: FileView, anchor: bytes) -> Iterator[Node]:

@@ -17,6 +17,9 @@ _MAIN = re.compile(rb"\bint\s+main\s*\(")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each use of a stream of the console in a file that knows ROS and has no ``main`` of its own."""
+    around = node.parent
+    if around is not None and around.type in ("optional_parameter_declaration", "init_declarator"):
+        return
     if any(word in view.content for word in _ROS) and not _MAIN.search(view.code):
         yield view.hit(
             "node.console_output",

@@ -15,6 +15,9 @@ from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _SLEEPERS = re.compile(r"Duration|Rate|rate|loop", re.ASCII)
 
+_SHORT = re.compile(r"\b(?:micro|nano)seconds|milliseconds\(\d\)|\b\d ?ms\b|\busleep\(\d{1,4}\)")
+"""Sleeps shorter than the period of a usual control loop."""
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a call that sleeps in a callback."""
@@ -25,6 +28,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if of is not None and not _SLEEPERS.search(view.text(of)):
         return
     if of is None and not arguments(call):
+        return
+    if _SHORT.search(view.text(call)):
         return
     callback = callback_around(call, view)
     if callback is not None:

@@ -8,17 +8,18 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.callbacks import function_name
+from roslens.source.rules.callbacks import callee_name, function_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
 
+_KEEP_NONE = frozenset(("create_wall_timer", "create_timer", "create_client", "create_service"))
 _STAYS = re.compile(rb"\bspin|\bok\s*\(|add_callback_group")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield a group in a local variable that goes into options and arguments alone."""
+    """Yield a group in a local variable that is handed to timers, services and clients alone."""
     call, function = call_at(node), function_around(node)
     body = body_of(function) if function is not None else None
     declared = call.parent if call is not None else None
@@ -30,11 +31,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     code = view.code[body.start_byte : body.end_byte]
     if not name.isidentifier() or function_name(function, view) == "main" or _STAYS.search(code):
         return
-    word = name.encode()
-    all_uses = len(re.findall(rb"\b" + word + rb"\b", code)) - 1
-    into_options = len(re.findall(rb"\bcallback_group\s*=\s*" + word + rb"\s*;", code))
-    into_calls = len(re.findall(rb",\s*" + word + rb"\s*\)\s*;", code))
-    if all_uses and all_uses == into_options + into_calls:
+    places = [match.start() for match in re.finditer(rb"\b" + name.encode() + rb"\b", code)][1:]
+    uses = [view.node_at(body.start_byte + at, body.start_byte + at + len(name)) for at in places]
+    if uses and all(_is_handed_over(use, view) for use in uses):
         yield view.hit(
             "node.callback_group_dropped",
             call,
@@ -42,6 +41,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "callbacks "
             "never run afterwards; expected a member",
         )
+
+
+def _is_handed_over(use: Node | None, view: FileView) -> bool:
+    """Tell whether a use is an argument of what keeps no group; a subscription and a publisher keep their options."""
+    call = use.parent.parent if use is not None and use.parent is not None else None
+    return call is not None and call.type == "call_expression" and callee_name(call, view) in _KEEP_NONE
 
 
 RULE = FileRule(

@@ -47,7 +47,10 @@ def _locals(body: Node, until: Node, view: FileView) -> set[str]:
     """Return the local variables, not static and no references, that a function declares before a node."""
     found_: set[str] = set()
     for one in below(body, "declaration", inside=("lambda_expression",)):
-        if one.end_byte > until.start_byte or view.text(one).startswith(("static ", "constexpr ")):
+        block = one.parent
+        if one.end_byte > until.start_byte or block is None or block.end_byte < until.end_byte:
+            continue
+        if view.text(one).startswith(("static ", "constexpr ")):
             continue
         for child in one.children_by_field_name("declarator"):
             inner = child.child_by_field_name("declarator") if child.type == "init_declarator" else child

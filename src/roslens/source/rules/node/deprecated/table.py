@@ -8,7 +8,7 @@ import msgspec
 from tree_sitter import Node
 
 from roslens.source.rules.calls import whole_name
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
 
 
@@ -81,6 +81,8 @@ def find(node: Node, view: FileView, rule: str, table: tuple[Deprecated, ...]) -
     else:
         place = whole_name(node)
         name = view.text(place)
+    if _is_chosen(node, view):
+        return
     for row in table:
         if (
             name == row.name
@@ -90,3 +92,13 @@ def find(node: Node, view: FileView, rule: str, table: tuple[Deprecated, ...]) -
             gone = f" and removed in {row.gone}" if row.gone else ""
             yield view.hit(rule, place, f"`{row.name}` is deprecated since {row.since}{gone}; expected `{row.instead}`")
             return
+
+
+def _is_chosen(node: Node, view: FileView) -> bool:
+    """Tell whether the preprocessor chooses, by distribution or by what there is, whether a node is compiled."""
+    for one in all_above(node):
+        if one.type.startswith("preproc_if"):
+            text = view.source[one.start_byte : one.end_byte]
+            if b"#else" in text or b"#elif" in text or b"DISTRO" in text or b"has_include" in text:
+                return True
+    return False

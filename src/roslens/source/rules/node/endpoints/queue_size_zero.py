@@ -6,11 +6,13 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.source.rules.callbacks import callee_name
 from roslens.source.rules.calls import arguments, call_at, constructed, number_of
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
+_MAKERS = frozenset(("create_publisher", "create_subscription"))
 _ROS_1 = "roscpp takes it as without end"
 _ROS_2 = "a history of no messages keeps nothing"
 
@@ -20,7 +22,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     name = view.text(node)
     if name in ("rclcpp::QoS", "rclcpp::KeepLast", "KeepLast"):
         given = constructed(node)
-        if given and number_of(given[0], view) == 0:
+        call = above(node, "call_expression")
+        while call is not None and callee_name(call, view) not in _MAKERS:
+            call = above(call, "call_expression")
+        if call is not None and given and number_of(given[0], view) == 0:
             yield view.hit("node.queue_size_zero", given[0], f"`{name}(0)`: {_ROS_2}; expected 1 or more")
         return
     call = call_at(node)

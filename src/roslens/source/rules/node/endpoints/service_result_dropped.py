@@ -7,17 +7,19 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.calls import arguments, call_at, is_discarded, receiver
+from roslens.source.rules.calls import arguments, call_at, function_around, is_discarded, receiver
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FIRMWARE, ROSCPP, FileRule
 
 _CLIENT = re.compile(r"client|srv|service", re.IGNORECASE)
 
+_LOOKED_AT = re.compile(rb"\b(?:res|response|resp)\.(?:success|ok|result)\b")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield ``client.call(request)`` as a statement of its own."""
-    call = call_at(node)
+    call, function = call_at(node), function_around(node)
     if any(one in view.content for one in FIRMWARE):
         return
     if call is None or not is_discarded(call) or len(arguments(call)) not in (1, 2):
@@ -32,7 +34,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             or (_CLIENT.search(name) is not None and name.isidentifier())
         )
     )
-    if is_client:
+    after = view.code[call.end_byte : function.end_byte] if function is not None else b""
+    if is_client and not _LOOKED_AT.search(after):
         yield view.hit(
             "node.service_result_dropped",
             call,

@@ -27,6 +27,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     before = " ".join(view.code[body.start_byte : call.start_byte].decode("utf-8", "replace").split())
     if not re.search(rf"[;{{}}] {_PLAIN} (?:\w+, )*{name}(?:, \w+)*;", before):
         return
+    if "hasParam" in before or "has_parameter" in before:
+        return
     if re.search(rf"\b{name} = |\b{name}\)|>> {name}\b", before):
         return
     yield view.hit(

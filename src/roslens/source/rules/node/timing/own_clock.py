@@ -44,5 +44,6 @@ RULE = FileRule(
     syntax="cpp",
     anchors=("rclcpp::Clock",),
     mentions=RCLCPP,
+    spares_tests=True,
     found=found,
 )

@@ -41,5 +41,6 @@ RULE = FileRule(
     syntax="python",
     anchors=("Clock",),
     mentions=RCLPY,
+    spares_tests=True,
     found=found,
 )

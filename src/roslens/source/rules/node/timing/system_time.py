@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import body_of, call_at, function_around, statement_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -33,6 +34,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         call,
         f"`{view.text(call)}` jumps when the computer's clock is set and does not follow simulated time; expected "
         f"{expected}",
+        severity=None if is_stamp else Severity.NOTE,
     )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.source.rules.callbacks import callback_around
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -17,32 +18,37 @@ _FEWEST = 3
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield a look-up outside of ``try``, in a function that neither asks nor waits before."""
+    """Yield a look-up outside of ``try``, in a callback that neither asks nor waits before."""
     call, function = call_at(node), function_around(node)
     body = body_of(function) if function is not None else None
     if call is None or body is None or len(arguments(call)) < _FEWEST or is_handled(call):
         return
-    if not _ASKS_FIRST.search(view.code[body.start_byte : call.start_byte]):
+    callback = callback_around(call, view)
+    if callback is not None and not _ASKS_FIRST.search(view.code[body.start_byte : call.start_byte]):
         yield view.hit(
             "node.transform_unhandled",
             call,
             f"`{view.text(call)[:80]}` outside of `try`: it throws until the transform is known, which no callback "
             "survives; expected a handler of tf2::TransformException",
+            callback=callback,
         )
 
 
 RULE = FileRule(
     id="node.transform_unhandled",
     title="Look-up of a transform that nobody catches",
-    finds="`lookupTransform` outside of `try`, in a function that neither asks `canTransform` nor waits before. Catch "
+    finds="`lookupTransform` outside of `try`, in a callback that neither asks `canTransform` nor waits before. Catch "
     "`tf2::TransformException` and go on without.",
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up throws: the node "
     "ends "
     "in the middle of a drive.",
     profiles=("ros2", "ros1"),
     tags=("transforms", "exceptions"),
-    bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() { t_ = buffer_->lookupTransform(a, b, tf2::TimePointZero); }\n",
-    good="#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() {\n"
+    bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::start() { t_ = create_wall_timer(1s, std::bind(&Arm::tick, this)); }\n"
+    "void Arm::tick() { t_ = buffer_->lookupTransform(a, b, tf2::TimePointZero); }\n",
+    good="#include <rclcpp/rclcpp.hpp>\nvoid Arm::start() "
+    "{ t_ = create_wall_timer(1s, std::bind(&Arm::tick, this)); }\n"
+    "void Arm::tick() {\n"
     "  try { t_ = buffer_->lookupTransform(a, b, tf2::TimePointZero); } catch (const tf2::TransformException & e) "
     "{ wait(e); }\n"
     "}\n",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.source.rules.callbacks import callback_around
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -17,25 +18,27 @@ _FEWEST = 3
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
-    """Yield a look-up outside of ``try``, in a function that neither asks nor waits before."""
+    """Yield a look-up outside of ``try``, in a callback that neither asks nor waits before."""
     call, function = call_at(node), function_around(node)
     if call is None or len(arguments(call)) < _FEWEST or is_handled(call):
         return
     body = body_of(function) if function is not None else None
     start = body.start_byte if body is not None else 0
-    if not _ASKS_FIRST.search(view.code[start : call.start_byte]):
+    callback = callback_around(call, view)
+    if callback is not None and not _ASKS_FIRST.search(view.code[start : call.start_byte]):
         yield view.hit(
             "node.transform_unhandled_python",
             call,
             f"`{view.text(call)[:80]}` outside of `try`: it raises until the transform is known; expected "
             "`except TransformException`",
+            callback=callback,
         )
 
 
 RULE = FileRule(
     id="node.transform_unhandled_python",
     title="Look-up of a transform that nobody catches (Python)",
-    finds="`lookup_transform` outside of `try`, in a function that neither asks `can_transform` nor waits before. "
+    finds="`lookup_transform` outside of `try`, in a callback that neither asks `can_transform` nor waits before. "
     "Catch "
     "`TransformException` and go on without.",
     why="At start, and whenever a localisation is late, the transform is not there, and the look-up raises: a node of "
@@ -43,8 +46,10 @@ RULE = FileRule(
     "ends, a thread of rospy does.",
     profiles=("ros2", "ros1"),
     tags=("transforms", "exceptions"),
-    bad="import rclpy\ndef tick(self):\n    t = self.buffer.lookup_transform('map', 'base', Time())\n",
+    bad="import rclpy\nnode.create_timer(1.0, tick)\ndef tick(self):\n    t = self.buffer.lookup_transform('map', "
+    "'base', Time())\n",
     good="""import rclpy
+node.create_timer(1.0, tick)
 def tick(self):
     try:
         t = self.buffer.lookup_transform('map', 'base', Time())

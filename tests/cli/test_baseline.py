@@ -206,3 +206,12 @@ def test_a_gate_that_cannot_be_told_is_not_passed(walking, capsys, tmp_path):
 def test_a_wrong_gate_is_told(walking, capsys, text, said):
     assert main(gate(walking, text)) == 2
     assert said in capsys.readouterr().err
+
+
+def test_what_does_not_parse_counts_where_it_changed(walking, capsys):
+    (walking / "talk/talk/broken.py").write_text("def f(:\n    return 1 +\n")
+    git(walking, "add", ".")
+    git(walking, "commit", "-qm", "broken")
+    (walking / "talk/talk/fresh.py").write_text("x = 1\n")
+    assert check(walking, capsys, "--changed", "--fail-on", "never", code=0)["failures"] == []
+    assert len(check(walking, capsys, "--changed", "HEAD~1", "--fail-on", "never", code=3)["failures"]) == 1

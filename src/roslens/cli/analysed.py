@@ -62,7 +62,7 @@ def analysed(
     from roslens.source.pipeline import Clock, analyse
     from roslens.store.cache import Cache
 
-    settings = _settings(options, configuration, environment)
+    settings = settings_of(options, configuration, environment)
     now = time.time()
     utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
     kept = None if options.no_cache else own_folder(root) / CACHE
@@ -90,9 +90,10 @@ def analysed(
     return outcome
 
 
-def _settings(
+def settings_of(
     options: argparse.Namespace, configuration: Configuration, environment: Mapping[str, str]
 ) -> SourceSettings:
+    """Return what shapes the result, as configuration, options and environment say."""
     import msgspec
 
     from roslens.source.workspace.conditions import environment_of

@@ -70,7 +70,12 @@ def scope_of(
 
     if unchanged is not None:
         changed = {file.path for _, file in view.files() if unchanged.get(file.path) != file.content_hash}
-        narrowed = NarrowedView(view, lambda finding: finding.path in changed)
+        others = {file.path for _, file in view.files()} - changed
+        narrowed = NarrowedView(
+            view,
+            lambda finding: finding.path in changed,
+            keep_failure=lambda failure: failure.location is None or failure.location.path not in others,
+        )
         return Scope(narrowed, narrowed, narrowed, wanted)
     if not options.baseline:
         return Scope(view, view, view, wanted)

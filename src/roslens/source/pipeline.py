@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -28,6 +27,7 @@ from roslens.source.keys import analyser_version, content_hash, key_of
 from roslens.source.known_manifests import KnownManifests
 from roslens.source.nameable_rules import nameable_rules
 from roslens.source.owned_findings import owned_findings
+from roslens.source.package_task import package_task
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
 from roslens.source.set_aside_in_run import whole_run
@@ -363,40 +363,15 @@ def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: P
         yield measured
 
 
-@cache
-def _wanted_of(profiles: tuple[str, ...], enable: tuple[str, ...], disable: tuple[str, ...]) -> frozenset[str]:
-    from roslens.source.rules.selection import wanted_rules
-    from roslens.source.rules.table import native_rules
-
-    return wanted_rules(RuleSettings(profiles, enable, disable), native_rules())
-
-
-def _wanted(settings: RuleSettings) -> frozenset[str]:
-    """Return the rules that files are held against; a severity changes nothing of that."""
-    return _wanted_of(settings.profiles, settings.enable, settings.disable)
-
-
 def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
-    from roslens.source.analyse_package import PackageTask
-
-    wanted = _wanted(run.settings.rules)
-    syntax = key_of(analyser_version(), run.settings.macros, sorted(wanted))
     files = run.inventory.files[found.package.id]
-    return PackageTask(
-        package=found.package,
+    return package_task(
+        found,
+        files,
+        run.inventory.others[found.package.id],
         root=run.workspace.root,
-        files=files,
-        facts_keys={
-            file.path: f"{file.content_hash}:{file.language.value}:{syntax}"
-            for file in files
-            if file.language.parsed_as
-        },
-        counting=run.settings.counting,
-        macros=run.settings.macros,
-        rules=run.settings.rules,
-        wanted=wanted,
-        others=run.inventory.others[found.package.id],
-        cache=str(cache.path) if cache.path else "",
+        settings=run.settings,
+        kept=str(cache.path) if cache.path else "",
         program_keys=_program_keys(run, files) if run.programs else {},
     )
 

@@ -24,11 +24,18 @@ class NarrowedView(RunView):
     ``failures`` come besides those of the run: what went wrong when it was looked at.
     """
 
-    def __init__(self, view: RunView, keep: Keep | None = None, failures: Iterable[Failure] = ()) -> None:
-        """Without ``keep`` all findings stay."""
+    def __init__(
+        self,
+        view: RunView,
+        keep: Keep | None = None,
+        failures: Iterable[Failure] = (),
+        keep_failure: Callable[[Failure], bool] | None = None,
+    ) -> None:
+        """Without ``keep`` all findings stay, without ``keep_failure`` all failures."""
         super().__init__(view._run, view.header)  # noqa: SLF001 - the same run
         self.keep = keep
         self.more = tuple(failures)
+        self.keep_failure = keep_failure
 
     def _kept(self, findings: Iterable[Finding]) -> Iterator[Finding]:
         return filter(self.keep, findings) if self.keep else iter(findings)
@@ -121,11 +128,11 @@ class NarrowedView(RunView):
     def failures(self, *, package: str | None = None) -> tuple[Failure, ...]:
         """Return what could not be done."""
         more = () if package else self.more
-        return (*super().failures(package=package), *more)
+        return (*filter(self.keep_failure or (lambda _: True), super().failures(package=package)), *more)
 
 
 def with_failures(view: RunView, failures: Iterable[Failure]) -> NarrowedView:
     """Return a run, narrowed or not, with more failures."""
     if isinstance(view, NarrowedView):
-        return NarrowedView(view, view.keep, (*view.more, *failures))
+        return NarrowedView(view, view.keep, (*view.more, *failures), view.keep_failure)
     return NarrowedView(view, None, failures)

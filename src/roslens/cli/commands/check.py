@@ -12,6 +12,7 @@ from roslens.cli.check_gate import gated
 from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
 from roslens.cli.check_scope import scope_of, unchanged_files
+from roslens.cli.check_watch import add_watch_argument, refuse_others, watch_files
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.tools_option import add_tools_arguments, tell_not_run
 from roslens.cli.trust_option import add_trust_argument, admitted_by
@@ -36,6 +37,7 @@ EXAMPLES = """\
   roslens check --baseline origin/main --new-only            what this branch brings
   roslens check --baseline report.json                       all, with what is new since a report
   roslens check --changed                                    findings in files that differ from HEAD
+  roslens check --watch                                      each file again as it is saved
   roslens check --graph                  also what does not fit together once the launch files are started"""
 
 
@@ -63,6 +65,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-cache", action="store_true", help="read every file again")
     parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")
     add_baseline_arguments(parser)
+    add_watch_argument(parser)
     add_trust_argument(parser)
     add_graph_argument(parser)
     add_tools_arguments(parser)
@@ -93,6 +96,7 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
     root = root_of(options.paths)
     configuration = admitted_by(options, find_configuration(root, options.config))
+    refuse_others(options)
     unchanged = unchanged_files(options, root)
     kept = None if options.no_store or unchanged is not None else own_folder(root) / STORE
     with Store.open(kept) as store:
@@ -123,7 +127,10 @@ def run(options: argparse.Namespace) -> int:
             took = time.monotonic() - begun
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)
-        return _exit_code(scope.judged, scope.wanted)
+        code = _exit_code(scope.judged, scope.wanted)
+    if options.watch:
+        watch_files(options, root, configuration)
+    return code
 
 
 def _exit_code(view: RunView, wanted: Wanted) -> int:

@@ -1,0 +1,72 @@
+"""What a package is measured with: its files, their keys in the cache, and the settings that shape the result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING
+
+from roslens.model.source import SourceFile
+from roslens.source.keys import analyser_version, key_of
+from roslens.source.settings import RuleSettings, SourceSettings
+from roslens.source.workspace.find import FoundPackage
+
+if TYPE_CHECKING:
+    from roslens.source.analyse_package import PackageTask
+
+
+def package_task(
+    found: FoundPackage,
+    files: tuple[SourceFile, ...],
+    others: Sequence[str],
+    *,
+    root: str,
+    settings: SourceSettings,
+    kept: str,
+    program_keys: Mapping[str, str] | None = None,
+) -> PackageTask:
+    """Return the task of measuring a package.
+
+    Args:
+        found: the package.
+        files: of it that have a language.
+        others: paths of its other files.
+        root: of the workspace.
+        settings: of the run.
+        kept: path of the cache; empty for none.
+        program_keys: names of cached programs, where they are wanted.
+    """
+    from roslens.source.analyse_package import PackageTask
+
+    wanted = wanted_rules_of(settings.rules)
+    syntax = key_of(analyser_version(), settings.macros, sorted(wanted))
+    return PackageTask(
+        package=found.package,
+        root=root,
+        files=files,
+        facts_keys={
+            file.path: f"{file.content_hash}:{file.language.value}:{syntax}"
+            for file in files
+            if file.language.parsed_as
+        },
+        counting=settings.counting,
+        macros=settings.macros,
+        rules=settings.rules,
+        wanted=wanted,
+        others=tuple(others),
+        cache=kept,
+        program_keys=dict(program_keys or {}),
+    )
+
+
+def wanted_rules_of(settings: RuleSettings) -> frozenset[str]:
+    """Return the rules that files are held against; a severity changes nothing of that."""
+    return _wanted_of(settings.profiles, settings.enable, settings.disable)
+
+
+@cache
+def _wanted_of(profiles: tuple[str, ...], enable: tuple[str, ...], disable: tuple[str, ...]) -> frozenset[str]:
+    from roslens.source.rules.selection import wanted_rules
+    from roslens.source.rules.table import native_rules
+
+    return wanted_rules(RuleSettings(profiles, enable, disable), native_rules())

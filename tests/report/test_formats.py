@@ -52,6 +52,13 @@ def sarif(view, **wanted):
     return json.loads(written("sarif", view, **wanted))["runs"][0]
 
 
+def test_sarif_names_the_witnesses_of_a_result(view_with):
+    run = sarif(view_with(finding(witnesses=("cppcheck.zerodiv",)), finding("b.rule")))
+    named = {result["ruleId"]: result["properties"].get("witnesses") for result in run["results"]}
+    assert named["a.rule"] == ["cppcheck.zerodiv"]
+    assert named["b.rule"] is None
+
+
 def test_findings_that_count_most_severe_first(view_with):
     view = view_with(
         finding(), finding(severity=Severity.ERROR), finding(gated=False), finding(line=1, value=9, bound=1)

@@ -180,6 +180,8 @@ def _properties(one: Reported) -> Iterator[tuple[str, Any]]:
     if one.package:
         yield "package", one.package
     yield "tags", list(finding.tags)
+    if finding.witnesses:
+        yield "witnesses", list(finding.witnesses)
     if finding.quantity:
         yield "quantity", finding.quantity
         if finding.excess:

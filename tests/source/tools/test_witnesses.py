@@ -5,7 +5,7 @@ import pytest
 from roslens.model.finding import Finding, Severity
 from roslens.source.rules.table import FAMILIES, native_rules
 from roslens.source.tools.used import TOOLS
-from roslens.source.tools.witnesses import equivalents, joined
+from roslens.source.tools.witnesses import all_equivalents, equivalents, joined
 
 EXPLICIT = ("cpp.explicit_constructor", "cpplint.runtime/explicit", "cppcheck.noExplicitConstructor")
 
@@ -59,6 +59,25 @@ def test_nothing_is_lost():
     given = [finding(rule, line) for line in (1, 2) for rule in rules]
     whole = [one for kept in joined(given) for one in (kept.rule, *kept.witnesses)]
     assert sorted(whole) == sorted([*rules, *rules])
+
+
+def test_the_clauses_of_a_native_rule_are_checks_that_are_the_same():
+    rows = {row.rules[0]: row.rules for row in all_equivalents()}
+    assert rows["cpp.missing_default"] == ("cpp.missing_default", "clang_tidy.hicpp-multiway-paths-covered")
+    assert told([finding("clang_tidy.hicpp-multiway-paths-covered"), finding("cpp.missing_default")]) == [
+        ("cpp.missing_default", 7, ("clang_tidy.hicpp-multiway-paths-covered",))
+    ]
+
+
+def test_a_check_that_two_native_rules_name_is_a_witness_of_the_one_that_is_there():
+    naming = "clang_tidy.readability-identifier-naming"
+    given = [finding(naming, 1), finding(naming, 2), finding("cpp.class_name", 1), finding("cpp.function_name", 2)]
+    assert told(given) == [("cpp.class_name", 1, (naming,)), ("cpp.function_name", 2, (naming,))]
+
+
+def test_without_tools_nothing_is_looked_at():
+    given = [finding("cpp.explicit_constructor"), finding("ros.cbo.max")]
+    assert joined(given) == tuple(given)
 
 
 def test_a_rule_is_in_one_row():

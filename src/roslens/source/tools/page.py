@@ -8,7 +8,7 @@ from roslens.source.tools.table import tool_named
 from roslens.source.tools.tool import Tool
 from roslens.source.tools.tool_checks import Check, checks_of, rule_id
 from roslens.source.tools.used import TOOLS
-from roslens.source.tools.witnesses import equivalents
+from roslens.source.tools.witnesses import all_equivalents
 
 _HEAD = """\
 # Foreign tools
@@ -81,7 +81,7 @@ output is read. Its exit code does not matter where it leaves SARIF.
 
 Rules of a row look for the same. Where they report the same line (or file, where that is said), one finding stands:
 that of the first rule, with the ids of the others as its `witnesses`. A suppression that names any of them holds. The
-rows are data: `src/roslens/source/tools/equivalent.toml`.
+rows are data: `src/roslens/source/tools/equivalent.toml`, and the checks of tools that native rules name as clauses.
 
 | what they look for | rules |
 | --- | --- |
@@ -97,7 +97,7 @@ def tools_page() -> str:
     )
     rows = "".join(
         f"| {row.about}{' (of a file)' * (row.place == 'file')} | {', '.join(f'`{rule}`' for rule in row.rules)} |\n"
-        for row in sorted(equivalents(), key=lambda row: row.about)
+        for row in sorted(all_equivalents(), key=lambda row: row.about)
     )
     return f"{_HEAD}{table}{_SARIF}{rows}"
 

@@ -1,11 +1,12 @@
 """One finding, many witnesses: what several rules report of one place, by rules that look for the same.
 
-Which rules do is data, ``equivalent.toml``: rows of ids, the one whose finding stands first.
+Which rules do is data: the rows of ``equivalent.toml``, the rule whose finding stands first, and the checks of tools
+that native rules name among their clauses.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from importlib.resources import files as packaged
 from typing import Literal
@@ -13,6 +14,7 @@ from typing import Literal
 import msgspec
 
 from roslens.model.finding import Finding
+from roslens.source.tools.used import TOOLS, plain
 
 
 class Equivalent(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
@@ -43,30 +45,47 @@ def equivalents() -> tuple[Equivalent, ...]:
 
 
 @cache
-def _row_of_rules() -> Mapping[str, tuple[int, int]]:
-    """Return, for each rule that is in a row, the row's number and how early the rule comes in it."""
-    return {rule: (number, rank) for number, row in enumerate(equivalents()) for rank, rule in enumerate(row.rules)}
+def all_equivalents() -> tuple[Equivalent, ...]:
+    """Return the rows of the data file, then one for each other native rule that names checks of tools as clauses."""
+    from roslens.source.rules.table import native_rules
+
+    told = {rule for row in equivalents() for rule in row.rules}
+    rows = [
+        Equivalent(rule.title, (rule.id, *peers))
+        for rule in native_rules().values()
+        if rule.id not in told and (peers := tuple(dict.fromkeys(_peers(rule.clauses))))
+    ]
+    return (*equivalents(), *rows)
+
+
+def _peers(clauses: Iterable[str]) -> Iterator[str]:
+    """Yield the ids of the checks of tools among clauses: ``clang-tidy bugprone-x`` is ``clang_tidy.bugprone-x``."""
+    for clause in clauses:
+        tool, _, check = clause.partition(" ")
+        if check and plain(tool) in TOOLS:
+            yield f"{plain(tool)}.{check}"
 
 
 def joined(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return findings, those that several rules report alike as one that names the others as its witnesses.
 
-    The first finding of one rule at a place is the same as the first of another, the second as the second. The order of
-    those that stay is kept.
+    The first finding of one rule at a place is the same as the first of another, the second as the second. The order
+    of those that stay is kept.
     """
     all_of_them = tuple(findings)
-    row_of = _row_of_rules()
-    groups: dict[tuple[int, str, int], dict[int, list[int]]] = {}
+    by_rule: dict[str, list[int]] = {}
     for index, finding in enumerate(all_of_them):
-        if finding.path and finding.rule in row_of:
-            number, rank = row_of[finding.rule]
-            line = finding.line if equivalents()[number].place == "line" else 0
-            groups.setdefault((number, finding.path, line), {}).setdefault(rank, []).append(index)
+        if finding.path:
+            by_rule.setdefault(finding.rule, []).append(index)
+    if not any(rule.partition(".")[0] in TOOLS for rule in by_rule):
+        return all_of_them
     witnesses: dict[int, tuple[str, ...]] = {}
     gone: set[int] = set()
-    for (number, _, _), by_rank in groups.items():
-        if len(by_rank) > 1:
-            _join(equivalents()[number].rules, by_rank, all_of_them, witnesses, gone)
+    for row in all_equivalents():
+        present = [rule for rule in row.rules if rule in by_rule]
+        if len(present) > 1:
+            for by_rank in _places(row, present, by_rule, all_of_them, gone):
+                _join(present, by_rank, all_of_them, witnesses, gone)
     return tuple(
         msgspec.structs.replace(finding, witnesses=(*finding.witnesses, *witnesses[index]))
         if index in witnesses
@@ -74,6 +93,24 @@ def joined(findings: Iterable[Finding]) -> tuple[Finding, ...]:
         for index, finding in enumerate(all_of_them)
         if index not in gone
     )
+
+
+def _places(
+    row: Equivalent,
+    present: Sequence[str],
+    by_rule: Mapping[str, list[int]],
+    findings: Sequence[Finding],
+    gone: Collection[int],
+) -> Iterator[Mapping[int, list[int]]]:
+    """Yield, for each place where two or more rules of a row report something, their findings by rank."""
+    places: dict[tuple[str, int], dict[int, list[int]]] = {}
+    for rank, rule in enumerate(present):
+        for index in by_rule[rule]:
+            if index not in gone:
+                finding = findings[index]
+                place = (finding.path, finding.line if row.place == "line" else 0)
+                places.setdefault(place, {}).setdefault(rank, []).append(index)
+    yield from (by_rank for by_rank in places.values() if len(by_rank) > 1)
 
 
 def _join(
@@ -92,5 +129,6 @@ def _join(
         here = [(rank, indexes[turn]) for rank, indexes in ordered.items() if turn < len(indexes)]
         (_, first), *others = here
         if others:
-            witnesses[first] = tuple(rules[rank] for rank, _ in others)
+            told = [rule for rank, index in others for rule in (rules[rank], *witnesses.get(index, ()))]
+            witnesses[first] = (*witnesses.get(first, ()), *told)
             gone.update(index for _, index in others)

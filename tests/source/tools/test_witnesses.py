@@ -69,6 +69,25 @@ def test_the_clauses_of_a_native_rule_are_checks_that_are_the_same():
     ]
 
 
+def test_what_tools_say_alike_is_handed_on_to_the_native_rule_that_knows_one_of_them():
+    (native,) = (
+        row
+        for row in all_equivalents()
+        if "pylint.dangerous-default-value" in row.rules[1:]
+        and "ruff.B006" in row.rules
+        and row.rules[0] in native_rules()
+    )
+    given = [
+        finding("ruff.B006"),
+        finding("ament_flake8.B006"),
+        finding("pylint.dangerous-default-value"),
+        finding(native.rules[0]),
+    ]
+    (one,) = joined(given)
+    assert one.rule == native.rules[0]
+    assert sorted(one.witnesses) == ["ament_flake8.B006", "pylint.dangerous-default-value", "ruff.B006"]
+
+
 def test_a_check_that_two_native_rules_name_is_a_witness_of_the_one_that_is_there():
     naming = "clang_tidy.readability-identifier-naming"
     given = [finding(naming, 1), finding(naming, 2), finding("cpp.class_name", 1), finding("cpp.function_name", 2)]

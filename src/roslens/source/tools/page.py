@@ -8,7 +8,7 @@ from roslens.source.tools.table import tool_named
 from roslens.source.tools.tool import Tool
 from roslens.source.tools.tool_checks import Check, checks_of, rule_id
 from roslens.source.tools.used import TOOLS
-from roslens.source.tools.witnesses import all_equivalents
+from roslens.source.tools.witnesses import equivalents
 
 _HEAD = """\
 # Foreign tools
@@ -97,7 +97,7 @@ def tools_page() -> str:
     )
     rows = "".join(
         f"| {row.about}{' (of a file)' * (row.place == 'file')} | {', '.join(f'`{rule}`' for rule in row.rules)} |\n"
-        for row in sorted(all_equivalents(), key=lambda row: row.about)
+        for row in sorted(equivalents(), key=lambda row: row.about)
     )
     return f"{_HEAD}{table}{_SARIF}{rows}"
 

@@ -36,11 +36,15 @@ class Check(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fiel
 
 
 class Checks(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):
-    """The data file of a tool; ``levels`` translates the tool's own severities."""
+    """The data file of a tool.
+
+    ``levels`` translates the tool's own severities, ``names`` other names that its checks go by: numbers, say.
+    """
 
     about: str = ""
     page: str = ""
     levels: dict[str, str] = {}
+    names: dict[str, str] = {}
     checks: dict[str, Check] = {}
     family: tuple[Check, ...] = ()
 

@@ -14,6 +14,7 @@ from typing import Literal
 import msgspec
 
 from roslens.model.finding import Finding
+from roslens.source.tools.tool_checks import checks_of, rule_id
 from roslens.source.tools.used import TOOLS, plain
 
 
@@ -62,8 +63,9 @@ def _peers(clauses: Iterable[str]) -> Iterator[str]:
     """Yield the ids of the checks of tools among clauses: ``clang-tidy bugprone-x`` is ``clang_tidy.bugprone-x``."""
     for clause in clauses:
         tool, _, check = clause.partition(" ")
-        if check and plain(tool) in TOOLS:
-            yield f"{plain(tool)}.{check}"
+        name = plain(tool)
+        if check and name in TOOLS:
+            yield rule_id(name, checks_of(name).names.get(check, check))
 
 
 def joined(findings: Iterable[Finding]) -> tuple[Finding, ...]:

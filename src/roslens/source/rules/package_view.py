@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from roslens.source.rules.cmake_view import CmakeView
     from roslens.source.rules.dependency_uses import Use
     from roslens.source.rules.launch_view import LaunchXml
+    from roslens.source.rules.registered_classes import Registered
     from roslens.source.workspace.mistakes import Mistake
 
 MOST_BYTES = 4_000_000
@@ -103,6 +104,13 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
         from roslens.source.rules.launch_view import launch_files
 
         return launch_files(self)
+
+    @cached_property
+    def registered(self) -> tuple[tuple[Registered, ...], bool]:
+        """The plug-ins and components that its sources register, and whether these are all."""
+        from roslens.source.rules.registered_classes import registered_classes
+
+        return registered_classes(self)
 
     @cached_property
     def mistakes(self) -> tuple[Mistake, ...]:

@@ -1,0 +1,62 @@
+"""Rule ``cmake.component_class``: components that the build registers and no source does, or the other way."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.source.rules.cmake_view import Written
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.registered_classes import same_class
+from roslens.source.rules.rule import PackageRule
+
+_COMMANDS = ("rclcpp_components_register_node", "rclcpp_components_register_nodes")
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each class that CMakeLists.txt registers and no source does, and each one of a source that it does not."""
+    commands = [one for one in view.cmake.named(*_COMMANDS) if not one.defined]
+    text = view.cmake.text
+    if not commands and "rclcpp_components" not in text:
+        return
+    registered, complete = view.registered
+    components = [one for one in registered if not one.base]
+    built = [(one, name) for one in commands for name in _classes(one)]
+    if any("$" in name for _, name in built) or any(one.defined for one in view.cmake.named(*_COMMANDS)):
+        return
+    if complete and components:
+        for command, name in built:
+            if not any(same_class(name, each.name) for each in components):
+                message = f"no source registers {name!r}; expected RCLCPP_COMPONENTS_REGISTER_NODE({name})"
+                yield command.hit("cmake.component_class", message, name)
+    for each in components:
+        last = each.name.rpartition("::")[2]
+        if not any(same_class(name, each.name) for _, name in built) and not re.search(rf"\b{re.escape(last)}\b", text):
+            message = (
+                f"component {each.name!r} is registered by no command of CMakeLists.txt; expected {_COMMANDS[0]}()"
+            )
+            yield Hit("cmake.component_class", message, each.line, context=each.name, path=each.path)
+
+
+def _classes(command: Written) -> Iterator[str]:
+    words = list(command.words[1:])
+    if command.name == _COMMANDS[1]:
+        yield from (word for word in words if "::" in word or (word[:1].isupper() and not word.isupper()))
+    elif "PLUGIN" in words[:-1]:
+        yield words[words.index("PLUGIN") + 1].strip('"')
+
+
+RULE = PackageRule(
+    id="cmake.component_class",
+    title="Component registered on one side only",
+    finds="A class that `rclcpp_components_register_node` names and no source registers with "
+    "`RCLCPP_COMPONENTS_REGISTER_NODE`, and a class of a source that no command names.",
+    why="The container finds no factory for it, or `ros2 component types` does not list it: loading fails when the "
+    "robot starts.",
+    profiles=("ros2",),
+    tags=("build", "plugin"),
+    bad='rclcpp_components_register_node(driver PLUGIN "arm::Drivr" EXECUTABLE driver_node)',
+    good='rclcpp_components_register_node(driver PLUGIN "arm::Driver" EXECUTABLE driver_node)',
+    found=found,
+)

@@ -1,0 +1,78 @@
+"""Rule ``cmake.folder_not_installed``: launch files and configuration that stay in the source folder."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.model.finding import Severity
+from roslens.model.source import Role
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_FOLDERS = (
+    "launch",
+    "config",
+    "params",
+    "param",
+    "urdf",
+    "xacro",
+    "meshes",
+    "rviz",
+    "worlds",
+    "maps",
+    "models",
+    "behavior_trees",
+)
+_EVERYTHING = ("INSTALL_TO_SHARE", "GLOB", "${CMAKE_CURRENT_SOURCE_DIR}/ ", "DIRECTORY .", "DIRECTORY ./")
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each folder of files for running that nothing installs."""
+    files = [file.path for file in view.files if file.role is Role.OWN]
+    build = _build(view)
+    if build is None:
+        return
+    text, place = build
+    for folder in _FOLDERS:
+        inside = [path for path in files if view.inside(path).startswith(f"{folder}/")]
+        inside = [path for path in inside if not path.endswith(("CMakeLists.txt", "__init__.py"))]
+        if inside and not re.search(rf"(?<![\w-]){folder}(?![\w-])", text):
+            message = (
+                f"folder {folder!r} ({len(inside)} files) is installed by nothing; expected a rule that installs it"
+            )
+            severity = None if 2 in view.ros else Severity.NOTE
+            yield Hit("cmake.folder_not_installed", message, place[1], context=folder, path=place[0], severity=severity)
+
+
+def _build(view: PackageView) -> tuple[str, tuple[str, int]] | None:
+    """Return what installs, and where a hit is placed; nothing where that is open."""
+    if view.package.build_type == "ament_python":
+        text = view.read(view.path("setup.py")).decode("utf-8", "replace")
+        if view.setup_call is None or "os.walk" in text or "rglob" in text or "**" in text or "listdir" in text:
+            return None
+        return text, (view.path("setup.py"), view.setup_call.lineno)
+    ends = view.cmake.first("ament_package", "ament_auto_package", "catkin_package", "autoware_package")
+    if ends is None:
+        return None
+    text = view.cmake.text
+    if re.search(r"DIRECTORY\s+(?:\.|\$\{\w+_SOURCE_DIR\})/?\s", text) or "GLOB" in text:
+        return None
+    return text, (ends.path, ends.command.line)
+
+
+RULE = PackageRule(
+    id="cmake.folder_not_installed",
+    title="Folder for running that nothing installs",
+    finds="A folder `launch`, `config`, `params`, `urdf`, `meshes`, `rviz`, `worlds`, `maps` or the like whose "
+    "name stands nowhere in CMakeLists.txt (or in the setup.py of an `ament_python` package). Install it to "
+    "`share/PACKAGE`. In ROS 1 it is a note: the devel space finds it.",
+    why="`ros2 launch` and `$(find-pkg-share …)` look into the installation: the file is not found there, or on "
+    "the robot only, where nothing but the installation is.",
+    profiles=("ros2", "ros1"),
+    tags=("build", "install"),
+    bad="ament_package()  # and a folder launch/",
+    good="install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package()",
+    found=found,
+)

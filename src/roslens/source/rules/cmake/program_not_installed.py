@@ -1,0 +1,60 @@
+"""Rule ``cmake.program_not_installed``: a program that is built and not installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import msgspec
+
+from roslens.model.finding import Severity
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_MAKES = ("add_executable", "ament_auto_add_executable", "cuda_add_executable")
+_ASIDE = frozenset({"test", "tests", "examples", "example", "benchmark", "benchmarks"})
+_GATHERS = ("ament_auto_package", "ament_auto_install", "autoware_ament_auto_package")
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each executable that no rule installs, in a package that installs others or is for ROS 2."""
+    cmake = view.cmake
+    if cmake.first(*_GATHERS) is not None or cmake.first("ament_package", "catkin_package") is None:
+        return
+    installed = list(cmake.named("install", "install_targets", "ros_install_targets"))
+    if any("$" in word for one in installed if one.words[:1] == ("TARGETS",) for word in one.words[1:2]):
+        return
+    names = {word for one in installed for word in one.words}
+    for one in cmake.named(*_MAKES):
+        if one.defined or one.for_tests or one.conditions or not one.words or "$" in one.words[0]:
+            continue
+        name = one.words[0]
+        if name in names or {"EXCLUDE_FROM_ALL", "IMPORTED", "ALIAS"} & set(one.words) or _is_aside(one.path, name):
+            continue
+        used = [each for each in cmake.commands if each is not one and name in each.words]
+        if any(each.name in ("add_test", "add_custom_command", "ament_add_test", "add_rostest") for each in used):
+            continue
+        message = f"executable {name!r} is built and not installed; expected install(TARGETS {name} …)"
+        severity = None if 2 in view.ros else Severity.NOTE
+        hit = one.hit("cmake.program_not_installed", message, name)
+        yield msgspec.structs.replace(hit, severity=severity)
+
+
+def _is_aside(path: str, name: str) -> bool:
+    folders = path.lower().split("/")[:-1]
+    return "test" in name.lower() or bool(_ASIDE & set(folders))
+
+
+RULE = PackageRule(
+    id="cmake.program_not_installed",
+    title="Program that is not installed",
+    finds="An executable, built outside of conditions and tests, that no `install(TARGETS …)` names. In ROS 1 it "
+    "is a note: the devel space finds it.",
+    why='`ros2 run` and launch files look into the installation: "executable not found" on the robot.',
+    profiles=("ros2", "ros1"),
+    tags=("build", "install"),
+    bad="add_executable(driver src/driver.cpp)\nament_package()",
+    good="add_executable(driver src/driver.cpp)\ninstall(TARGETS driver DESTINATION "
+    "lib/${PROJECT_NAME})\nament_package()",
+    found=found,
+)

@@ -1,0 +1,58 @@
+"""Rule ``package.interface_dependencies``: a package of messages whose manifest does not say so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.finding import Severity
+from roslens.source.rules.cmake_view import Written
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield what the manifest of a package that generates interfaces lacks."""
+    kinds: dict[str, set[str]] = {}
+    for one in view.package.dependencies:
+        kinds.setdefault(one.name, set()).add(one.kind)
+    groups = {one.name for one in view.package.member_of_groups}
+    made = view.cmake.first("rosidl_generate_interfaces")
+    if made is not None and not _is_aside(made) and "rosidl_interface_packages" not in groups:
+        message = "the package generates interfaces; expected <member_of_group>rosidl_interface_packages"
+        yield _hit(view, message, "rosidl_interface_packages", Severity.ERROR)
+    made = view.cmake.first("generate_messages")
+    if made is not None and not made.defined and 1 in view.ros and "genmsg" not in view.cmake.text:
+        if "message_generation" not in kinds:
+            message = "the package generates messages; expected <build_depend>message_generation"
+            yield _hit(view, message, "message_generation", Severity.WARNING)
+        if not kinds.get("message_runtime", set()) & {"exec", "run", "depend", "build_export"}:
+            message = "the package generates messages; expected <exec_depend>message_runtime"
+            yield _hit(view, message, "message_runtime", Severity.WARNING)
+
+
+def _is_aside(command: Written) -> bool:
+    return command.for_tests or command.defined or "SKIP_INSTALL" in command.words
+
+
+def _hit(view: PackageView, message: str, context: str, severity: Severity) -> Hit:
+    where = view.package.manifest
+    rule = "package.interface_dependencies"
+    return Hit(rule, message, where.line, where.column, context=context, path=where.path, severity=severity)
+
+
+RULE = PackageRule(
+    id="package.interface_dependencies",
+    title="Package of messages whose manifest does not say so",
+    finds="A package that calls `rosidl_generate_interfaces` without "
+    "`<member_of_group>rosidl_interface_packages</member_of_group>`, or, in ROS 1, `generate_messages` without "
+    "`message_generation` to build and `message_runtime` to run.",
+    why="rosidl ends the build with an error. In ROS 1 the build depends on what else is installed, and programs "
+    "that use the messages lack their serialisation on a robot.",
+    severity=Severity.ERROR,
+    profiles=("ros2", "ros1"),
+    tags=("manifest", "interface"),
+    bad='<package format="3">  <!-- CMakeLists.txt: rosidl_generate_interfaces(…) -->',
+    good="<member_of_group>rosidl_interface_packages</member_of_group>",
+    found=found,
+)

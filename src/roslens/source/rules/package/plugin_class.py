@@ -1,0 +1,67 @@
+"""Rule ``package.plugin_class``: plug-ins that are described and not registered, or registered and not described."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.source import Language, Role
+from roslens.source.extract.plugin_xml import PluginClass
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.registered_classes import same_class
+from roslens.source.rules.rule import PackageRule
+
+_ASKING = frozenset({"pluginlib", "nodelet", "class_loader"})
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each class of a description that no source registers, and each one registered that no description has."""
+    if not _ASKING & {one.name for one in view.package.dependencies} and b"plugin=" not in _manifest(view):
+        return
+    registered, complete = view.registered
+    plugins = [one for one in registered if one.base]
+    if not complete or not plugins or any("<" in one.name for one in plugins):
+        return
+    described = list(_described(view))
+    if not described:
+        return
+    for one in described:
+        if one.type and "." not in one.type and not any(same_class(one.type, each.name) for each in plugins):
+            where = one.evidence
+            expected = f"PLUGINLIB_EXPORT_CLASS({one.type}, {one.parent})"
+            message = f"no source registers class {one.type!r}; expected {expected}"
+            yield Hit("package.plugin_class", message, where.line, context=one.type, path=where.path)
+    for each in plugins:
+        if each.path in view.by_path and view.by_path[each.path].role is Role.TEST:
+            continue
+        if not any(same_class(one.type or one.name.replace("/", "::"), each.name) for one in described):
+            message = f"class {each.name!r} is registered, and no description of plug-ins names it; expected a <class>"
+            yield Hit("package.plugin_class", message, each.line, context=each.name, path=each.path)
+
+
+def _manifest(view: PackageView) -> bytes:
+    return view.read(view.package.manifest.path)
+
+
+def _described(view: PackageView) -> Iterator[PluginClass]:
+    from roslens.source.extract.plugin_xml import read_plugins
+
+    for file in view.of_language(Language.XML, roles=(Role.OWN,)):
+        content = view.read(file.path)
+        if b"<library" in content and b"base_class_type" in content:
+            yield from read_plugins(content, file.path)[0]
+
+
+RULE = PackageRule(
+    id="package.plugin_class",
+    title="Plug-in that is not registered, or not described",
+    finds="A `<class>` in a description of plug-ins that no source registers with `PLUGINLIB_EXPORT_CLASS`, and a "
+    "registered class that no description names. Names are compared as far as namespaces are written.",
+    why='Loading it fails when the robot starts ("class … does not exist", or "failed to load library"), which no '
+    "compiler sees.",
+    profiles=("ros2", "ros1"),
+    tags=("plugin",),
+    bad='PLUGINLIB_EXPORT_CLASS(arm::Driver, nodelet::Nodelet)  // plugins.xml: <class type="arm::Drivr" …/>',
+    good='PLUGINLIB_EXPORT_CLASS(arm::Driver, nodelet::Nodelet)  // plugins.xml: <class type="arm::Driver" …/>',
+    found=found,
+)

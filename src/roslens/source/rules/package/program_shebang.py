@@ -1,0 +1,56 @@
+"""Rule ``package.program_shebang``: a script that the system cannot start."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from roslens.model.source import Language
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+
+_INSTALLS = ("install", "catkin_install_python")
+_EXPECTED = "#!/usr/bin/env python3"
+_OLD = re.compile(r"python2|\bpython$")
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each Python script that is installed as a program and whose first line does not name Python 3."""
+    told: set[str] = set()
+    for one in view.cmake.named(*_INSTALLS):
+        if one.defined or "PROGRAMS" not in one.words:
+            continue
+        for word in one.words[one.words.index("PROGRAMS") + 1 :]:
+            if word in ("DESTINATION", "PERMISSIONS", "RENAME"):
+                break
+            path = view.cmake.inside(word, one.path)
+            file = view.by_path.get(path or "")
+            if path is None or file is None or file.language is not Language.PYTHON or path in told:
+                continue
+            told.add(path)
+            first = view.read(path)[:200].partition(b"\n")[0].decode("utf-8", "replace").strip()
+            at = f"{one.path}:{one.command.line}"
+            if path.endswith("__init__.py"):
+                continue
+            if not first.startswith("#!"):
+                message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {_EXPECTED}"
+                yield Hit("package.program_shebang", message, 1, context="#!", path=path)
+            elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
+                message = f"distributions of ROS 2 have no program for {first!r}; expected {_EXPECTED}"
+                yield Hit("package.program_shebang", message, 1, context="#!", path=path)
+
+
+RULE = PackageRule(
+    id="package.program_shebang",
+    title="Script that the system cannot start",
+    finds="A Python file that `install(PROGRAMS …)` or `catkin_install_python` installs and that has no `#!` line; "
+    "in packages for ROS 2 also one whose line names `python` or `python2`.",
+    why='The kernel takes it for nothing it can run ("Exec format error"), or a shell reads Python: the node does '
+    "not start.",
+    profiles=("ros2", "ros1"),
+    tags=("python", "install"),
+    bad="import rclpy\n\n# CMakeLists.txt: install(PROGRAMS scripts/teleop.py DESTINATION lib/${PROJECT_NAME})",
+    good="#!/usr/bin/env python3\nimport rclpy",
+    found=found,
+)

@@ -35,15 +35,19 @@ def test_one_function_that_breaks_three_limits_is_one_finding_with_three_reasons
     )
     assert one.severity is Severity.WARNING
     assert (one.quantity, one.value, one.bound) == ("static_paths", 1000, 250)
-    assert one.others == ("140 executable lines (limit 70, 2.0 x)", "90 calls (limit 10, 9.0 x)")
+    assert one.others == (
+        "ros.static_paths.max: 1000 static paths (limit 250, 4.0 x)",
+        "ros.eloc.max: 140 executable lines (limit 70, 2.0 x)",
+        "ros.calls.max: 90 calls (limit 10, 9.0 x)",
+    )
     assert one.tags == ("metrics", "static_paths", "eloc", "calls")
-    assert limits_broken(one) == 3
+    assert limits_broken(one) == ("ros.static_paths.max", "ros.eloc.max", "ros.calls.max")
 
 
 def test_what_breaks_one_limit_and_what_no_model_makes_stays():
     rule = Finding("cpp.goto", Severity.NOTE, "m", entity="function:a.cpp#f()")
     assert fold_limits([CALLS, rule]) == (CALLS, rule)
-    assert (limits_broken(CALLS), limits_broken(rule)) == (1, 0)
+    assert (limits_broken(CALLS), limits_broken(rule)) == (("ros.calls.max",), ())
 
 
 def test_models_and_entities_are_apart():

@@ -16,7 +16,8 @@ def fold_limits(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return findings where those of one model about one entity are one.
 
     It has the severity, quantity, value and bound of the worst: the most severe, then the one most in excess. The
-    ``others`` are the reasons besides that. What no model makes, or breaks one limit only, stays as it is.
+    ``others`` are all its reasons, the worst first, each behind the id of its rule. What no model makes, or breaks one
+    limit only, stays as it is.
     """
     groups: dict[tuple[str, str], list[Finding]] = {}
     order: list[tuple[str, str] | Finding] = []
@@ -32,9 +33,11 @@ def fold_limits(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     return tuple(one if isinstance(one, Finding) else _folded(groups[one]) for one in order)
 
 
-def limits_broken(finding: Finding) -> int:
-    """Return how many limits a finding of a model stands for."""
-    return 1 + len(finding.others) if finding.model else 0
+def limits_broken(finding: Finding) -> tuple[str, ...]:
+    """Return the ids of the rules whose limits a finding of a model says are broken; none for any other finding."""
+    if not finding.model:
+        return ()
+    return tuple(reason.partition(": ")[0] for reason in finding.others) or (finding.rule,)
 
 
 def _folded(alike: list[Finding]) -> Finding:
@@ -42,7 +45,7 @@ def _folded(alike: list[Finding]) -> Finding:
         return alike[0]
     worst, *others = sorted(alike, key=lambda one: (-one.severity.rank, -one.excess, one.rule))
     kind = worst.entity.partition(":")[0]
-    reasons = tuple(_reason(one) for one in others)
+    reasons = tuple(_parts(one)[0] for one in others)
     first, where = _parts(worst)
     rule = f"{worst.model}.{kind}{SUFFIX}"
     return msgspec.structs.replace(
@@ -51,12 +54,8 @@ def _folded(alike: list[Finding]) -> Finding:
         message=f"{', '.join((first, *reasons[:-1]))} and {reasons[-1]}{where}",
         tags=tuple(dict.fromkeys(tag for one in (worst, *others) for tag in one.tags)),
         fingerprint=fingerprint(rule, worst.entity),
-        others=reasons,
+        others=tuple(f"{one.rule}: {text}" for one, text in zip((worst, *others), (first, *reasons), strict=True)),
     )
-
-
-def _reason(finding: Finding) -> str:
-    return _parts(finding)[0]
 
 
 def _parts(finding: Finding) -> tuple[str, str]:

@@ -47,7 +47,8 @@ class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
     """What overview, graph and terminal need of a package, small enough to load all of them.
 
     ``values`` are the package's own and folded quantities by key. ``languages`` maps a language to
-    its number of files.
+    its number of files. ``limits`` counts, by rule, the limits of quality models that are reasons of a finding
+    which stands for several, where it counts for gates.
     """
 
     id: str
@@ -67,6 +68,7 @@ class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):
     failures: int = 0
     languages: dict[str, int] = {}
     roles: dict[str, int] = {}
+    limits: dict[str, int] = {}
 
 
 class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):

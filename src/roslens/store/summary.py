@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 import msgspec
 
+from roslens.judge.fold_limits import limits_broken
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageResult, PackageSummary, RuleCount
@@ -46,7 +47,16 @@ def summarise(result: PackageResult) -> PackageSummary:
         failures=len(result.failures),
         languages=dict(sorted(Counter(file.language.value for file in result.files).items())),
         roles=dict(sorted(Counter(file.role.value for file in result.files).items())),
+        limits=dict(sorted(_limits(result.findings).items())),
     )
+
+
+def _limits(findings: Iterable[Finding]) -> Counter[str]:
+    found: Counter[str] = Counter()
+    for finding in findings:
+        if finding.gated and finding.others:
+            found.update(limits_broken(finding))
+    return found
 
 
 def dependencies_of(package: Package) -> tuple[str, ...]:

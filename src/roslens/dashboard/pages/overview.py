@@ -157,25 +157,30 @@ def _conditions(site: Site) -> Table:
     counts: Counter[str] = Counter()
     for _, count in site.counts():
         counts[count.rule] += count.gated
+    among: Counter[str] = Counter()
+    for package in site.packages:
+        among.update(package.limits)
     rows = []
     for model in site.run_models:
         for constraint in model.constraints:
             for side in constraint.sides:
                 rule = rule_id(model, constraint, side)
-                broken = counts[rule]
+                broken = counts[rule] + among[rule]
+                metric = PageRef("metric", constraint.quantity, query=(("kind", constraint.kind.value),))
                 rows.append(
                     (
                         Cell("high" if side == "max" else "low") if broken else Cell("ok"),
                         Cell(
                             f"{constraint.subject or constraint.quantity} of a {constraint.kind.value}",
-                            ref=PageRef("metric", constraint.quantity, query=(("kind", constraint.kind.value),)),
+                            ref=metric,
                         ),
                         Cell(constraint.limit_text(side)),
                         Cell(model.name),
                         Cell(
                             broken,
                             text=_beyond(broken, constraint.kind.value, side),
-                            ref=PageRef("rule", rule) if broken else None,
+                            # The page of a rule has those that break nothing else.
+                            ref=metric if among[rule] else PageRef("rule", rule) if broken else None,
                         ),
                     )
                 )

@@ -24,4 +24,4 @@ QUANTITY = Quantity(
 
 def of_findings(findings: Iterable[Finding]) -> float:
     """Return how many thresholds of quality models the findings say are broken."""
-    return sum(map(limits_broken, findings))
+    return sum(len(limits_broken(finding)) for finding in findings)

@@ -1,0 +1,155 @@
+"""``roslens lsp`` as an editor speaks with it: messages over standard input and output."""
+
+import json
+import os
+import subprocess
+import sys
+from importlib.util import find_spec
+
+import pytest
+
+from roslens.cli.main import main
+
+MANY_CALLS = "def walk(step):\n" + "".join(f"    step.move_{number}()\n" for number in range(12)) + "    return step\n"
+
+
+class Editor:
+    """A client of the Language Server Protocol; what the server sends in between is kept by method."""
+
+    def __init__(self, root, *words):
+        environment = {**os.environ, "XDG_CONFIG_HOME": str(root / ".config")}
+        command = [sys.executable, "-m", "roslens.cli.main", "lsp", "--stdio", *words]
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
+        self.root = root
+        self.number = 0
+        self.told = []
+
+    def send(self, method, params, *, answered=True):
+        message = {"jsonrpc": "2.0", "method": method, "params": params}
+        if answered:
+            self.number += 1
+            message["id"] = self.number
+        content = json.dumps(message).encode()
+        self.process.stdin.write(b"Content-Length: %d\r\n\r\n%s" % (len(content), content))
+        self.process.stdin.flush()
+        if answered:
+            return self.until(lambda one: one.get("id") == self.number)["result"]
+        return None
+
+    def until(self, wanted):
+        while True:
+            length = 0
+            while line := self.process.stdout.readline().strip():
+                if line.lower().startswith(b"content-length:"):
+                    length = int(line.split(b":")[1])
+            message = json.loads(self.process.stdout.read(length))
+            if wanted(message):
+                return message
+            self.told.append(message)
+
+    def notify(self, method, params):
+        self.send(method, params, answered=False)
+
+    def start(self):
+        uri = self.root.as_uri()
+        folders = [{"uri": uri, "name": "ws"}]
+        told = self.send(
+            "initialize", {"processId": None, "rootUri": uri, "workspaceFolders": folders, "capabilities": {}}
+        )
+        self.notify("initialized", {})
+        return told["capabilities"]
+
+    def open(self, path):
+        place = self.root / path
+        document = {"uri": place.as_uri(), "languageId": "python", "version": 1, "text": place.read_text()}
+        self.notify("textDocument/didOpen", {"textDocument": document})
+        return self.diagnostics(place.as_uri())
+
+    def save(self, path):
+        uri = (self.root / path).as_uri()
+        self.notify("textDocument/didSave", {"textDocument": {"uri": uri}})
+        return self.diagnostics(uri)
+
+    def diagnostics(self, uri):
+        def published(one):
+            return one.get("method") == "textDocument/publishDiagnostics" and one["params"]["uri"] == uri
+
+        return self.until(published)["params"]["diagnostics"]
+
+    def stop(self):
+        self.send("shutdown", None)
+        self.notify("exit", None)
+        self.process.stdin.close()
+        code = self.process.wait(30)
+        self.process.stdout.close()
+        return code
+
+
+@pytest.fixture
+def editor(talking):
+    if find_spec("pygls") is None:
+        pytest.skip("pygls is not installed: pip install 'roslens[lsp]'")
+    (talking / "talk/talk/walking.py").write_text(MANY_CALLS)
+    (talking / "roslens.toml").write_text('[rules]\ndisable = ["*"]\n')
+    made = Editor(talking)
+    yield made
+    made.process.kill()
+    made.process.wait()
+    made.process.stdin.close()
+    made.process.stdout.close()
+
+
+@pytest.mark.heavy
+def test_an_editor_is_answered(editor):
+    path = "talk/talk/walking.py"
+    uri = (editor.root / path).as_uri()
+    capabilities = editor.start()
+    assert capabilities["hoverProvider"]
+    assert capabilities["codeActionProvider"]["codeActionKinds"] == ["quickfix"]
+    found = {one["code"]: one for one in editor.open(path)}
+    assert found["ros.calls.max"]["range"] == {
+        "start": {"line": 0, "character": 0},
+        "end": {"line": 0, "character": 15},
+    }
+    assert found["ros.calls.max"]["source"] == "roslens"
+    place = {"textDocument": {"uri": uri}, "position": {"line": 0, "character": 6}}
+    hover = editor.send("textDocument/hover", place)
+    assert "**Calls above 10** (`ros.calls.max`)" in hover["contents"]["value"]
+    nowhere = editor.send("textDocument/hover", {**place, "position": {"line": 5, "character": 0}})
+    assert nowhere is None
+    asked = {"textDocument": {"uri": uri}, "range": found["ros.calls.max"]["range"], "context": {"diagnostics": []}}
+    actions = editor.send("textDocument/codeAction", asked)
+    (action,) = [one for one in actions if "ros.calls.max" in one["title"]]
+    (edit,) = action["edit"]["changes"][uri]
+    lines = (editor.root / path).read_text().splitlines(keepends=True)
+    at = edit["range"]["start"]
+    assert (at["line"], edit["newText"]) == (0, "  # roslens: ignore[ros.calls.max] ")
+    lines[0] = lines[0][: at["character"]] + edit["newText"] + "a table" + lines[0][at["character"] :]
+    (editor.root / path).write_text("".join(lines))
+    assert "ros.calls.max" not in {one["code"] for one in editor.save(path)}
+    # A file that is new, and one that is of no package.
+    (editor.root / "talk/talk/fresh.py").write_text(MANY_CALLS)
+    assert "ros.calls.max" in {one["code"] for one in editor.open("talk/talk/fresh.py")}
+    (editor.root / "loose.txt").write_text("")
+    assert editor.open("loose.txt") == []
+    assert editor.stop() == 0
+
+
+@pytest.mark.heavy
+def test_a_wrong_configuration_is_shown_and_the_server_goes_on(editor):
+    (editor.root / "roslens.toml").write_text("modles = []\n")
+    editor.start()
+    assert editor.open("talk/talk/walking.py") == []
+    (shown,) = [one["params"]["message"] for one in editor.told if one.get("method") == "window/showMessage"]
+    assert "unknown key 'modles'" in shown
+    assert editor.stop() == 0
+
+
+def test_without_pygls_it_says_what_to_install(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "pygls", None)
+    monkeypatch.setitem(sys.modules, "pygls.lsp", None)
+    monkeypatch.setitem(sys.modules, "pygls.lsp.server", None)
+    monkeypatch.setitem(sys.modules, "lsprotocol", None)
+    monkeypatch.delitem(sys.modules, "roslens.cli.language_server", raising=False)
+    assert main(["lsp"]) == 2
+    assert "pip install 'roslens[lsp]'" in capsys.readouterr().err

@@ -1,0 +1,1 @@
+"""Rules on names of nodes, topics, services and parameters that ROS refuses."""

@@ -1,0 +1,52 @@
+"""Rule ``node.tilde_name``: a private name where a node handle takes none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.calls import arguments, call_at, receiver
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FIRMWARE, ROSCPP, FileRule
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield a method of a node handle with a literal that begins with ``~``."""
+    call = call_at(node)
+    given = arguments(call) if call is not None else ()
+    if call is None or receiver(call) is None or not given or any(one in view.content for one in FIRMWARE):
+        return
+    if given[0].type == "string_literal" and view.text(given[0]).startswith('"~'):
+        yield view.hit(
+            "node.tilde_name",
+            given[0],
+            f"`{view.text(given[0])}` in `{view.text(node)}` of a node handle, which throws for names with ~; "
+            "expected a "
+            '`ros::NodeHandle("~")`',
+        )
+
+
+RULE = FileRule(
+    id="node.tilde_name",
+    title="Private name in a method of a node handle",
+    finds='`nh.getParam("~name", ...)` and the like. Use a `ros::NodeHandle("~")` and the name without ~, or '
+    '`ros::param::get("~name", ...)`.',
+    why="Methods of `ros::NodeHandle` throw InvalidNameException for names with ~: the node ends where it reads the "
+    "parameter.",
+    severity=Severity.ERROR,
+    profiles=("ros1",),
+    tags=("names", "parameters"),
+    bad='#include <ros/ros.h>\nvoid f() { nh.getParam("~limit", limit); }\n',
+    good='#include <ros/ros.h>\nvoid f() { private_nh.getParam("limit", limit); }\n',
+    syntax="cpp",
+    anchors=(
+        *("getParam", "param", "hasParam", "setParam", "deleteParam", "getParamCached", "advertise", "subscribe"),
+        *("advertiseService", "serviceClient"),
+    ),
+    mentions=ROSCPP,
+    spares_tests=True,
+    found=found,
+)

@@ -1,6 +1,7 @@
 """What each tool printed when it looked at the sources of ``tests/fixtures/tool_output`` is what is reported."""
 
 import re
+import xml.etree.ElementTree as ET
 
 import pytest
 from recorded_tools import OUTPUT, ROOT, ended, request
@@ -206,15 +207,23 @@ def test_clauses_are_of_standards(name):
             assert re.fullmatch(STANDARDS, clause), f"{check}: {clause}"
 
 
-def test_the_addon_of_cppcheck_for_misra():
+def test_the_addon_of_cppcheck_for_misra(tmp_path):
     tool = tool_named("cppcheck")
-    call = request(tool, ["old.c"], options={"misra": True}, group="c")
+    call = request(tool, ["old.c"], options={"misra": True}, group="c", scratch=str(tmp_path))
     assert "--addon=misra" in tool.words(call)
     found = tool.read(Ended(0, b"", (OUTPUT / "cppcheck" / "misra").read_bytes()), call).findings
     assert {one.check for one in found} >= {"misra-c2012-15.5", "misra-c2012-15.6"}
     assert "misra-c-2012" in rule_of("cppcheck", "misra-c2012-15.5").tags
-    cpp = request(tool, ["a.cpp"], options={"misra": True}, group="cpp")
+    cpp = request(tool, ["a.cpp"], options={"misra": True}, group="cpp", scratch=str(tmp_path))
     assert "--addon=misra" not in tool.words(cpp)
+
+
+def test_cppcheck_is_told_of_the_macros_of_ros(tmp_path):
+    tool = tool_named("cppcheck")
+    words = tool.words(request(tool, ["a.cpp"], scratch=str(tmp_path)))
+    (library,) = [word.partition("=")[2] for word in words if word.startswith("--library=")]
+    names = {one.get("name") for one in ET.parse(library).getroot()}
+    assert {"PLUGINLIB_EXPORT_CLASS(a,b)", "RCLCPP_COMPONENTS_REGISTER_NODE(a)"} <= names
 
 
 def test_an_addon_that_does_not_run_is_no_clean_bill():

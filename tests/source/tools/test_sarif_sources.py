@@ -95,6 +95,15 @@ def test_files_that_cannot_be_imported_are_failures(check, tmp_path):
     assert "outside.sarif: 1 results that point outside of the workspace were left out" in told
 
 
+def test_a_file_that_is_too_large_is_not_read(check, tmp_path, monkeypatch):
+    monkeypatch.setattr("roslens.source.tools.sarif_sources.MOST_BYTES", 10)
+    file = tmp_path / "r.sarif"
+    file.write_text(sarif())
+    code, report = check("--import", str(file))
+    assert code == 3
+    assert "was not imported: a file of" in said(report)[0]
+
+
 def test_a_file_that_nobody_looks_at_is_told(check, tmp_path):
     file = tmp_path / "r.sarif"
     file.write_text(sarif("arm/gone.cpp"))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
+from xml.sax.saxutils import quoteattr
 
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
@@ -13,6 +14,35 @@ from roslens.source.tools.xml_output import number, xml_root
 _HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl"})
 _REMARKS = frozenset({"information", "debug", ""})
 """Severities of what it says of its own work: missing headers, configurations that it left out."""
+
+
+MACROS = {
+    "PLUGINLIB_EXPORT_CLASS(a,b)": "",
+    "PLUGINLIB_EXPORT_CLASS_WITH_MESSAGE(a,b,c)": "",
+    "PLUGINLIB_DECLARE_CLASS(a,b,c,d)": "",
+    "PLUGINLIB_REGISTER_CLASS(a,b,c)": "",
+    "PLUGINLIB_EXPORT_CLASS_IMPL(a,b)": "",
+    "CLASS_LOADER_REGISTER_CLASS(a,b)": "",
+    "RCLCPP_COMPONENTS_REGISTER_NODE(a)": "",
+    "RCLCPP_SMART_PTR_DEFINITIONS(...)": "",
+    "RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(...)": "",
+    "RCLCPP_SMART_PTR_ALIASES_ONLY(...)": "",
+    "RCLCPP_SHARED_PTR_DEFINITIONS(...)": "",
+    "RCLCPP_WEAK_PTR_DEFINITIONS(...)": "",
+    "RCLCPP_UNIQUE_PTR_DEFINITIONS(...)": "",
+    "RCLCPP_DISABLE_COPY(...)": "",
+    "RCLCPP_PUBLIC": "",
+    "RCLCPP_LOCAL": "",
+    "ROSCPP_DECL": "",
+    "ROS_DEPRECATED": "",
+    "EIGEN_MAKE_ALIGNED_OPERATOR_NEW": "",
+    "Q_OBJECT": "",
+    "Q_DISABLE_COPY(a)": "",
+    "BT_REGISTER_NODES(factory)": "void roslens_register_nodes(BT::BehaviorTreeFactory& factory)",
+    "BOOST_FOREACH(a,b)": "for (a : b)",
+    "GRID_MAP_EXPORT": "",
+}
+"""Macros of ROS and of what robots use that stand for whole statements or for nothing, with what they stand for."""
 
 
 class Cppcheck(Tool):
@@ -45,7 +75,7 @@ class Cppcheck(Tool):
         return file.language.value
 
     def words(self, request: Request) -> list[str]:
-        """Return the call; the addon knows no C++."""
+        """Return the call; the addon knows no C++, and the macros of ROS come as a library of ours."""
         options = request.options
         is_c = request.group == "c"
         return [
@@ -57,6 +87,7 @@ class Cppcheck(Tool):
             *(["--language=c"] if is_c else ["--language=c++", f"--std={options['standard']}"]),
             f"--enable={','.join(options['enable'])}",
             f"--max-configs={options['most_configurations']}",
+            f"--library={_library(request.scratch)}",
             *(f"-D{define}" for define in options["defines"]),
             *(["--addon=misra"] if is_c and options["misra"] else []),
             *request.files,
@@ -81,6 +112,14 @@ class Cppcheck(Tool):
             line, column = number(place.get("line")), number(place.get("column"))
             found.append(ToolFinding(path, line, column, check, error.get("msg", check), level=level))
         return Reading(tuple(found), trouble=tuple(dict.fromkeys(trouble))[:3])
+
+
+def _library(scratch: str) -> Path:
+    """Write the macros for cppcheck; without them it gives up on the files that use them."""
+    lines = "".join(f"  <define name={quoteattr(macro)} value={quoteattr(text)}/>\n" for macro, text in MACROS.items())
+    path = Path(scratch, "ros.cfg")
+    path.write_text(f'<?xml version="1.0"?>\n<def format="2">\n{lines}</def>\n', "utf-8")
+    return path
 
 
 plugin = Cppcheck()

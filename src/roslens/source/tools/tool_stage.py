@@ -79,6 +79,7 @@ class ToolStage:
         self._imported: dict[str, str] = {}
         self._above = SettingsFiles(workspace.root)
         self._owner = {file.path: package for package, held in files.items() for file in held}
+        self._besides: dict[tuple[str, tuple[str, ...]], str] = {}
         self._named = frozenset(map(plain, settings.tools.use))
         self._resting: dict[str, str] = {}
         self._not_run: list[Failure] = []
@@ -199,18 +200,22 @@ class ToolStage:
         tool = ready.tool
         others: object = None
         if tool.whole_packages:
-            held = self._files[self._owner[file.path]]
-            others = [(one.path, one.content_hash) for one in held if tool.shapes(one)]
+            others = self._beside(tool, self._owner[file.path])
         above = self._above.key_of(file.path, tool.settings_files)
         part = tool.part_of(file, ready.beside)
         key = key_of(ready.key, file.path, file.content_hash, above, part, others, self._across(tool))
         return f"tool:{tool.name}:{key}"
 
     def _across(self, tool: Tool) -> str:
-        if not tool.across_packages:
-            return ""
-        files = (file for held in self._files.values() for file in held if tool.shapes(file))
-        return key_of(sorted((file.path, file.content_hash) for file in files))
+        return self._beside(tool, *self._files) if tool.across_packages else ""
+
+    def _beside(self, tool: Tool, *packages: str) -> str:
+        """Return a key of the files of packages that others may depend on."""
+        asked = (tool.name, packages)
+        if asked not in self._besides:
+            files = (file for package in packages for file in self._files[package] if tool.shapes(file))
+            self._besides[asked] = key_of(sorted((file.path, file.content_hash) for file in files))
+        return self._besides[asked]
 
     def _known(self, keys: Mapping[str, str]) -> dict[str, tuple[ToolFinding, ...]]:
         blobs = self._cache.get(keys.values())

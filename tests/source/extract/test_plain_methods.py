@@ -1,7 +1,8 @@
 import pytest
 
 from roslens.source.extract.abstract_value import Unknown
-from roslens.source.extract.plain_methods import formatted, hashable, plain_method
+from roslens.source.extract.plain_methods import formatted, plain_method
+from roslens.source.extract.table_key import hashable
 from roslens.source.extract.text import Hole, Text
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Unknown, as_text
-from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.program import Call, Expression, Member, Name
+from roslens.source.extract.table_key import hashable
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.word_list import Words
 

@@ -15,7 +15,7 @@ from roslens.source.extract.module_values import module_value
 from roslens.source.extract.operand_ways import after_others, does_something, way_of
 from roslens.source.extract.overload_choice import known_function
 from roslens.source.extract.perhaps import Perhaps, is_counted
-from roslens.source.extract.plain_methods import SAME, formatted, hashable
+from roslens.source.extract.plain_methods import SAME, formatted
 from roslens.source.extract.plugin_held import item_held
 from roslens.source.extract.program import (
     Call,
@@ -32,6 +32,7 @@ from roslens.source.extract.program import (
     Operation,
     Sequence,
 )
+from roslens.source.extract.table_key import hashable
 from roslens.source.extract.text import Asked, Text, unknown
 from roslens.source.extract.unknown_lists import item_of
 from roslens.source.extract.vocabulary_streams import HELD, written_to

@@ -30,7 +30,6 @@ from roslens.source.extract.made_texts import with_sign
 from roslens.source.extract.other_names import assign_referred, refer
 from roslens.source.extract.owned_pointer import owns_first
 from roslens.source.extract.perhaps import Perhaps, is_counted
-from roslens.source.extract.plain_methods import hashable
 from roslens.source.extract.plugin_held import hold
 from roslens.source.extract.program import (
     Assign,
@@ -51,6 +50,7 @@ from roslens.source.extract.program import (
 from roslens.source.extract.quality import changed, quality_of
 from roslens.source.extract.refined_values import refine
 from roslens.source.extract.set_again import forget_set_again
+from roslens.source.extract.table_key import hashable
 from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.workspace_index import type_arguments, type_name
 from roslens.source.extract.xml_rpc_values import XML_RPC, put_part

@@ -8,6 +8,7 @@ import msgspec
 
 from roslens.source.extract.abstract_value import Unknown, as_text
 from roslens.source.extract.perhaps import Perhaps, is_counted
+from roslens.source.extract.table_key import hashable
 from roslens.source.extract.text import Asked, Hole, Text, unknown
 from roslens.source.extract.word_list import Words
 
@@ -198,11 +199,6 @@ def formatted(pattern: Text, values: list[Any]) -> Text:
             if any(sign in piece for sign in "{}%"):
                 return unknown(f"the format {pattern}"[:200])
     return Text.of(*parts)
-
-
-def hashable(value: Any) -> Any:
-    """Return a value as a key of a dictionary."""
-    return value if isinstance(value, Text | str | int | float | bool | None) else str(value)
 
 
 def _joined(separator: Text, values: list[Any]) -> Text:

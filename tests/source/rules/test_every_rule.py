@@ -7,6 +7,7 @@ A line that it reports ends with a comment ``flagged``; where a comment would di
 ``<module>`` of packages, each with a file ``flagged`` of lines ``path:line``, none for a package in order.
 """
 
+import json
 import re
 from pathlib import Path
 
@@ -139,3 +140,49 @@ def test_no_profile_contradicts_itself():
 def test_strange_files_break_no_rule(content, language):
     matched = match_file(parse_file(content, language, MacroSettings()).view())
     assert not matched.failures, matched.failures[0].detail
+
+
+@pytest.mark.parametrize("content", STRANGE, ids=range(len(STRANGE)))
+def test_strange_packages_break_no_rule(content, package_view, tmp_path):
+    manifest = (
+        "<package><name>odd</name><depend>pluginlib</depend><export><build_type>{}</build_type></export></package>"
+    )
+    for build_type in ("ament_cmake", "ament_python", "catkin"):
+        folder = tmp_path / build_type
+        for name in (
+            "CMakeLists.txt",
+            "setup.py",
+            "setup.cfg",
+            "launch/a.launch",
+            "launch/b.launch.py",
+            "config/a.yaml",
+        ):
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        (folder / "a.cpp").write_bytes(b"PLUGINLIB_EXPORT_CLASS(" + content)
+        (folder / "plugins.xml").write_bytes(b"<library base_class_type" + content)
+        (folder / "package.xml").write_text(manifest.format(build_type))
+        failures = []
+        rule_findings(package_view(folder), RuleSettings(profiles=(), enable=("*",)), {}, (), (), failures)
+        assert not failures, failures[0].detail
+
+
+def test_a_package_is_analysed_anew_when_a_file_without_language_comes(tmp_path, capsys):
+    from roslens.cli.main import main
+
+    folder = tmp_path / "arm"
+    (folder / "arm").mkdir(parents=True)
+    (folder / "package.xml").write_text(
+        '<package format="3"><name>arm</name><version>1.0.0</version><description>d</description>'
+        '<maintainer email="a@example.org">a</maintainer><license file="LICENSE">MIT</license>'
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+
+    def rules():
+        main(["check", str(tmp_path), "--jobs", "1", "-q", "--fail-on", "never", "--format", "json"])
+        return {one["rule"] for one in json.loads(capsys.readouterr().out)["findings"]}
+
+    assert "package.licence_file" in rules()
+    (folder / "LICENSE").write_text("text")
+    assert "package.licence_file" not in rules()

@@ -30,6 +30,7 @@ RULES = native_rules()
 FILE_RULES = [rule for rule in RULES.values() if isinstance(rule, FileRule)]
 PACKAGE_RULES = [rule for rule in RULES.values() if isinstance(rule, PackageRule)]
 ENDINGS = {"cpp": ".cpp", "python": ".py"}
+BUILDS = ("CMakeLists.txt", "setup.py", "setup.cfg")
 STRANGE = (b"", bytes(range(256)) * 4, b"x", "café\n".encode("latin-1"), b"(" * 3000, b"if (x) {\n", b"class :\n def")
 
 
@@ -150,9 +151,7 @@ def test_strange_packages_break_no_rule(content, package_view, tmp_path):
     for build_type in ("ament_cmake", "ament_python", "catkin"):
         folder = tmp_path / build_type
         for name in (
-            "CMakeLists.txt",
-            "setup.py",
-            "setup.cfg",
+            *BUILDS,
             "launch/a.launch",
             "launch/b.launch.py",
             "config/a.yaml",

@@ -15,6 +15,12 @@ from roslens.source.rules.system_packages import is_ros_package
 if TYPE_CHECKING:
     from roslens.source.rules.package_view import PackageView
 
+_FOUND = re.compile(r"\$\(find(?:-pkg-share|-pkg-prefix)?\s+([\w-]+)\)")
+_FOUND_IN_PYTHON = re.compile(
+    r"(?:get_package_share_directory|FindPackageShare|get_package_share_path)\(\s*(?:package\s*=\s*)?['\"]([\w-]+)['\"]"
+    r"|\bpackage\s*=\s*['\"]([\w-]+)['\"]"
+)
+
 BUILD, RUN, TEST = "build", "run", "test"
 """When it is used."""
 
@@ -46,7 +52,7 @@ class Use(msgspec.Struct, frozen=True):
 def uses_of(view: PackageView) -> tuple[Use, ...]:
     """Return where a package uses others, those in the build first; one for each package, way and time."""
     found: dict[tuple[str, str, bool], Use] = {}
-    for use in (*_of_build(view), *_of_sources(view)):
+    for use in (*_of_build(view), *_of_sources(view), *_of_launch(view)):
         found.setdefault((use.name, use.when, use.how.startswith("find")), use)
     return tuple(found.values())
 
@@ -90,6 +96,31 @@ def _of_sources(view: PackageView) -> Iterator[Use]:
                 name, when, how = written.partition(".")[0], TEST if is_test else RUN, f"import {written}"
             if name and name not in own and is_ros_package(name):
                 yield Use(name, when, how, file.path, line)
+
+
+def _of_launch(view: PackageView) -> Iterator[Use]:
+    for file in view.launch:
+        if file.is_test or _AROUND.search(view.inside(dirname(file.path))):
+            continue
+        for element, _ in file.elements:
+            names = [name for value in element.attributes.values() for name in _FOUND.findall(value)]
+            if element.tag in ("node", "composable_node"):
+                names.append(element.attributes.get("pkg", ""))
+            for name in names:
+                if _is_literal(name):
+                    yield Use(name, RUN, f"launch file {view.inside(file.path)}", file.path, file.line(element))
+    for one in view.of_language(Language.LAUNCH_PYTHON, roles=(Role.OWN,)):
+        if _AROUND.search(view.inside(dirname(one.path))) or "test" in view.inside(one.path):
+            continue
+        text = view.read(one.path).decode("utf-8", "replace")
+        for match in _FOUND_IN_PYTHON.finditer(text):
+            line, name = text.count("\n", 0, match.start()) + 1, match[1] or match[2]
+            if "#" not in text[text.rfind("\n", 0, match.start()) + 1 : match.start()] and _is_literal(name):
+                yield Use(name, RUN, f"launch file {view.inside(one.path)}", one.path, line)
+
+
+def _is_literal(name: str) -> bool:
+    return re.fullmatch(r"[A-Za-z][\w-]*", name) is not None
 
 
 def _included(written: str) -> str:

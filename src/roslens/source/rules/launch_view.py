@@ -61,6 +61,10 @@ class LaunchXml:
         parts = [value for element, _ in self.elements for value in (*element.attributes.values(), element.text())]
         return "\n".join(parts)
 
+    def line(self, element: Element) -> int:
+        """Return the line of an element."""
+        return self._document.place(element.start)[0]
+
     def hit(self, rule: str, element: Element, message: str, context: str) -> Hit:
         """Return a hit at an element."""
         line, column = self._document.place(element.start)

@@ -11,6 +11,11 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.system_packages import KEYS, NEEDS_NO_KEY, looks_like_ros_package, stands_for
 
+_WHAT = {
+    "#include": "headers are included of packages",
+    "import": "modules are imported of packages",
+    "launch": "launch files need packages",
+}
 _TAGS = {BUILD: "<depend>", RUN: "<exec_depend>", TEST: "<test_depend>"}
 
 
@@ -18,7 +23,7 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield each package that is found and not declared, and at once those that are included, or imported."""
     declared = {one.name for one in (*view.package.dependencies, *view.package.member_of_groups)}
     told: set[str] = set()
-    gathered: dict[str, dict[str, Use]] = {"#include": {}, "import": {}}
+    gathered: dict[str, dict[str, Use]] = {"#include": {}, "import": {}, "launch": {}}
     for use in view.uses:
         if use.name in told or not _expected(use, view) or any(stands_for(key, use.name) for key in declared):
             continue
@@ -38,8 +43,7 @@ def _together(how: str, uses: list[Use]) -> Hit:
     first = uses[0]
     names = ", ".join(repr(use.name) for use in uses)
     tags = " and ".join(dict.fromkeys(_TAGS[use.when] for use in uses))
-    what = "headers are included" if how == "#include" else "modules are imported"
-    message = f"{what} of packages that package.xml does not declare: {names}; expected {tags}"
+    message = f"{_WHAT[how]} that package.xml does not declare: {names}; expected {tags}"
     # What is included was found in the build: another dependency brings it.
     severity = Severity.NOTE if how == "#include" else None
     return Hit("package.undeclared_dependency", message, first.line, context=how, path=first.path, severity=severity)
@@ -53,15 +57,16 @@ def _expected(use: Use, view: PackageView) -> bool:
         return False
     if name.startswith("ament_cmake"):
         return use.when == TEST and name.removeprefix("ament_cmake_") in ("gtest", "gmock", "pytest")
-    return name in KEYS or looks_like_ros_package(name)
+    return use.how.startswith("launch") or name in KEYS or looks_like_ros_package(name)
 
 
 RULE = PackageRule(
     id="package.undeclared_dependency",
     title="Package used and not declared",
-    finds="A package that CMakeLists.txt finds, or a package of ROS that sources include or import, of which "
-    "package.xml says nothing. What is imported is one finding for a package, what is included one note. Libraries "
-    "are known by the keys of rosdep; modules of CMake need none.",
+    finds="A package that CMakeLists.txt finds, that a launch file finds or starts nodes of, or, of ROS, that "
+    "sources include or import, and of which package.xml says nothing. What is imported is one finding for a "
+    "package, what launch files need another, what is included one note. Libraries are known by the keys of "
+    "rosdep; modules of CMake need none.",
     why="rosdep does not install it, colcon and catkin may build this package before it, and a build of only this "
     "package fails on the next machine; today it works because another package happens to bring it.",
     profiles=("ros2", "ros1"),

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import os
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import uuid
 from collections.abc import Iterator, Sequence
@@ -29,6 +31,8 @@ class Place:
         self.outside = folder
         self.mark = uuid.uuid4().hex
         self._holder: subprocess.Popen[bytes] | None = None
+        # The name of a socket has no room for that of a folder of pytest's.
+        self._temporary = Path(tempfile.mkdtemp(prefix="ends-"))
         folder.mkdir(parents=True)
         if mount:
             script = f"mount -t tmpfs -o size=64m tmpfs '{folder}' && mount -t tmpfs tmpfs /dev/shm"
@@ -37,7 +41,6 @@ class Place:
             self._holder = subprocess.Popen(command, stdout=subprocess.PIPE)
             assert self._holder.stdout
             assert self._holder.stdout.readline() == b"\n"
-        (self.inside / "temporary").mkdir()
 
     @property
     def inside(self) -> Path:
@@ -62,7 +65,7 @@ class Place:
             for name, value in os.environ.items()
             if not name.startswith(("ROS", "AMENT", "PYTHONPATH", "COV"))
         }
-        environment |= {MARK: self.mark, "TMPDIR": str(self.outside / "temporary")}
+        environment |= {MARK: self.mark, "TMPDIR": str(self._temporary)}
         environment |= {"ROSLENS_COUNTERS": str(self.outside / "counters"), "PYTHONDONTWRITEBYTECODE": "1"}
         return subprocess.Popen(
             self.command(words), cwd=None if self._holder else self.outside, env=environment, start_new_session=True,
@@ -103,6 +106,7 @@ class Place:
         """Return all files and folders, and what is in memory where that is known to be of this place."""
         found = {str(path.relative_to(self.inside)) for path in self.inside.rglob("*")}
         shared = self._below(Path("/dev/shm")) if self._holder else None
+        found |= {f"/tmp/{path.relative_to(self._temporary)}" for path in self._temporary.rglob("*")}
         return found | ({f"/dev/shm/{path.name}" for path in shared.iterdir()} if shared else set())
 
     def close(self) -> None:
@@ -115,6 +119,7 @@ class Place:
             self._holder.wait()
             assert self._holder.stdout
             self._holder.stdout.close()
+        shutil.rmtree(self._temporary, ignore_errors=True)
 
 
 def write_workspace(folder: Path, functions: int) -> None:

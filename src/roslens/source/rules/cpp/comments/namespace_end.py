@@ -15,7 +15,7 @@ from roslens.source.rules.rule import FileRule
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each long namespace without a comment at its end."""
     first, last = view.place(node.start_byte)[0], view.place(max(node.end_byte - 1, 0))[0]
-    if last - first <= 10 or last > len(view.lines):
+    if last - first < 10 or last > len(view.lines):
         return
     tail = view.lines[last - 1]
     name = view.text(node.child_by_field_name("name"))

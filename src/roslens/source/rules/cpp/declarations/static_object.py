@@ -28,7 +28,11 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         if declarator is None or "constexpr" in words or "extern" in words or not _OBJECT.search(kind):
             continue
         inner = declarator.child_by_field_name("declarator") if declarator.type == "init_declarator" else declarator
-        if inner is None or inner.type not in ("identifier", "array_declarator") or kind.endswith("Ptr"):
+        if (
+            inner is None
+            or inner.type not in ("identifier", "array_declarator", "qualified_identifier")
+            or kind.endswith("Ptr")
+        ):
             continue
         yield view.hit(
             "cpp.static_object",

@@ -12,7 +12,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_TYPE = re.compile(rb"\b(?:auto|char|short|int|long|float|double|bool|void|signed|unsigned)[ \t]+\Z")
+_TYPE = re.compile(rb"\b(?:const|volatile|auto|char|short|int|long|float|double|bool|void|signed|unsigned)[ \t]+\Z")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:

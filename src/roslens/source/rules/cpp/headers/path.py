@@ -40,7 +40,6 @@ RULE = FileRule(
         "autosar-cpp14",
     ),
     clauses=(
-        "cpplint build/include_subdir",
         "hicpp 16.1.2",
         "misra-cpp-2008 16-2-5",
     ),

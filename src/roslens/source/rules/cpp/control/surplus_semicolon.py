@@ -1,0 +1,77 @@
+"""Rule ``cpp.surplus_semicolon``: a semicolon that ends nothing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import places
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_BEHIND = re.compile(rb"\}[ \t]*(;)")
+_NEEDLESS = frozenset(
+    (
+        *("function_definition", "namespace_definition", "if_statement", "for_statement", "while_statement"),
+        *("for_range_loop", "switch_statement", "try_statement", "compound_statement", "linkage_specification"),
+    )
+)
+
+
+def found(_: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each semicolon behind something that needs none."""
+    for match, node in places(_BEHIND, view, 1):
+        one = node
+        while (
+            one.parent is not None and one.parent.start_byte == match.start(1) and one.parent.end_byte == match.end(1)
+        ):
+            one = one.parent
+        around = one.parent
+        if around is not None and _is_function(around, one):
+            yield view.hit("cpp.surplus_semicolon", one, "`;` behind this function; expected nothing")
+            continue
+        before = one.prev_named_sibling
+        while before is not None and before.type == "comment":
+            before = before.prev_named_sibling
+        if before is not None and before.type in _NEEDLESS and before.end_byte <= match.start(1):
+            what = before.type.rpartition("_")[0].replace("_", " ")
+            yield view.hit("cpp.surplus_semicolon", one, f"`;` behind this {what}; expected nothing")
+
+
+def _is_function(declaration: Node, semicolon: Node) -> bool:
+    """Return whether it is an empty function that the semicolon makes look like a variable with an initialiser."""
+    if declaration.type not in ("declaration", "field_declaration") or semicolon.prev_named_sibling is None:
+        return False
+    last = semicolon.prev_named_sibling
+    declarator = last.child_by_field_name("declarator") if last.type == "init_declarator" else last.prev_named_sibling
+    value = last.named_children[-1] if last.type == "init_declarator" else last
+    is_empty = value.type == "initializer_list" and not value.named_child_count
+    return is_empty and declarator is not None and declarator.type == "function_declarator"
+
+
+RULE = FileRule(
+    id="cpp.surplus_semicolon",
+    title="Semicolon behind a brace",
+    finds="A `;` behind the closing brace of a function, namespace, branch or loop. Remove it.",
+    why="It is an empty statement: behind an `if` it takes the `else` away.",
+    severity=Severity.NOTE,
+    profiles=(
+        "google",
+        "ros-style",
+        "paper2016",
+    ),
+    clauses=(
+        "cpplint readability/braces",
+        "paper2016 redundant_empty_statement",
+        "clang-tidy clang-diagnostic-extra-semi",
+    ),
+    bad="void f() {};\n",
+    good="void f() {}\n",
+    syntax="cpp",
+    whole=True,
+    found=found,
+)

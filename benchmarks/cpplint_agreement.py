@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter, defaultdict
+from collections.abc import Mapping
 from pathlib import Path
 
 from roslens.source.rules.standards import CPPLINT, answers
@@ -71,12 +72,12 @@ def of_roslens(folder: Path, rules: list[str]) -> tuple[dict[str, set[Place]], s
 
 
 def place(path: str, line: int, message: str) -> Place:
-    """Return what is compared: file and line; of a missing include, of which each names another use, file and header."""
+    """Return what is compared: file and line, or file and header of a missing include."""
     header = re.search(r"#include <([\w.]+)>", message)
     return (f"{path}: {header[1]}", 0) if header else (path, line)
 
 
-def files_of(run: dict) -> set[str]:
+def files_of(run: Mapping[str, list[dict[str, str]]]) -> set[str]:
     """Return the files that are of packages and neither vendored nor generated: rules look at no others."""
     return {one["path"] for one in run["files"] if one["role"] in ("own", "test")}
 
@@ -122,17 +123,18 @@ def main() -> int:
     return 0
 
 
-def page(names: list[str], by_category: dict, total: dict[str, Counter[str]]) -> str:
+def page(names: list[str], by_category: Mapping[str, tuple[str, ...]], total: Mapping[str, Counter[str]]) -> str:
     """Return the page."""
     folders = ", ".join(f"`{one.replace('+', '/')}`" for one in names)
     text = f"""\
 # Native rules against cpplint
 
-By category of cpplint 2.0.2 on {folders}: places that both name, that only cpplint names and that only the native rules
-name, by file and line (within {NEAR} lines). Files that are vendored, generated or of no package are left out. Which rule
-answers which category is in [the table of standards](reference/standards.md). `python benchmarks/cpplint_agreement.py
-FOLDER… --cpplint COMMAND` writes this page; the reasons are judged by reading what only one of the two reports
-(`--examples`).
+Cloned repositories: {folders}. By category of cpplint 2.0.2, places that both name, that only cpplint names and that
+only the native rules name, by file and line (within {NEAR} lines). Files that are vendored,
+generated or of no package are left out. Which rule answers which category is in
+[the table of standards](reference/standards.md). `python benchmarks/cpplint_agreement.py FOLDER… --cpplint COMMAND`
+writes this page; the reasons (`benchmarks/cpplint_agreement.json`) are judged by reading what only one of the two
+reports (`--examples`).
 
 | category | both | only cpplint | only roslens | why |
 | --- | --- | --- | --- | --- |

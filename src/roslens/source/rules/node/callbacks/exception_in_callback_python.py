@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import re
 from collections.abc import Iterator
 
@@ -22,6 +23,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if statement is None or statement.type != "raise_statement" or is_handled(statement):
         return
     raised = view.text(statement).removeprefix("raise").strip()
+    name = re.match(r"\w+", raised)
+    if (
+        name is not None
+        and not hasattr(builtins, name[0])
+        and re.search(rb"\bexcept\b[^\n]*\b" + name[0].encode() + rb"\b", view.code)
+    ):
+        return
     callback = callback_around(statement, view, of_stream=True)
     if callback is not None and not _ENDS_ON_PURPOSE.search(raised):
         yield view.hit(

@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.calls import arguments, call_at, keywords
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
@@ -31,11 +31,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 
 def _returns_nothing(name: str, view: FileView) -> bool:
-    if not name.isidentifier():
+    """Tell whether this file defines a function once, and it gives nothing back."""
+    places = [match.start(1) for match in re.finditer(rb"\bdef[ \t]+(" + name.encode() + rb")\b", view.code)]
+    node = view.node_at(places[0], places[0] + len(name)) if len(places) == 1 and name.isidentifier() else None
+    function = node.parent if node is not None else None
+    if function is None or function.type != "function_definition":
         return False
-    head = rb"^([ \t]*)def " + name.encode() + rb"\b[^\n]*\n"
-    match = re.search(head + rb"((?:\1[ \t]+[^\n]*\n|[ \t]*\n)*)", view.code, re.MULTILINE)
-    return match is not None and re.search(rb"\breturn[ \t]+[^\s]|\byield\b", match[2]) is None
+    if any(one.named_child_count for one in below(function, "return_statement")):
+        return False
+    return next(below(function, "yield"), None) is None
 
 
 RULE = FileRule(
@@ -65,5 +69,6 @@ class Arm(Node):
     syntax="python",
     anchors=("create_timer", "create_subscription", "create_service", "Subscriber", "Timer", "Service"),
     mentions=ROS_PYTHON,
+    spares_tests=True,
     found=found,
 )

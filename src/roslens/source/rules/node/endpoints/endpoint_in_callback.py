@@ -74,5 +74,6 @@ void Arm::start() {
         *("serviceClient", "advertiseService"),
     ),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

@@ -74,5 +74,6 @@ def on_goal(goal):
         *("ServiceProxy", "SimpleActionClient"),
     ),
     mentions=ROS_PYTHON,
+    spares_tests=True,
     found=found,
 )

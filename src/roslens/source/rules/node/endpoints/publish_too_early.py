@@ -21,7 +21,7 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
 _TIME_PASSES = re.compile(
-    rb"sleep|[sS]pin|[wW]ait|getNumSubscribers|get_subscription_count|transient_local|TransientLocal|TRANSIENT|latch|"
+    rb"sleep|[sS]pin|[wW]ait|getNumSubscribers|get_subscription_count|transient_local|TransientLocal|TRANSIENT|[lL]atch|"
     rb"lookup|\bcall\b|subscribe|create_subscription",
 )
 

@@ -13,8 +13,8 @@ from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
 _TIME_PASSES = re.compile(
-    rb"sleep|spin|wait|input|get_num_connections|get_subscription_count|TRANSIENT|transient|latch|lookup|for |while |"
-    rb"qos",
+    rb"sleep|spin|wait|input|get_num_connections|get_subscription_count|TRANSIENT|transient|[lL]atch|lookup|for |"
+    rb"while |qos",
 )
 
 

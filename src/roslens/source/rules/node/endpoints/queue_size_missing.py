@@ -46,5 +46,6 @@ RULE = FileRule(
     syntax="python",
     anchors=("Publisher",),
     mentions=ROSPY,
+    spares_tests=True,
     found=found,
 )

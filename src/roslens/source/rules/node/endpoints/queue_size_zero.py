@@ -55,5 +55,6 @@ RULE = FileRule(
     syntax="cpp",
     anchors=("advertise", "subscribe", "create_publisher", "create_subscription", "rclcpp::QoS", "KeepLast"),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

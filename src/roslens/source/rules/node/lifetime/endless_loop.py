@@ -51,5 +51,6 @@ RULE = FileRule(
     syntax="cpp",
     anchors=("while (true)", "while(true)", "while (1)", "while(1)", "for (;;)", "for(;;)"),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

@@ -54,5 +54,6 @@ int main(int c, char** v) { ros::init(c, v, "n"); ros::NodeHandle n; auto s = n.
     syntax="cpp",
     anchors=("ros::init", "rclcpp::init"),
     mentions=ROS_CPP,
+    spares_tests=True,
     found=found,
 )

@@ -11,10 +11,10 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_ASSIGNED = re.compile(
-    rb"""(?i)(?<![\w.])([\w.]*(?:passw(?:or)?d|passphrase|secret_?key|api_?key|access_?key|auth_?token|secret))["']?\]?\s*"""
-    rb"""(?::\s*\w+\s*)?(?:=|:|,|\()\s*["']([^"'\s$<{%*]{6,80})["']"""
-)
+_NAME = rb"[\w.]*(?:passw(?:or)?d|passphrase|secret_?key|api_?key|access_?key|auth_?token|secret)"
+_VALUE = rb"""["']([^"'\s$<{%*]{6,80})["']"""
+_ASSIGNED = re.compile(rb"""(?i)(?<![\w.])(""" + _NAME + rb""")["']?\]?\s*(?::\s*\w+\s*)?(?:=|:|\()\s*""" + _VALUE)
+_SET = re.compile(rb"""(?i)\(\s*["'](""" + _NAME + rb""")["']\s*,\s*""" + _VALUE)
 _KNOWN = re.compile(
     rb"(-----BEGIN (?:RSA |EC |OPENSSH |DSA )?PRIVATE KEY-----|\bAKIA[0-9A-Z]{16}\b|\bghp_[A-Za-z0-9]{36}\b|"
     rb"\bxox[bp]-[0-9A-Za-z-]{20,}|\bAIza[0-9A-Za-z_-]{35}\b|\bglpat-[0-9A-Za-z_-]{20})"
@@ -41,10 +41,10 @@ def secrets_of(view: FileView, rule: str) -> Iterator[Hit]:
         line, column = view.place(match.start())
         message = f"`{match[1][:8].decode()}…`, the beginning of a key, in the source; {_EXPECTED}"
         yield _without_text(view.hit_at(rule, line, message, column=column), "key")
-    for match in _ASSIGNED.finditer(view.content):
+    for match in (*_ASSIGNED.finditer(view.content), *_SET.finditer(view.content)):
         if _NO_SECRET.search(match[2]) or view.code[match.start(1)] in b" \t\n":
             continue
-        line, column = view.place(match.start())
+        line, column = view.place(match.start(1))
         name = match[1].decode("utf-8", "replace")
         message = f"`{name}` has a literal value of {len(match[2])} characters in the source; {_EXPECTED}"
         yield _without_text(view.hit_at(rule, line, message, column=column), name)

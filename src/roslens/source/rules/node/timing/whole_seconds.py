@@ -12,6 +12,9 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
+_COMPARED = frozenset(("<", ">", "<=", ">="))
+"""With a limit of many seconds the fraction does not matter."""
+
 _TIME = re.compile(r"(stamp|time|now\(\))\.sec$")
 
 
@@ -25,6 +28,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if view.text(around.child_by_field_name("operator")) != "-" or not re.search(
         r"stamp\.sec$|time\.sec$|now\(\)\.sec$", right
     ):
+        return
+    if around.parent is not None and view.text(around.parent.child_by_field_name("operator")) in _COMPARED:
         return
     statement = view.code[statement_around(name).start_byte : statement_around(name).end_byte]
     if b"nsec" not in statement and b"nanosec" not in statement:

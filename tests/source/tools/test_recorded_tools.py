@@ -234,6 +234,12 @@ def test_an_addon_that_does_not_run_is_no_clean_bill():
         tool.read(Ended(0, b"", told), request(tool, ["old.c"]))
 
 
+def test_pylint_leaves_out_what_has_its_names_from_elsewhere():
+    tool = tool_named("pylint")
+    assert tool.reads(SourceFile("a/b.py", Language.PYTHON))
+    assert not tool.reads(SourceFile("a/cfg/b.cfg", Language.PYTHON))
+
+
 def test_catkin_lint_passes_over_packages_of_others():
     tool = tool_named("catkin_lint")
     told = Ended(0, b"", b"catkin_lint: no packages to check\n")

@@ -52,6 +52,10 @@ class Pylint(Tool):
         Option("enable", "list", "Messages that are reported although their category is not.", []),
     )
 
+    def reads(self, file: SourceFile) -> bool:
+        """Return whether it looks at a file: a ``.cfg`` of dynamic_reconfigure has its names from a star import."""
+        return super().reads(file) and not file.path.endswith(".cfg")
+
     def shapes(self, file: SourceFile) -> bool:
         """Return whether other files may import it."""
         return file.language.value == "python"

@@ -101,6 +101,27 @@ HEADERS = {
 }
 """By package: beginnings of the headers that it brings, where they differ from its name."""
 
+BROUGHT_BY = {
+    "navigation2": r"nav2_\w+",
+    "nav2_bringup": r"nav2_\w+",
+    "navigation": r"amcl|map_server|move_base|costmap_2d|\w+_local_planner|global_planner|navfn|fake_localization",
+    "moveit": r"moveit_\w+",
+    "gazebo_ros_pkgs": r"gazebo_\w+",
+    "ros_gz": r"ros_gz_\w+",
+    "ros_control": r"controller_\w+|hardware_interface|transmission_interface",
+    "ros_controllers": r"\w+_controllers?",
+    "ros2_control": r"controller_\w+|hardware_interface|transmission_interface|ros2controlcli",
+    "ros2_controllers": r"\w+_(?:controllers?|broadcaster)",
+    "image_pipeline": r"image_\w+|depth_image_proc|stereo_image_proc",
+    "image_common": r"image_transport|camera_\w+",
+    "perception_pcl": r"pcl_\w+",
+    "robot_model": r"urdf|kdl_parser|joint_state_publisher",
+    "diagnostics": r"diagnostic_\w+|self_test",
+    "desktop": r"rviz2?|rqt\w*|robot_state_publisher|joint_state_publisher\w*|tf2_ros|\w+_msgs",
+    "ros_base": r"rosbag|tf2?_ros|tf|robot_state_publisher|nodelet|dynamic_reconfigure|actionlib",
+}
+"""By metapackage, as declared: what a launch file or an import may use because of it."""
+
 _MESSAGES = re.compile(r"[a-z]\w*_(?:msgs|srvs|interfaces|actions)$")
 _NAME = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+$")
 
@@ -125,6 +146,12 @@ def stands_for(key: str, name: str) -> bool:
     if name in KEYS and any(_plain(begin) in declared for begin in KEYS[name]):
         return True
     return _bare(declared) == _bare(wanted)
+
+
+def brings(key: str, name: str) -> bool:
+    """Return whether a declared dependency is a metapackage that has ``name`` in it."""
+    pattern = BROUGHT_BY.get(key)
+    return pattern is not None and re.fullmatch(pattern, name) is not None
 
 
 def _plain(name: str) -> str:

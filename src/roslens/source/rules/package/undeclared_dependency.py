@@ -9,7 +9,7 @@ from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
-from roslens.source.rules.system_packages import KEYS, NEEDS_NO_KEY, looks_like_ros_package, stands_for
+from roslens.source.rules.system_packages import KEYS, NEEDS_NO_KEY, brings, looks_like_ros_package, stands_for
 
 _WHAT = {
     "#include": "headers are included of packages",
@@ -25,7 +25,7 @@ def found(view: PackageView) -> Iterator[Hit]:
     told: set[str] = set()
     gathered: dict[str, dict[str, Use]] = {"#include": {}, "import": {}, "launch": {}}
     for use in view.uses:
-        if use.name in told or not _expected(use, view) or any(stands_for(key, use.name) for key in declared):
+        if use.name in told or not _expected(use, view) or any(_is_said(key, use) for key in declared):
             continue
         told.add(use.name)
         how = use.how.partition(" ")[0]
@@ -47,6 +47,11 @@ def _together(how: str, uses: list[Use]) -> Hit:
     # What is included was found in the build: another dependency brings it.
     severity = Severity.NOTE if how == "#include" else None
     return Hit("package.undeclared_dependency", message, first.line, context=how, path=first.path, severity=severity)
+
+
+def _is_said(key: str, use: Use) -> bool:
+    # What is built needs the package itself, because CMake looks for it.
+    return stands_for(key, use.name) or (use.when == RUN and brings(key, use.name))
 
 
 def _expected(use: Use, view: PackageView) -> bool:

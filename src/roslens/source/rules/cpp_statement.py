@@ -90,9 +90,5 @@ def next_statement(node: Node) -> Node | None:
 
 
 def same_text(one: Node, other: Node, view: FileView) -> bool:
-    """Return whether two nodes are written alike but for white space."""
-    if one.end_byte - one.start_byte == other.end_byte - other.start_byte:
-        left, right = view.source[one.start_byte : one.end_byte], view.source[other.start_byte : other.end_byte]
-        if left == right:
-            return True
-    return False
+    """Return whether two nodes are written alike in the file, where macros still stand."""
+    return view.content[one.start_byte : one.end_byte] == view.content[other.start_byte : other.end_byte]

@@ -17,10 +17,13 @@ _MEANT = re.compile(rb"fall|FALL|thr(?:ough|u)|intentional|no break|deliberate|c
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a case whose last statement runs on into another case."""
-    following = next_statement(node)
+    following, preceding = next_statement(node), node.prev_named_sibling
     if following is None or following.type != "case_statement" or node.has_error:
         return
     last = _last(node)
+    # Several in a row are a device: what is left to do is less with each case.
+    if any(one is not None and _runs_on(one, view) for one in (following, preceding)):
+        return
     if last is None or ends_flow(last, view) or last.type in ("attributed_statement", "switch_statement"):
         return
     between = view.content[last.start_byte : following.start_byte]
@@ -38,6 +41,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         "cpp.fallthrough",
         node.children[0],
         f"`{label[:60]}` falls through to the next case; expected `break` or `[[fallthrough]]`",
+    )
+
+
+def _runs_on(case: Node, view: FileView) -> bool:
+    following = next_statement(case)
+    last = _last(case) if case.type == "case_statement" else None
+    return (
+        last is not None and following is not None and following.type == "case_statement" and not ends_flow(last, view)
     )
 
 

@@ -22,7 +22,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         condition, other = one.child_by_field_name("condition"), one.child_by_field_name("alternative")
         if other is None and not seen:
             return
-        text = view.text(condition)
+        where = (condition.start_byte, condition.end_byte) if condition is not None else (0, 0)
+        text = " ".join(view.content[where[0] : where[1]].decode("utf-8", "replace").split())
         if condition is not None and text in seen and _is_pure(text):
             yield view.hit(
                 "cpp.repeated_condition",

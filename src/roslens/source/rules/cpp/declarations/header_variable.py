@@ -19,14 +19,16 @@ _MACRO_LIKE = re.compile(r"[A-Z][A-Z0-9_]*")
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each variable that is defined at the level of a namespace and may change."""
-    if not view.may_be_header:
+    if not view.may_be_header or any(one.type == "ERROR" for one in view.root.children):
         return
     for node in view.top_level:
         if node.type != "declaration" or node.has_error:
             continue
         words = [view.text(one) for one in node.children if one.type in ("type_qualifier", "storage_class_specifier")]
         kind = view.text(node.child_by_field_name("type"))
-        begins_with_macro = _MACRO_LIKE.fullmatch(view.text(node).partition(" ")[0])
+        # A macro that was taken out for the parse may stand for `extern`.
+        line = view.lines[view.place(node.start_byte)[0] - 1]
+        begins_with_macro = re.match(rb"\s*[A-Z][A-Z0-9_]{3,}\s", line)
         if any(one in words for one in (*_CONSTANT, *_FREE)) or not kind or begins_with_macro:
             continue
         for one in node.children_by_field_name("declarator"):

@@ -43,5 +43,6 @@ RULE = FileRule(
     good='void f() { try { g(); } catch (...) { log("g failed"); } }\n',
     syntax="cpp",
     kinds=("catch_clause",),
+    spares_tests=True,
     found=found,
 )

@@ -16,14 +16,20 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
     if left is None or right is None or right.type != "update_expression":
         return
-    if view.text(right.child_by_field_name("argument")) == view.text(left):
-        yield view.hit("cpp.assigned_increment", node, f"`{view.text(node)[:60]}`; expected `++{view.text(left)[:30]}`")
+    name, operator = view.text(left), view.text(right.child_by_field_name("operator"))
+    # `i = ++i` is odd, but does what it says.
+    if view.text(right.child_by_field_name("argument")) == name and view.text(right).endswith(operator):
+        yield view.hit(
+            "cpp.assigned_increment",
+            node,
+            f"`{view.text(node)[:60]}` throws the change away; expected `{operator}{name[:30]}`",
+        )
 
 
 RULE = FileRule(
     id="cpp.assigned_increment",
     title="Variable assigned its own increment",
-    finds="`i = i++;` and `i = ++i;`. Write `++i;`.",
+    finds="`i = i++;`. Write `++i;`.",
     why="Before C++17 it is undefined, since then `i = i++` does nothing: the counter stands still.",
     profiles=(
         "ros2",

@@ -27,6 +27,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     operator = view.text(node.child_by_field_name("operator"))
     text = view.text(left)
+    if text in ("INFINITY", "NAN"):
+        return
     if operator not in _OPERATORS or "++" in text or "--" in text or is_declaration(node) or not text:
         return
     # What is called twice may give two values.

@@ -105,7 +105,8 @@ NOBODY_KNOWS = "what it publishes and subscribes is unknown"
 def test_what_is_unknown_is_said(nodes, settings, why):
     found = launched(*nodes, settings=settings)
     assert made(found) == []
-    assert [(one.text, one.reason) for one in found.unresolved] == [("controller base", why)]
+    later = [(f"controller {one.name.pattern[1:]}", one.why) for node in found.nodes for one in node.controllers]
+    assert [*((one.text, one.reason) for one in found.unresolved), *later] == [("controller base", why)]
 
 
 def test_a_broken_file_of_a_spawner_makes_nothing():

@@ -14,6 +14,7 @@ from roslens.model.configuration import (
 )
 from roslens.model.errors import DocumentError
 from roslens.source.extract.assemble_arguments import CommandLine, command_line
+from roslens.source.extract.assemble_controllers import controllers_in
 from roslens.source.extract.assemble_doubt import doubted
 from roslens.source.extract.assemble_loads import loaded_by, with_used
 from roslens.source.extract.assemble_node import Given, assembled, container_name, place_of, values_of
@@ -26,8 +27,8 @@ from roslens.source.extract.call_sites import places_of
 from roslens.source.extract.command_words import words_of
 from roslens.source.extract.environment_defaults import supposed_name, with_defaults
 from roslens.source.extract.files import Files, joined
-from roslens.source.extract.launched import Argument, Launch, Launched, Setting
-from roslens.source.extract.node_facts import Inherits, NodeFacts, Target, TargetKind
+from roslens.source.extract.launched import Argument, Controller, Launch, Launched, Setting
+from roslens.source.extract.node_facts import EndpointFact, Inherits, NodeFacts, Target, TargetKind
 from roslens.source.extract.parameter_file import ros2_parameters
 from roslens.source.extract.process_commands import as_node
 from roslens.source.extract.resolve_name import TOP, absolute
@@ -71,6 +72,7 @@ def assemble(
     whole = _Whole(launch, units, known, files, by_launch=by_launch, hints=hints or {}, hinted_in=hinted_in)
     for launched in launch.nodes:
         whole.start(launched)
+    whole.end()
     unresolved = [
         Unresolved(one.text, launch_proof(one.evidence), one.reason, opens=one.opens) for one in launch.unresolved
     ]
@@ -134,6 +136,15 @@ class _Whole:
         self.nodes: list[ConfiguredNode] = []
         self.bonds: list[Bond] = []
         self.unresolved: list[Unresolved] = []
+        self.controllers = [one for node in launch.nodes for one in node.controllers]
+        self.loaded: set[Controller] = set()
+
+    def end(self) -> None:
+        """Tell of what nobody was found to load."""
+        for one in self.controllers:
+            if one not in self.loaded:
+                name = one.name.pattern.removeprefix(one.space.pattern).removeprefix("/")
+                self.unresolved.append(Unresolved(f"controller {name}", launch_proof(one.evidence), one.why))
 
     def start(self, launched: Launched) -> None:
         generation = self.launch.generation
@@ -167,7 +178,8 @@ class _Whole:
             self.bonds.append(Bond(name, given.container, launched.conditions))
         first = meant.facts[0] if meant.facts else _nothing(launched, generation)
         known = {place for one in meant.facts for place in places_of(one)}
-        given = msgspec.structs.replace(given, parts=parts_of(given, first, self.units, known, self.hints))
+        parts = parts_of(given, first, self.units, known, self.hints)
+        given = msgspec.structs.replace(given, parts=(*parts, *self._of_controllers(given, first)))
         if not meant.facts:
             if not self.by_launch:
                 # A program that makes no node is no node; nobody said that it is one.
@@ -192,6 +204,13 @@ class _Whole:
                 for loaded in loaded_by(held, facts):
                     self.start(loaded)
                 self.nodes[place] = with_used(self.nodes[place], self.nodes[place + 1 :])
+
+    def _of_controllers(self, given: Given, facts: NodeFacts) -> list[EndpointFact]:
+        found: list[EndpointFact] = []
+        for controller, made in controllers_in(given, facts, self.controllers, self.units):
+            found += made
+            self.loaded.add(controller)
+        return found
 
     def _further(self, given: Given, facts: NodeFacts) -> Given:
         """Return what holds for a further node of a process or component.

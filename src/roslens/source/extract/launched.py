@@ -41,6 +41,28 @@ class Remap(msgspec.Struct, frozen=True, array_like=True):
     evidence: Evidence
 
 
+class Controller(msgspec.Struct, frozen=True):
+    """A controller of ros_control that a spawner asks for.
+
+    Attributes:
+        name: of it with its namespace.
+        kind: its type, as the parameter says.
+        space: namespace of its manager.
+        evidence: of the spawner.
+        made: what the catalogue says that it makes; empty where that is known by code of the workspace alone.
+        why: it is not known where nobody else knows.
+        conditions: of the spawner.
+    """
+
+    name: Text
+    kind: str
+    space: Text
+    evidence: Evidence
+    made: tuple[EndpointFact, ...] = ()
+    why: str = ""
+    conditions: tuple[str, ...] = ()
+
+
 class Launched(msgspec.Struct, frozen=True, omit_defaults=True):
     """A node that is started, or a component or nodelet that is loaded.
 
@@ -61,6 +83,7 @@ class Launched(msgspec.Struct, frozen=True, omit_defaults=True):
         anonymous: whether its name gets a random end.
         plugged: what plug-ins make that are loaded into it (Gazebo).
         taken: remappings that plug-ins take for the namespace of their names.
+        controllers: that it has loaded into a node which is not known yet (ros_control).
     """
 
     package: Text
@@ -79,6 +102,7 @@ class Launched(msgspec.Struct, frozen=True, omit_defaults=True):
     anonymous: bool = False
     plugged: tuple[EndpointFact, ...] = ()
     taken: tuple[Remap, ...] = ()
+    controllers: tuple[Controller, ...] = ()
 
 
 class Argument(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -19,7 +19,7 @@ from roslens.source.extract.catalogue import plain_value
 from roslens.source.extract.catalogue_plugins import Class
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.hints import ROLES, endpoint_of
-from roslens.source.extract.launched import Launch, Launched, Setting, Unresolved
+from roslens.source.extract.launched import Controller, Launch, Launched, Setting, Unresolved
 from roslens.source.extract.node_facts import EndpointFact, Evidence, Sure
 from roslens.source.extract.parameter_file import ros1_parameters
 from roslens.source.extract.resolve_name import Place, absolute, expand
@@ -56,7 +56,7 @@ def with_controllers(launch: Launch, files: Files) -> Launch:
         files: from which spawners read parameters.
     """
     nodes, unresolved, settings = list(launch.nodes), list(launch.unresolved), list(launch.settings)
-    for spawner in launch.nodes:
+    for number, spawner in enumerate(launch.nodes):
         if (spawner.package.known, spawner.executable.known) != (_PACKAGE, _SPAWNER):
             continue
         for spawned in _spawned(spawner, files):
@@ -65,7 +65,11 @@ def with_controllers(launch: Launch, files: Files) -> Launch:
             place = _manager(nodes, spawned.space)
             if made and place is None:
                 why = "which node has the manager of this controller is unknown"
-            elif made and place is not None:
+            if why and (later := _for_later(spawned, spawner, settings, made, why)) is not None:
+                held = nodes[number]
+                nodes[number] = msgspec.structs.replace(held, controllers=(*held.controllers, later))
+                continue
+            if made and place is not None:
                 node = nodes[place]
                 nodes[place] = msgspec.structs.replace(node, plugged=(*node.plugged, *made))
             if why:
@@ -73,6 +77,17 @@ def with_controllers(launch: Launch, files: Files) -> Launch:
     return msgspec.structs.replace(
         launch, nodes=tuple(nodes), settings=tuple(settings), unresolved=tuple(dict.fromkeys(unresolved))
     )
+
+
+def _for_later(
+    spawned: _Spawned, spawner: Launched, settings: Iterable[Setting], made: Iterable[EndpointFact], why: str
+) -> Controller | None:
+    """Return a controller whose type is known, for who knows code: of its class, and of what has the manager."""
+    own = absolute(spawned.space, Text.of(spawned.name))
+    kind = {_resolved(one): one for one in settings}.get(f"{own.pattern}/type")
+    if spawned.why or kind is None or kind.value.known is None:
+        return None
+    return Controller(own, kind.value.known, spawned.space, spawner.evidence, tuple(made), why, spawner.conditions)
 
 
 def _spawned(spawner: Launched, files: Files) -> Iterator[_Spawned]:

@@ -88,6 +88,7 @@ _MODULES = (
     "vocabulary_argparse",
     "vocabulary_shared",
     "vocabulary_reconfigure",
+    "vocabulary_controllers",
     "reconfigure_file",
     "vocabulary_transforms",
     "vocabulary_images",

@@ -116,10 +116,10 @@ def test_options_that_mean_nothing(talking, capsys, words):
 
 
 def test_the_watch_begins_after_the_check_and_ends_by_ctrl_c(talking, capsys, monkeypatch):
-    def interrupted(_seconds):
+    def interrupted():
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("roslens.cli.check_watch.time.sleep", interrupted)
+    monkeypatch.setattr("roslens.cli.check_watch.pause", interrupted)
     words = ["check", str(talking), "--watch", "--jobs", "1", "--no-graph", "--no-store", "--fail-on", "never"]
     assert main(words) in {0, 3}
     told = capsys.readouterr()

@@ -183,3 +183,20 @@ def test_what_breaks_several_limits_is_accepted_as_one_and_each_limit_can_be_sup
     report = check(walking, capsys)
     assert "ros.eloc.max" in limits(report)
     assert "ros.function_limits" not in limits(report)
+
+
+def test_a_comment_in_a_manifest_and_in_a_list_of_cmake(walking, capsys):
+    manifest = walking / "talk/package.xml"
+    (walking / "roslens.toml").write_text('[rules]\nenable = ["package.maintainer_email"]\n')
+    text = manifest.read_text().replace(
+        '<maintainer email="a@example.org">a</maintainer>', "<maintainer>a</maintainer>{}"
+    )
+    for comment, count in (("", 1), ("<!-- roslens: ignore[package.maintainer_email] asked -->", 0)):
+        manifest.write_text(text.format(comment))
+        main(["check", str(walking), "--format", "json", "--jobs", "1", "-q", "--no-graph", "--fail-on", "never"])
+        report = json.loads(capsys.readouterr().out)
+        assert len([one for one in report["findings"] if one["rule"] == "package.maintainer_email"]) == count
+        assert [one["finding"]["path"] for one in report["set_aside"]] == ["talk/package.xml"] * (1 - count)
+    manifest.write_text(manifest.read_text().replace("<maintainer>", '<maintainer email="a@example.org">'))
+    main(["check", str(walking), "--format", "json", "--jobs", "1", "-q", "--no-graph", "--fail-on", "never"])
+    assert notes(json.loads(capsys.readouterr().out)) == ["roslens.suppression_unused"]

@@ -72,9 +72,14 @@ def watch_files(options: argparse.Namespace, root: Path, configuration: Configur
             while True:
                 for line in answers(fresh, files, time.monotonic):
                     print(line, flush=True)
-                time.sleep(PERIOD_S)
+                pause()
         except KeyboardInterrupt:
             return
+
+
+def pause() -> None:
+    """Wait until time stamps are looked at again."""
+    time.sleep(PERIOD_S)
 
 
 def warm(fresh: FreshPackages) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budg
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
-from roslens.model.source import Location, Package, SourceFile
+from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.source.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import ParsedFile, parse_file
@@ -125,7 +125,28 @@ def _measure(task: PackageTask) -> MeasuredPackage:
     of_files = {file.path: facts for file, facts, _ in measured}
     view = PackageView(task.package, task.root, task.files, of_files, others=task.others)
     findings = rule_findings(view, task.rules, hits, callbacks, entities, failures)
+    suppressions.update(_of_other_files(task, findings))
     return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new, findings)
+
+
+_COMMENTED = frozenset({Language.CMAKE, Language.MANIFEST, Language.LAUNCH_XML, Language.LAUNCH_YAML})
+"""Languages without a syntax in whose files rules find something."""
+_LARGEST_BYTES = 1 << 20
+
+
+def _of_other_files(task: PackageTask, findings: Iterable[Finding]) -> Iterator[tuple[str, tuple[Suppression, ...]]]:
+    """Yield the suppressions of files that are not parsed, where rules find something in their kind or in them."""
+    from roslens.source.workspace.suppress import suppressions
+
+    found = {finding.path for finding in findings}
+    for file in task.files:
+        if file.language.parsed_as or file.size > _LARGEST_BYTES:
+            continue
+        if file.language in _COMMENTED or file.path in found:
+            # A file that is gone meanwhile has none; who reads it for its own sake says so.
+            with suppress(OSError):
+                if known := suppressions(read_bounded(Path(task.root, file.path), _LARGEST_BYTES)):
+                    yield file.path, known
 
 
 def _known(task: PackageTask) -> tuple[Mapping[str, bytes], frozenset[str]]:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import msgspec
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.set_aside import SetAside
@@ -96,7 +97,7 @@ class FreshPackages:
         package = self._owner.get(path)
         if package is None:
             return None
-        content = (self.root / path).read_bytes()
+        content = read_bounded(self.root / path)
         files = self._files[package]
         place = next(number for number, file in enumerate(files) if file.path == path)
         files[place] = msgspec.structs.replace(files[place], size=len(content), content_hash=content_hash(content))

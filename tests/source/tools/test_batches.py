@@ -4,7 +4,7 @@ import pytest
 
 from roslens.model.source import Language, SourceFile
 from roslens.source.tools.batches import MOST_RETRIES, Batches, batches
-from roslens.source.tools.run_tool import Ended, ToolError
+from roslens.source.tools.run_tool import Ended, ToolError, ToolHangError
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding
 
 
@@ -22,14 +22,19 @@ class Played(Tool):
 
 
 class Runner:
-    def __init__(self, bad=()):
+    def __init__(self, bad=(), hangs=""):
         self.calls = []
+        self.hangs = hangs
+        self.limits = []
         self.bad = set(bad)
 
     def run(self, words, *, folder, time_limit_s, safe_path=True):
         self.calls.append(words[1:])
         if self.bad & set(words[1:]):
-            raise ToolError("did not end within 5 s") if "./hang.cpp" in words else ToolError("was ended by SIGSEGV")
+            raise ToolError("was ended by SIGSEGV")
+        if self.hangs in words[1:]:
+            self.limits.append(time_limit_s)
+            raise ToolHangError(f"did not end within {time_limit_s:g} s")
         return Ended(0, b"", b"")
 
     def end_all(self):
@@ -72,6 +77,15 @@ def test_one_file_that_crashes_it_is_found_and_the_others_stand():
     result = looked(files(20), runner)
     assert result.failed == (("was ended by SIGSEGV", ("f007.cpp",)),)
     assert len(result.findings) == 19
+
+
+def test_one_file_that_it_hangs_on_is_found_in_twice_the_time():
+    runner = Runner(hangs="./f007.cpp")
+    request = Request("played", "/robot", (), {}, "")
+    result = Batches(Played(), request, runner, jobs=1, time_limit_s=600).look_at(files(40))
+    assert [paths for _, paths in result.failed] == [("f007.cpp",)]
+    assert len(result.findings) == 39
+    assert runner.limits == [600, 300, 150, 75, 37.5, 20]
 
 
 def test_a_tool_that_always_fails_is_not_tried_for_ever():

@@ -9,11 +9,14 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 import msgspec
 
 from roslens.model.source import SourceFile
-from roslens.source.tools.run_tool import ToolError, ToolRunner
+from roslens.source.tools.run_tool import ToolError, ToolHangError, ToolRunner
 from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding
 
 FEWEST_AT_ONCE = 8
 """So many files are not shared out among processes: starting one costs more than it saves."""
+
+LEAST_LIMIT_S = 20.0
+"""Seconds that a call gets in any case, unless the user gave less."""
 
 MOST_RETRIES = 16
 """Calls that may be spent on finding out which files a tool fails on."""
@@ -74,24 +77,27 @@ class Batches:
 
     def _results(self, shares: Sequence[tuple[str, ...]]) -> Iterator[tuple[tuple[str, ...], Reading | ToolError]]:
         with ThreadPoolExecutor(self._jobs, thread_name_prefix=f"roslens-{self._tool.name}") as pool:
-            running: dict[Future[Reading | ToolError], tuple[str, ...]] = {}
+            running: dict[Future[Reading | ToolError], tuple[tuple[str, ...], float]] = {}
 
-            def start(paths: tuple[str, ...]) -> None:
-                running[pool.submit(self._call, paths)] = paths
+            def start(paths: tuple[str, ...], time_limit_s: float) -> None:
+                running[pool.submit(self._call, paths, time_limit_s)] = (paths, time_limit_s)
 
             try:
                 for share in shares:
-                    start(share)
+                    start(share, self._time_limit_s)
                 while running:
                     done, _ = wait(running, return_when=FIRST_COMPLETED)
                     for future in done:
-                        paths = running.pop(future)
+                        paths, limit = running.pop(future)
                         result = future.result()
                         if isinstance(result, ToolError) and len(paths) > 1 and self._retries >= 2:
                             self._retries -= 2
                             middle = len(paths) // 2
-                            start(paths[:middle])
-                            start(paths[middle:])
+                            # Half the files in half the time, so that to find one that hangs it takes no longer again.
+                            half = min(limit, max(LEAST_LIMIT_S, limit / 2))
+                            limit = half if isinstance(result, ToolHangError) else limit
+                            start(paths[:middle], limit)
+                            start(paths[middle:], limit)
                         else:
                             yield paths, result
             except BaseException:
@@ -99,7 +105,7 @@ class Batches:
                 self._runner.end_all()
                 raise
 
-    def _call(self, paths: tuple[str, ...]) -> Reading | ToolError:
+    def _call(self, paths: tuple[str, ...], time_limit_s: float) -> Reading | ToolError:
         tool = self._tool
         with tempfile.TemporaryDirectory(prefix=f"roslens-{tool.name}-") as scratch:
             request = msgspec.structs.replace(
@@ -109,7 +115,7 @@ class Batches:
                 ended = self._runner.run(
                     tool.words(request),
                     folder=request.root,
-                    time_limit_s=self._time_limit_s,
+                    time_limit_s=time_limit_s,
                     safe_path=tool.safe_path,
                 )
                 return tool.read(tool.checked(ended), request)

@@ -56,7 +56,7 @@ class ClangTidy(Tool):
     settings_files = (".clang-tidy",)
     whole_packages = True
     across_packages = True
-    at_once = 16
+    at_once = 8
     options = (
         Option("checks", "list", "Checks, as clang-tidy's --checks; empty: .clang-tidy, else what finds bugs.", []),
         Option(

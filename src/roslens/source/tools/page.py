@@ -60,7 +60,7 @@ _SARIF = """
 
 `--import FILE` (again for more), or `imports = ["result.sarif"]` below `[tools]`, takes the results of a SARIF 2.1.0
 file as findings: of semgrep, CodeQL, bandit, Infer, MSVC, GCC. Results that the tool says are suppressed, that have
-no place, or that point outside of the workspace are left out, and how many is said. A file of more than 256 MB or
+no place, or that point outside of the workspace are left out, and how many is said. A file of more than 128 MB or
 200,000 results is refused.
 
 A program that writes SARIF is named by a table. It runs once you trust it, see `roslens trust`, and again when a file

@@ -16,7 +16,7 @@ import msgspec
 
 from roslens.children.safe_path import python_words, safe_environment
 
-MOST_BYTES = 256 * 1024 * 1024
+MOST_BYTES = 64 * 1024 * 1024
 """Bytes that one process may print; one that prints more is ended and its output is not looked at."""
 
 _KEPT_IN_MESSAGE = 300
@@ -30,6 +30,10 @@ os.execv(sys.argv[1], sys.argv[1:])"""
 
 class ToolError(Exception):
     """A tool did not do what it was started for; the text continues a sentence that begins with its name."""
+
+
+class ToolHangError(ToolError):
+    """It did not end in time."""
 
 
 class Ended(msgspec.Struct, frozen=True):
@@ -112,7 +116,7 @@ class ToolRunner:
             while selector.get_map():
                 ready = selector.select(max(0.0, deadline - time.monotonic()))
                 if not ready:
-                    raise ToolError(f"did not end within {time_limit_s:g} s")
+                    raise ToolHangError(f"did not end within {time_limit_s:g} s")
                 for key, _ in ready:
                     piece = os.read(key.fd, 1 << 16)
                     if not piece:
@@ -124,7 +128,7 @@ class ToolRunner:
         try:
             code = process.wait(max(0.1, deadline - time.monotonic()))
         except subprocess.TimeoutExpired:
-            raise ToolError(f"did not end within {time_limit_s:g} s") from None
+            raise ToolHangError(f"did not end within {time_limit_s:g} s") from None
         stdout, stderr = (b"".join(pieces) for pieces in taken.values())
         return Ended(code, stdout, stderr)
 

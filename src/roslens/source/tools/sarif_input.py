@@ -17,7 +17,7 @@ from roslens.model.finding import RuleInfo, Severity
 from roslens.source.tools.tool import ToolFinding, below_root
 from roslens.source.tools.tool_checks import checks_of, rule_id, rule_of
 
-MOST_BYTES = 256 * 1024 * 1024
+MOST_BYTES = 128 * 1024 * 1024
 MOST_RESULTS = 200_000
 """More results than anybody reads: a file that has more is refused."""
 

@@ -1,0 +1,49 @@
+"""Rule ``package.misspelt_dependency``: the name of a dependency is almost that of a package of ROS."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.package_view import PackageView
+from roslens.source.rules.rule import PackageRule
+from roslens.source.rules.system_packages import OF_THE_CORE
+
+SHORTEST = 10
+"""Letters; shorter names differ by one letter and mean two packages (``mav_msgs``, ``map_msgs``)."""
+_ALIKE = 0.95
+
+
+def found(view: PackageView) -> Iterator[Hit]:
+    """Yield each dependency that no package has and that differs by a letter from one of ROS."""
+    told: set[str] = set()
+    for one in view.package.dependencies:
+        name = one.name
+        if name in OF_THE_CORE or name in told or len(name) < SHORTEST or one.kind in ("conflict", "replace", "group"):
+            continue
+        close = get_close_matches(name, OF_THE_CORE, 1, _ALIKE)
+        if close and _digits(close[0]) == _digits(name):
+            told.add(name)
+            where = one.location
+            message = f"dependency {name!r}; meant {close[0]!r}?"
+            yield Hit("package.misspelt_dependency", message, where.line, where.column, context=name, path=where.path)
+
+
+def _digits(name: str) -> str:
+    return "".join(filter(str.isdigit, name))
+
+
+RULE = PackageRule(
+    id="package.misspelt_dependency",
+    title="Dependency whose name is misspelt",
+    finds="A dependency of at least ten letters that differs by one letter from a package of the core of ROS: "
+    "`sensor_msg`, `geomety_msgs`.",
+    why="rosdep finds nothing of that name and stops, or, told to go on, leaves the package out; the workspace "
+    "builds where the right one happens to be installed.",
+    profiles=("ros2", "ros1"),
+    tags=("manifest", "dependency"),
+    bad="<depend>geomety_msgs</depend>",
+    good="<depend>geometry_msgs</depend>",
+    found=found,
+)

@@ -102,3 +102,53 @@ def test_a_bare_repository_inside_a_clone_is_recognised(tmp_path):
     (inner / "HEAD").write_text("ref: refs/heads/main\n")
     assert looks_bare(str(inner / "src")) == str(inner)
     assert looks_bare(str(tmp_path / "clone")) == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("core.fsmonitor", "false"),
+        ("core.hooksPath", os.devnull),
+        ("core.pager", "cat"),
+        ("credential.helper", ""),
+        ("diff.external", ""),
+        ("log.showSignature", "false"),
+        ("protocol.allow", "never"),
+        ("safe.bareRepository", "explicit"),
+        ("submodule.recurse", "false"),
+    ],
+)
+def test_what_a_repository_says_is_overruled(hostile, name, value):
+    """Asked of git itself: no command that is allowed looks at all of these."""
+    subprocess.run(["git", "-C", hostile, "config", name, "true"], check=False)
+    words = git_words(str(hostile), "config", "--get", name)
+    done = subprocess.run(words, env=git_environment(os.environ), capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout.rstrip("\n")) == (0, value)
+
+
+def test_programs_that_the_environment_names_are_left_out_and_the_rest_is_kept():
+    programs = ("GIT_EXTERNAL_DIFF", "GIT_SSH", "GIT_SSH_COMMAND", "GIT_ASKPASS", "SSH_ASKPASS", "GIT_PAGER")
+    found = git_environment({"PATH": "/usr/bin", "HOME": "/h", **dict.fromkeys(programs, "evil")})
+    assert found == {
+        "PATH": "/usr/bin",
+        "HOME": "/h",
+        "GIT_TERMINAL_PROMPT": "0",
+        "GIT_NO_LAZY_FETCH": "1",
+        "GIT_OPTIONAL_LOCKS": "0",
+        "GIT_ATTR_NOSYSTEM": "1",
+        "LC_ALL": "C",
+    }
+
+
+def test_further_objects_are_named_as_git_reads_them():
+    found = git_environment({}, ['/a"b\\c', "/d:e"])
+    assert found["GIT_ALTERNATE_OBJECT_DIRECTORIES"] == '"/a\\"b\\\\c":"/d:e"'
+
+
+@pytest.mark.parametrize("missing", ["HEAD", "objects", "refs"])
+def test_what_lacks_a_part_is_no_bare_repository(tmp_path, missing):
+    for name in {"objects", "refs"} - {missing}:
+        (tmp_path / name).mkdir()
+    if missing != "HEAD":
+        (tmp_path / "HEAD").touch()
+    assert looks_bare(str(tmp_path)) == ""

@@ -7,6 +7,7 @@ from itertools import pairwise
 import pytest
 
 from roslens.live.agent.host import HostSampler
+from roslens.live.agent.link import Channel
 from roslens.live.agent.processes import ProcessSampler
 from roslens.live.agent.work import Agent
 from roslens.live.listen import MOST_UNPROVEN, MOST_UNPROVEN_OF_A_HOST, PROOF_S, SILENT_S, Listener
@@ -341,3 +342,26 @@ def test_without_descriptors_nobody_is_asked_again_at_once(listener, agent_of, c
     clock.ahead = 2.0
     agent = agent_of(listener.port)
     until(listener, [agent], lambda _: listener.agents())
+
+
+def test_who_connects_and_leaves_without_a_word_is_not_told_of(listener):
+    (stranger,) = connected(listener, 1)
+    assert stranger.recv(100)  # or closing would reset the line
+    stranger.close()
+    assert failures(listener.poll(1.0)) == []
+    assert not listener._lines
+
+
+def test_who_greets_and_leaves_is_told_of(listener):
+    (stranger,) = connected(listener, 1)
+    assert stranger.recv(100)
+    stranger.sendall(Channel(KEY, accepting=False).hello())
+    assert failures(listener.poll(1.0)) == []
+    stranger.close()
+    assert "it hung up before it had proven the key: give both the same --key-file" in failures(listener.poll(1.0))[0]
+
+
+def test_an_agent_that_ends_lets_go_of_all(listener, agent_of):
+    counters = Counters()
+    agent_of(listener.port, counters=counters).run(lambda: True)
+    assert counters.closed

@@ -27,7 +27,8 @@ PARTS = (
         "window",
         ("src/roslens/live/window.py",),
         (
-            "tests/live/test_window.py", "tests/live/test_gaps.py", "tests/live/test_one_stretch.py",
+            "tests/live/test_window_cases.py", "tests/live/test_window.py",
+            "tests/live/test_gaps.py", "tests/live/test_one_stretch.py",
             "tests/live/test_time_lines.py", "tests/live/test_alarm_times.py", "tests/live/test_monitor.py",
         ),
     ),
@@ -42,10 +43,14 @@ PARTS = (
         (
             "src/roslens/dashboard/guard.py", "src/roslens/dashboard/listener.py", "src/roslens/dashboard/server.py",
             "src/roslens/intake/*.py", "src/roslens/live/publish/endpoint.py", "src/roslens/children/git.py",
+            "src/roslens/cli/site.py", "src/roslens/source/extract/files.py", "src/roslens/source/inventory.py",
+            "src/roslens/live/adapters/bag/decompress.py",
         ),
         (
             "tests/intake", "tests/dashboard/test_guard.py", "tests/dashboard/test_server.py",
             "tests/live/publish/test_endpoint.py", "tests/children/test_git.py",
+            "tests/cli/test_site.py", "tests/source/extract/test_files.py", "tests/source/test_inventory.py",
+            "tests/live/adapters/bag/test_decompress.py",
         ),
     ),
 )  # fmt: skip

@@ -1,6 +1,7 @@
 from pathlib import Path
 
 import msgspec
+import pytest
 
 from roslens.model.source import Language, Role
 from roslens.source.inventory import take_inventory
@@ -40,6 +41,16 @@ def test_what_is_known_is_not_opened(tmp_path: Path):
     second = take_inventory(seen, WorkspaceSettings(), lied)
     assert second.learned == {}
     assert {file.content_hash for file in second.files["arm"]} == {"told by the cache"}
+
+
+@pytest.mark.parametrize("field", ["size", "mtime_ns", "inode"])
+def test_whatever_of_a_file_differs_it_is_opened_again(tmp_path: Path, field: str):
+    seen = workspace(tmp_path, a__cpp="int a;")
+    known = take_inventory(seen, WorkspaceSettings(), {}).learned
+    other = msgspec.structs.replace(known["arm/a.cpp"], **{field: 7}, content_hash="of another file")
+    again = take_inventory(seen, WorkspaceSettings(), {**known, "arm/a.cpp": other})
+    assert set(again.learned) == {"arm/a.cpp"}
+    assert {file.content_hash for file in again.files["arm"]} >= {content_hash(b"int a;")}
 
 
 def test_other_settings_look_again(tmp_path: Path):

@@ -57,7 +57,7 @@ def source_reader(root: Path) -> Callable[[str], bytes | None]:
             if not resolved.is_relative_to(root.resolve()):
                 return None
             return read_bounded(resolved)
-        except OSError:
+        except (OSError, ValueError, RuntimeError):
             return None
 
     return read

@@ -29,7 +29,8 @@ def whole_name(node: Node) -> Node:
     parent = node.parent
     while parent is not None:
         field = _LAST_NAME.get(parent.type)
-        if field is None or parent.child_by_field_name(field) != node:
+        last = parent.child_by_field_name(field) if field is not None else None
+        if last != node and not (parent.type == "dependent_name" and parent.named_children[-1] == node):
             break
         node, parent = parent, parent.parent
     return node

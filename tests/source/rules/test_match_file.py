@@ -1,0 +1,56 @@
+"""When a rule is asked: what a file must mention, what tests are spared, where an anchor stands."""
+
+import pytest
+
+from roslens.model.source import Language
+from roslens.source.parsed_file import parse_file
+from roslens.source.rules import match_file as module
+from roslens.source.rules.match_file import match_file
+from roslens.source.rules.rule import FileRule
+from roslens.source.settings import MacroSettings
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Return a function that says at which texts one rule is asked."""
+
+    def ask(text, **what):
+        seen = []
+
+        def found(node, view):
+            seen.append(view.text(node))
+            return ()
+
+        rule = FileRule(id="a.b", title="t", finds="f.", why="w", syntax="cpp", found=found, **what)
+        monkeypatch.setattr(module, "file_rules", lambda syntax: (rule,))
+        module._plan.cache_clear()
+        match_file(parse_file(text.encode(), Language.CPP, MacroSettings()).view())
+        return seen
+
+    yield ask
+    module._plan.cache_clear()
+
+
+def test_an_anchor_is_a_whole_word_outside_of_comments(asked):
+    text = "void f() { spin(); spins(); my_spin(); } // spin"
+    assert asked(text, anchors=("spin",)) == ["spin"]
+
+
+def test_an_anchor_of_several_words_stands_as_written(asked):
+    text = "void f() { std::cout << 1; cout << std::x; }"
+    assert asked(text, anchors=("std::cout",)) == ["std::cout"]
+
+
+def test_a_file_that_mentions_nothing_of_it_is_not_looked_at(asked):
+    assert asked("void f() { spin(); }", anchors=("spin",), mentions=("rclcpp",)) == []
+    assert asked("// rclcpp\nvoid f() { spin(); }", anchors=("spin",), mentions=("rclcpp",)) == ["spin"]
+
+
+def test_tests_are_spared(asked):
+    text = "#include <gtest/gtest.h>\nvoid f() { spin(); }"
+    assert asked(text, anchors=("spin",)) == ["spin"]
+    assert asked(text, anchors=("spin",), spares_tests=True) == []
+
+
+def test_quoted_parts_are_asked_for_in_strings_alone(asked):
+    assert asked('// /home/a\nauto x = "/home/b"; int home = a /home/ b;', quoted=("/home/",)) == ["/home/b"]

@@ -47,7 +47,9 @@ def _variable(declarator: Node, view: FileView) -> str:
     if function_declarator_in(declarator) or re.search(r"\*\s*const\b", text):
         return ""
     name = view.text(name_node(declarator))
-    return name if name.isidentifier() and not _MACRO_LIKE.fullmatch(name) else ""
+    # Members of a class whose head the parse could not read begin or end so.
+    is_member = name.startswith("_") or name.endswith("_")
+    return name if name.isidentifier() and not is_member and not _MACRO_LIKE.fullmatch(name) else ""
 
 
 def function_declarator_in(declarator: Node) -> bool:

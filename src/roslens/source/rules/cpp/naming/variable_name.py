@@ -1,0 +1,51 @@
+"""Rule ``cpp.variable_name``: a variable that is not named like one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from roslens.model.finding import Severity
+from roslens.source.rules.cpp_class import name_node
+from roslens.source.rules.file_view import FileView
+from roslens.source.rules.hit import Hit
+from roslens.source.rules.rule import FileRule
+
+_CONSTANT = re.compile(r"k[A-Z]\w*|[A-Z0-9_]+")
+
+
+def found(node: Node, view: FileView) -> Iterator[Hit]:
+    """Yield each local variable with a capital letter."""
+    around = node.parent
+    if around is None or around.type not in ("compound_statement", "for_statement", "case_statement"):
+        return
+    for one in node.children_by_field_name("declarator"):
+        if one.type == "function_declarator":
+            continue
+        named = name_node(one)
+        name = view.text(named)
+        if named is not None and named.type == "identifier" and name != name.lower() and not _CONSTANT.fullmatch(name):
+            better = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+            yield view.hit("cpp.variable_name", named, f"variable `{name}`; expected `{better}`")
+
+
+RULE = FileRule(
+    id="cpp.variable_name",
+    title="Name of a variable",
+    finds="A local variable whose name holds a capital letter, but for constants (`kLimit`, `LIMIT`).",
+    why="The guides of ROS and Google agree on `under_scored` names: variables are told from types and "
+    "functions at a glance.",
+    severity=Severity.NOTE,
+    profiles=(
+        "google",
+        "ros-style",
+    ),
+    clauses=("clang-tidy readability-identifier-naming",),
+    bad="void f() { int maxRate = 3; g(maxRate); }\n",
+    good="void f() { int max_rate = 3; g(max_rate); }\n",
+    syntax="cpp",
+    kinds=("declaration",),
+    found=found,
+)

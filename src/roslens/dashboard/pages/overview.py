@@ -12,7 +12,10 @@ from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.judge.quality_model import rule_id
 from roslens.model.finding import Severity
+from roslens.model.result import RuleCount
 from roslens.model.source import number_of_packages
+from roslens.model.tags import TagFilter
+from roslens.report.fix_first import first_to_fix
 
 FIRST = 8
 ELSEWHERE = "In test, generated or vendored code: they fail no check"
@@ -43,6 +46,9 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         facts={
             "headline": headline(severities, number_of_packages(broken), packages),
             "counts": counts,
+            "first": [
+                {"severity": one.severity.value, "rule": one.rule, "text": one.example} for one in _first(site)
+            ],
             "severities": {severity.value: count for severity, count in severities.items()},
             "languages": dict(_sum(package.languages for package in site.packages)),
             "roles": dict(_sum(package.roles for package in site.packages)),
@@ -53,6 +59,10 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         tables=(_worst(site), _rules(site), _conditions(site)),
         shown={"severities": severities, "counts": counts},
     )
+
+
+def _first(site: Site) -> tuple[RuleCount, ...]:
+    return first_to_fix(site.packages, site.view.workspace.findings, site.rules, TagFilter())
 
 
 def headline(severities: Mapping[Severity, int], affected: int, packages: int) -> str:

@@ -12,9 +12,11 @@ pytestmark = pytest.mark.timed
 
 KNOTTY = (
     "// one\n// two\n// three\n// four\n// five\n// six\nint knotty(int a) {\n  int n = 0;\n"
-    + "".join(f"  if (a == {number}) n += {number};\n" for number in range(16))
+    + "".join(f"  {'else ' if number else ''}if (a == {number}) n += {number};\n" for number in range(16))
     + "  return n;\n}\n"
 )
+BRANCHING = KNOTTY.replace("  else if", "  if")
+"""It breaks the limit on static paths, too."""
 CC_RULE = "ros.cyclomatic_complexity.max"
 
 
@@ -110,8 +112,10 @@ def test_more_models_judge_by_more_bounds(roslens, robot):
 
 
 def test_the_counts_of_findings_are_quantities(roslens, robot):
-    robot.package("arm", knotty__cpp=KNOTTY)
-    (package,) = report_of(roslens, robot)["packages"]
+    robot.package("arm", knotty__cpp=BRANCHING)
+    report = report_of(roslens, robot)
+    (package,) = report["packages"]
+    assert [one["rule"] for one in report["findings"]] == ["ros.function_limits"]
     assert (package["metrics"]["rqv"], package["metrics"]["rcv"]) == (2, 0)
 
 

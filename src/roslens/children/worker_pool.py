@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
@@ -29,7 +30,9 @@ def worker_pool(jobs: int, method: Method) -> Iterator[ProcessPoolExecutor]:
         if method == "forkserver":
             from multiprocessing import forkserver
 
-            forkserver.ensure_running()
+            # Only this one: the tracker sees to it itself, and lets interrupts through again.
+            with _without_interrupts():
+                forkserver.ensure_running()
         pool = ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context(method), initializer=_begin)
     try:
         yield pool
@@ -40,6 +43,19 @@ def worker_pool(jobs: int, method: Method) -> Iterator[ProcessPoolExecutor]:
         pool.shutdown(wait=True, cancel_futures=True)
         raise
     pool.shutdown(wait=True)
+
+
+@contextmanager
+def _without_interrupts() -> Iterator[None]:
+    """Have processes that are started meanwhile hear no interrupt, which Python answers first by a traceback."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _begin() -> None:

@@ -5,6 +5,8 @@
 1    findings at or above ``--fail-on``
 2    usage or bad input
 3    something could not be analysed (the report says what)
+74   standard output could not be written
+141  whoever read standard output went away before its end
 70   a bug; a file with everything needed to report it has been written
 130  interrupted: by Ctrl-C, a request to end (SIGTERM) or a terminal that closed (SIGHUP)
 ==== =========================================================================================
@@ -21,7 +23,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn
 
+from roslens.cli.standard_streams import CUT_OFF, output_failed, say
 from roslens.model.errors import RoslensError
+from roslens.store.full_disk import full_file_system
 
 CLEAN = 0
 FINDINGS = 1
@@ -41,17 +45,17 @@ def guarded(command: Callable[[], int], arguments: Sequence[str]) -> int:
             sys.stdout.flush()
         return code
     except RoslensError as error:
-        print(f"roslens: {error}", file=sys.stderr)
+        say(f"roslens: {error}")
         return BAD_INPUT
     except KeyboardInterrupt:
-        print("roslens: interrupted; the last complete run is untouched", file=sys.stderr)
+        say("roslens: interrupted; the last complete run is untouched")
         return INTERRUPTED
-    except BrokenPipeError:
-        # Whoever read our output has seen enough; a second error at interpreter exit would say nothing new.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return CLEAN
     except OSError as error:
-        print(f"roslens: {_of_system(error)}", file=sys.stderr)
+        if failed := output_failed():
+            return failed
+        if isinstance(error, BrokenPipeError):
+            return CUT_OFF
+        say(f"roslens: {_of_system(error)}")
         return BAD_INPUT
     except Exception as error:  # noqa: BLE001 - the last line of defence: a bug becomes a report
         return _report_bug(error, arguments)
@@ -87,8 +91,11 @@ def _of_system(error: OSError) -> str:
     import errno
 
     where = f"{error.filename}: " if error.filename else ""
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        full = full_file_system(filter(None, (error.filename, Path.cwd())))
+        what = f"the file system is full: {full}" if full else error.strerror
+        return f"{where}{what}. Free some space there, or write elsewhere with -o, or use --no-store --no-cache."
     advice = {
-        errno.ENOSPC: "Free some space, or write elsewhere with -o, or use --no-store --no-cache",
         errno.EACCES: "Check the permissions, or write elsewhere with -o",
         errno.EROFS: "The file system is read-only: use --no-store --no-cache, or write elsewhere with -o",
     }.get(error.errno or 0, "Check the path and try again")
@@ -110,12 +117,12 @@ def _report_bug(error: Exception, arguments: Sequence[str]) -> int:
             "".join(traceback.format_exception(error)),
         )
     )
-    print(f"roslens: a bug: {type(error).__name__}: {error}", file=sys.stderr)
+    say(f"roslens: a bug: {type(error).__name__}: {error}")
     try:
         handle, name = tempfile.mkstemp(prefix="roslens-bug-", suffix=".txt")
         with os.fdopen(handle, "w", encoding="utf-8", errors="replace") as file:
             file.write(text)
-        print(f"roslens: please attach {Path(name)} to a report of it", file=sys.stderr)
+        say(f"roslens: please attach {Path(name)} to a report of it")
     except OSError:
-        print(text, file=sys.stderr)
+        say(text)
     return BUG

@@ -8,6 +8,14 @@ import signal
 def main() -> int:
     """Run the command line of this process and return its exit code."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    from roslens.cli.standard_streams import close_output, open_streams
+
+    open_streams()
     from roslens.cli.main import main as run
 
-    return run()
+    try:
+        code = run()
+    except SystemExit as end:
+        # The parser of the command line ends so, also after help that nobody may have read.
+        code = end.code if isinstance(end.code, int) else 0 if end.code is None else 1
+    return close_output(code)

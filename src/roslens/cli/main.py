@@ -63,7 +63,8 @@ examples:
   roslens explain ros.cyclomatic_complexity.max
 
 exit codes: 0 clean, 1 findings at or above --fail-on, 2 usage or bad input,
-3 something could not be analysed, 70 a bug, 130 interrupted"""
+3 something could not be analysed, 70 a bug, 74 the output could not be written,
+130 interrupted, 141 nobody reads the output"""
 
 
 def parser() -> argparse.ArgumentParser:

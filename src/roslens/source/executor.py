@@ -67,9 +67,12 @@ class ProcessPool:
         from concurrent.futures.process import BrokenProcessPool
 
         from roslens.children.worker_pool import worker_pool
+        from roslens.intake.held_signals import held_signals
 
         with worker_pool(min(self.jobs, len(tasks)) or 1, "forkserver" if os.name == "posix" else "spawn") as pool:
-            futures = {pool.submit(function, task): task for task in tasks}
+            # A worker that an interrupt catches while it is begun is not known yet, and would not be ended.
+            with held_signals():
+                futures = {pool.submit(function, task): task for task in tasks}
             for future in as_completed(futures):
                 task = futures.pop(future)
                 try:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from roslens.model.errors import StoreError
+from roslens.store.full_disk import full_file_system
 
 _ADVICE = (
     # (what SQLite's message contains, what was found, what was expected, what to do next)
@@ -50,6 +51,9 @@ _ADVICE = (
     ),
 )
 
+_PERHAPS_FULL = ("disk is full", "disk I/O error", "unable to open")
+"""What SQLite says where there is no room: for the file itself, or for what it writes beside it."""
+
 
 def store_error(path: Path | None, error: Exception) -> StoreError | None:
     """Return the error in the message form; None for one that only a bug of roslens explains."""
@@ -62,6 +66,13 @@ def store_error(path: Path | None, error: Exception) -> StoreError | None:
             advice="Check its permissions, or run with --no-store",
         )
     text = str(error)
+    if any(said in text for said in _PERHAPS_FULL) and (full := full_file_system((path,) if path else ())):
+        return StoreError(
+            f"the file system is full: {full} ({text!r})",
+            where=where,
+            expected="room for the results of the run",
+            advice="Free some space there, or run with --no-store; earlier runs are still there",
+        )
     for said, what, expected, advice in _ADVICE:
         if said in text:
             return StoreError(f"{what} ({text!r})", where=where, expected=expected, advice=advice)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from roslens.intake.bounded_file import read_bounded
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.source import OUTSIDE_PACKAGES, Package
@@ -351,11 +352,15 @@ def test_names_that_are_not_utf_8_are_told(tree: Tree) -> None:
     assert failure(workspace).what == 'the name "\\xe4.py" is not UTF-8'
 
 
-def test_pipes_are_left_alone(tree: Tree) -> None:
+def test_pipes_and_devices_are_left_alone_and_told_where_they_are_named_like_source(tree: Tree) -> None:
     root = tree({"package.xml": "package:a"})
-    os.mkfifo(root / "pipe.py")
     os.mkfifo(root / "src.cpp")
-    assert layout(find(root)) == {"a": ["package.xml"]}
+    os.mkfifo(root / "control")
+    (root / "zero.cpp").symlink_to("/dev/zero")
+    found = find(root)
+    assert [file.path for file in found.packages[0].files] == ["package.xml"]
+    told = [(failure.location.path, failure.what) for failure in found.failures if failure.location]
+    assert told == [(path, "it is a pipe, a socket or a device") for path in ("src.cpp", "zero.cpp")]
 
 
 def test_a_folder_that_cannot_be_read_is_told(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -375,14 +380,13 @@ def test_a_folder_that_cannot_be_read_is_told(tree: Tree, monkeypatch: pytest.Mo
 
 def test_a_manifest_that_cannot_be_read_is_told(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     root = tree({"a/package.xml": "package:real_name", "b/package.xml": "package:b"})
-    opened = Path.open
 
-    def refusing(path: Path, *arguments: str) -> object:
-        if path.parent.name == "a":
+    def refusing(path: str, most_bytes: int) -> bytes:
+        if Path(path).parent.name == "a":
             raise PermissionError(13, "Permission denied")
-        return opened(path, *arguments)
+        return read_bounded(path, most_bytes)
 
-    monkeypatch.setattr(Path, "open", refusing)
+    monkeypatch.setattr("roslens.source.workspace.find.read_bounded", refusing)
     workspace = find(root)
     assert [found.package.id for found in workspace.packages] == ["a", "b"]
     assert failure(workspace).what == "the manifest cannot be read, Permission denied"
@@ -416,14 +420,14 @@ def test_the_reader_can_be_exchanged(tree: Tree) -> None:
 
 def test_nothing_but_manifests_is_opened(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     root = tree({"a/package.xml": "package:a", "a/a.py": "", "tools/t.py": ""})
-    opened = Path.open
     paths: list[str] = []
 
-    def watching(path: Path, *arguments: str) -> object:
-        paths.append(path.name)
-        return opened(path, *arguments)
+    def watching(path: str, most_bytes: int) -> bytes:
+        paths.append(Path(path).name)
+        return read_bounded(path, most_bytes)
 
-    monkeypatch.setattr(Path, "open", watching)
+    monkeypatch.setattr("roslens.source.workspace.find.read_bounded", watching)
+    monkeypatch.setattr(Path, "open", lambda path, *_: pytest.fail(f"opened {path}"))
     find(root)
     assert paths == ["package.xml"]
 

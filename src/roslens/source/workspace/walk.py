@@ -150,6 +150,8 @@ class _Walker:
                     self._fail(path, f"the file cannot be looked at, {error.strerror}", "a file that can be read")
                     continue
                 files.append(FoundFile(path, stat.st_size, stat.st_mtime_ns, stat.st_ino))
+            else:
+                self._skip(path)
         folders.reverse()
         return folders
 
@@ -166,6 +168,13 @@ class _Walker:
         if S_ISREG(stat.st_mode):
             real_files.add(target)
             self.seen.packages[owner].files.append(FoundFile(path, stat.st_size, stat.st_mtime_ns, stat.st_ino))
+        else:
+            self._skip(path)
+
+    def _skip(self, path: str) -> None:
+        """Say that what has the name of source is a pipe, a socket or a device; others are nothing to be analysed."""
+        if language_by_name(path) not in (None, Language.OTHER):
+            self._fail(path, "it is a pipe, a socket or a device", "a plain file")
 
     def _real_files(self) -> set[str]:
         root = self.seen.packages[0].folder

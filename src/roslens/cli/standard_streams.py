@@ -35,11 +35,12 @@ def open_streams() -> None:
     sys.stdout = sys.stdout or open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
     sys.stderr = sys.stderr or open(2, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
     codecs.register_error(_ESCAPED, escaped)
-    encoding, by_line = sys.stdout.encoding, sys.stdout.line_buffering
-    sys.stdout.flush()
-    sys.stdout = sys.__stdout__ = Output(  # type: ignore[misc]
-        sys.stdout.detach(), encoding=encoding, errors=_ESCAPED, line_buffering=by_line
-    )
+    before = sys.stdout
+    before.flush()
+    if isinstance(before, io.TextIOWrapper):
+        encoding, by_line = before.encoding, before.line_buffering
+        written = Output(before.detach(), encoding=encoding, errors=_ESCAPED, line_buffering=by_line)
+        sys.stdout = sys.__stdout__ = written  # type: ignore[misc]
     sys.stderr.reconfigure(errors=_ESCAPED)  # type: ignore[union-attr]
 
 

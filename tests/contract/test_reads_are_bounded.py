@@ -6,12 +6,14 @@ from pathlib import Path
 SOURCE = Path(__file__).parents[2] / "src" / "roslens"
 
 OWN = {
+    "cli/commands/lsp.py": "its own pipes",
     "cli/user_folder.py": "files of the user's own folder",
     "cli/trust.py": "the user's own list, and plug-ins by pieces",
     "dashboard/computation/to_svg.py": "comes with roslens",
     "dashboard/export.py": "comes with roslens, and the mark of a folder that roslens wrote",
     "dashboard/single_file.py": "comes with roslens",
     "source/rules/precision.py": "comes with roslens",
+    "source/rules/standards.py": "comes with roslens",
     "source/tools/witnesses.py": "comes with roslens",
     "live/adapters/bag/source.py": "reads a recording piece by piece, never beyond its end",
     "live/adapters/ros1/definition.py": "comes with roslens",

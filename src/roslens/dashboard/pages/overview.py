@@ -46,9 +46,7 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         facts={
             "headline": headline(severities, number_of_packages(broken), packages),
             "counts": counts,
-            "first": [
-                {"severity": one.severity.value, "rule": one.rule, "text": one.example} for one in _first(site)
-            ],
+            "first": [{"severity": one.severity.value, "rule": one.rule, "text": one.example} for one in _first(site)],
             "severities": {severity.value: count for severity, count in severities.items()},
             "languages": dict(_sum(package.languages for package in site.packages)),
             "roles": dict(_sum(package.roles for package in site.packages)),

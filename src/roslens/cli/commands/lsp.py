@@ -16,7 +16,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--model", action="append", metavar="NAME", help="quality model, built in or a file; may be given again"
     )
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
-    parser.add_argument("--no-cache", action="store_true", help="keep nothing of the files that were read")
+    parser.add_argument(
+        "--keep-nothing", dest="no_cache", action="store_true", help="keep nothing of the files that were read"
+    )
     # Editors that know one way to start any server pass it.
     parser.add_argument("--stdio", action="store_true", help=argparse.SUPPRESS)
 

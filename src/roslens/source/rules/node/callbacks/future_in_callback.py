@@ -48,7 +48,6 @@ RULE = FileRule(
     why="The answer is delivered by the executor that waits for this callback to end. In a single thread, or in the "
     "same "
     "callback group, both wait for ever.",
-    severity=Severity.ERROR,
     profiles=("ros2",),
     tags=("callbacks", "deadlock"),
     bad="""#include <rclcpp/rclcpp.hpp>

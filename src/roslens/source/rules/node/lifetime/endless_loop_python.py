@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.calls import LOOPS, body_of
+from roslens.source.rules.calls import LOOPS, body_of, is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -24,6 +24,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     while loop.parent is not None and loop.type not in LOOPS:
         loop = loop.parent
     body = body_of(loop)
+    if is_handled(loop):
+        return
     if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
         return
     yield view.hit(

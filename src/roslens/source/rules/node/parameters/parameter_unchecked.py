@@ -23,6 +23,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     given = arguments(call) if call is not None else ()
     if call is None or body is None or len(given) != _PAIR or not is_discarded(call) or given[1].type != "identifier":
         return
+    # A parameter that was declared has a value.
+    if view.text(node) == "get_parameter" and b"declare" in view.code:
+        return
     name = view.text(given[1])
     before = " ".join(view.code[body.start_byte : call.start_byte].decode("utf-8", "replace").split())
     if not re.search(rf"[;{{}}] {_PLAIN} (?:\w+, )*{name}(?:, \w+)*;", before):

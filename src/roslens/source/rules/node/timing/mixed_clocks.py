@@ -41,7 +41,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         f"`{view.text(around)}`: `{view.text(made)}` is of the system's clock, and "
         + ("the other side" if certain else f"`{other}`, where it comes of a message or the node's clock,")
         + f" of ROS time, so `{operator}` throws; expected `rclcpp::Time(0, 0, RCL_ROS_TIME)` or `nanoseconds() == 0`",
-        severity=None if certain else Severity.WARNING,
+        severity=None if certain else Severity.NOTE,
     )
 
 

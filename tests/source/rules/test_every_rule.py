@@ -17,7 +17,7 @@ from tree_sitter import Language as Grammar
 from roslens.model.source import Language
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules.callbacks import callbacks_of
-from roslens.source.rules.match_file import match_file
+from roslens.source.rules.match_file import MOST_HITS, match_file
 from roslens.source.rules.package_findings import rule_findings
 from roslens.source.rules.place_hits import place_hits
 from roslens.source.rules.profiles import PROFILES
@@ -165,6 +165,22 @@ def test_strange_packages_break_no_rule(content, package_view, tmp_path):
         failures = []
         rule_findings(package_view(folder), RuleSettings(profiles=(), enable=("*",)), {}, (), (), failures)
         assert not failures, failures[0].detail
+
+
+def test_what_grows_without_bound_is_cut(package_view, tmp_path):
+    (tmp_path / "config").mkdir()
+    (tmp_path / "package.xml").write_text("<package><name>vast</name></package>")
+    (tmp_path / "config/a.yaml").write_text("a: /home/ada/map.yaml\n" * 5_000)
+    twice = 'set(V{0} "${{V{1}}}${{V{1}}}")\nlist(APPEND L ${{L}} ${{V{0}}} a{0})\n'
+    doubled = "".join(twice.format(number, number - 1) for number in range(1, 60))
+    build = f"set(V0 text)\nset(L a b c)\n{doubled}add_executable(${{L}}${{L}}${{L}})\n"
+    (tmp_path / "CMakeLists.txt").write_text(build)
+    failures = []
+    view = package_view(tmp_path)
+    found = rule_findings(view, RuleSettings(profiles=(), enable=("*",)), {}, (), (), failures)
+    assert not failures
+    assert sum(one.rule == "launch.absolute_path" for one in found) == MOST_HITS
+    assert max(len(word) for one in view.cmake.commands for word in one.words) < 100_000
 
 
 def test_a_package_is_analysed_anew_when_a_file_without_language_comes(tmp_path, capsys):

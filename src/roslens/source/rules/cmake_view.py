@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property
+from itertools import islice
 from posixpath import dirname, join, normpath
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 MOST_VALUES = 400
 """Of one argument or variable; a list that is longer is cut."""
 _MOST_DEPTH = 6
+_MOST_REFERENCES = 20
+_LONGEST = 1_000
+"""Characters of a value that is put into another one: lists that are doubled again and again would have no end."""
 _REFERENCE = re.compile(r"\$\{([A-Za-z0-9_]+)\}")
 _HERE = re.compile(r"\$\{(?:CMAKE_CURRENT_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/?")
 _TOP = re.compile(r"\$\{(?:PROJECT_SOURCE_DIR|CMAKE_SOURCE_DIR|[A-Za-z0-9_]+_SOURCE_DIR)\}/?")
@@ -197,10 +201,12 @@ class CmakeView:
         """Return what a text may be; values are kept replaced, so that each reference is looked at once."""
         waiting = [""]
         at = 0
-        for match in _REFERENCE.finditer(text):
-            values = self._values.get(match[1]) or (match[0],)
+        for match in islice(_REFERENCE.finditer(text), _MOST_REFERENCES):
+            known = (value for value in self._values.get(match[1], ()) if len(value) <= _LONGEST)
+            values = tuple(known) or (match[0],)
             before = text[at : match.start()]
-            waiting = [f"{one}{before}{value}" for one in waiting for value in values][:MOST_VALUES]
+            made = (f"{one}{before}{value}" for one in waiting for value in values)
+            waiting = list(islice(made, MOST_VALUES))
             at = match.end()
         return [one + text[at:] for one in waiting]
 

@@ -21,6 +21,8 @@ _FOUND_IN_PYTHON = re.compile(
     r"|\bpackage\s*=\s*['\"]([\w-]+)['\"]"
 )
 
+MOST_USES = 1_000
+"""Of a package; one that uses more is made by a program."""
 BUILD, RUN, TEST = "build", "run", "test"
 """When it is used."""
 
@@ -54,6 +56,8 @@ def uses_of(view: PackageView) -> tuple[Use, ...]:
     found: dict[tuple[str, str, bool], Use] = {}
     for use in (*_of_build(view), *_of_sources(view), *_of_launch(view)):
         found.setdefault((use.name, use.when, use.how.startswith("find")), use)
+        if len(found) >= MOST_USES:
+            break
     return tuple(found.values())
 
 

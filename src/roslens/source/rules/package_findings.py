@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import islice
 
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.match_file import MOST_HITS
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.place_hits import place_hits
 from roslens.source.rules.rule import TOOL, PackageRule
@@ -43,7 +45,7 @@ def rule_findings(
             if rule.id not in selection:
                 continue
             try:
-                for hit in rule.found(view):
+                for hit in islice(rule.found(view), MOST_HITS):
                     placed.setdefault(hit.path, []).append(hit)
             except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
                 failures.append(_broken(rule, view, error))

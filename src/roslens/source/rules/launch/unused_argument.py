@@ -13,6 +13,8 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
 _OTHERS = ("pass_all_args", "$(eval", "$(command", "<include", "<let", "<set_")
+_LONGEST = 200_000
+"""Characters; a longer file is made by a program."""
 _DECLARED = re.compile(r"DeclareLaunchArgument\(\s*(?:name\s*=\s*)?(['\"])([\w./-]+)\1")
 _INDIRECT = re.compile(r"IncludeLaunchDescription|OpaqueFunction|launch_configurations|AnyLaunchDescription|perform\(")
 
@@ -24,7 +26,7 @@ def found(view: PackageView) -> Iterator[Hit]:
             yield from _of_xml(file)
     for one in view.of_language(Language.LAUNCH_PYTHON, roles=(Role.OWN,)):
         text = view.read(one.path).decode("utf-8", "replace")
-        if _INDIRECT.search(text):
+        if len(text) > _LONGEST or _INDIRECT.search(text):
             continue
         for match in _DECLARED.finditer(text):
             name = match[2]

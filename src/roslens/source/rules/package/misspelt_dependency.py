@@ -10,6 +10,8 @@ from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.system_packages import OF_THE_CORE
 
+MOST = 500
+"""Dependencies that are looked at."""
 SHORTEST = 10
 """Letters; shorter names differ by one letter and mean two packages (``mav_msgs``, ``map_msgs``)."""
 _ALIKE = 0.95
@@ -18,7 +20,7 @@ _ALIKE = 0.95
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each dependency that no package has and that differs by a letter from one of ROS."""
     told: set[str] = set()
-    for one in view.package.dependencies:
+    for one in view.package.dependencies[:MOST]:
         name = one.name
         if name in OF_THE_CORE or name in told or len(name) < SHORTEST or one.kind in ("conflict", "replace", "group"):
             continue

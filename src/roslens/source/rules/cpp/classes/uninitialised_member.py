@@ -13,6 +13,10 @@ from roslens.source.rules.file_view import FileView, above, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_SECOND_STEP = re.compile(
+    r"(?:on_?)?(?:configure|init|setup|set_?up|reset|clear|load|read_?param|get_?param)", re.IGNORECASE
+)
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each scalar member that all constructors, which are all in this file, leave out."""
@@ -21,6 +25,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     fields: list[tuple[str, Node]] = []
     for member in members_of(node, view):
         if member.declarator is not None:
+            if _SECOND_STEP.match(member.name):
+                return
             if member.name != name or member.is_deleted:
                 continue
             if member.is_defaulted or _is_copy(member.declarator, name, view):
@@ -103,8 +109,8 @@ RULE = FileRule(
     id="cpp.uninitialised_member",
     title="Member without a value",
     finds="A member of a number, `bool` or pointer type without a value, that none of the constructors in the "
-    "file mentions; classes whose constructors call functions of their own are let be. Give it a value "
-    "where it is declared.",
+    "file mentions; classes whose constructors call functions of their own, or that have a second step "
+    "such as `configure` or `init`, are let be. Give it a value where it is declared.",
     why="A limit or a flag begins with what was in memory: the robot behaves differently after each start.",
     profiles=(
         "ros2",

@@ -12,7 +12,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_CODE = re.compile(rb"//[ \t]*(?![/!*@\\\\])[^\n]*[;{}][ \t]*\n[ \t]*//[^\n]*[;{}][ \t]*\n")
+_CODE = re.compile(rb"//[ \t]*(?![/!*@\\\\])[^\n]*[;{}][ \t\r]*\n[ \t]*//[^\n]*[;{}][ \t\r]*\n")
 
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:

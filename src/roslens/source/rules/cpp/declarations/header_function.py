@@ -29,12 +29,9 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         if any(one.type == "virtual_specifier" for one in function.children):
             continue
         body = node.child_by_field_name("body")
-        head = view.code[max(node.start_byte - 60, 0) : body.start_byte if body is not None else node.end_byte]
-        lines = head.splitlines()
-        at = len(view.code[max(node.start_byte - 60, 0) : node.start_byte].splitlines()) - 1
-        if _FREE.search(b" ".join(lines[max(at - 1, 0) :])) or (
-            node.child_by_field_name("type") is None and "::" not in name
-        ):
+        start = max(view.code.rfind(b";", 0, node.start_byte), view.code.rfind(b"}", 0, node.start_byte)) + 1
+        head = view.code[max(start, node.start_byte - 200) : body.start_byte if body is not None else node.end_byte]
+        if _FREE.search(head) or (node.child_by_field_name("type") is None and "::" not in name):
             continue
         yield view.hit(
             "cpp.header_function",

@@ -185,3 +185,37 @@ def test_who_counts_itself_is_better_than_who_looks_from_outside():
     order = [Observer.INSIDE, Observer.SCRIPTED, Observer.TAP, Observer.PROTOCOL, Observer.RECORDING, Observer.AGENT]
     assert sorted(RANK, key=RANK.get) == order
     assert [RANK[one] for one in order] == list(range(6))
+
+
+def test_what_is_told_twice_is_no_stepped_clock():
+    made = steady()
+    assert stepped(made, 101.0, 3, 5.0) == [False] * 3
+    assert not made.stepped
+    assert made.begun == 100.0
+    assert made.count == 5
+
+
+def test_neighbours_share_a_bucket_up_to_one_and_a_half_shares_of_the_window():
+    made = window(*(tally(100 + at / 4, 100 + (at + 1) / 4) for at in range(12)), length=10.0, most=20)
+    assert spans(made) == [(100 + at * 0.75, 100 + (at + 1) * 0.75, 3) for at in range(4)]
+
+
+def test_an_even_number_of_buckets_is_halved():
+    made = Window(Observer.INSIDE, "", 60.0, 5)
+    for at in range(6):
+        made.add(tally(100.0 + 30 * at, 130.0 + 30 * at, at + 1), 0.0)
+        made.length = 1000.0
+    assert spans(made) == [(100.0, 160.0, 3), (160.0, 220.0, 7), (220.0, 280.0, 11)]
+
+
+def test_a_brief_window_keeps_what_reaches_into_it_as_a_whole():
+    made = window(*(tally(100 + at / 5, 100 + (at + 1) / 5) for at in range(5)), length=0.5)
+    made.settle(0.0)
+    assert spans(made)[0][:2] == pytest.approx((100.4, 100.6))
+    assert made.count == 3
+
+
+def test_a_part_without_its_last_message_ends_with_the_tally():
+    made = window(tally(100.0, 101.0, 4, first=100.1, last=100.9))
+    made.add(tally(100.5, 102.5, 8, first=100.6, last=100.95), 0.0)
+    assert made.last == 102.5

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.source.rules.calls import LOOPS, body_of, is_handled
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
@@ -24,7 +24,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     while loop.parent is not None and loop.type not in LOOPS:
         loop = loop.parent
     body = body_of(loop)
-    if is_handled(loop):
+    if is_handled(loop) and not _is_interrupt_alone(loop, view):
         return
     if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
         return
@@ -35,6 +35,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         "expected "
         "`while not rospy.is_shutdown():`",
     )
+
+
+def _is_interrupt_alone(loop: Node, view: FileView) -> bool:
+    """Tell whether the handlers around a loop wait for Ctrl-C alone, which rospy never lets through."""
+    around = above(loop, "try_statement")
+    clauses = [one for one in around.children if one.type == "except_clause"] if around is not None else []
+    return bool(clauses) and all("Interrupt" in view.text(one).partition(":")[0] for one in clauses)
 
 
 RULE = FileRule(

@@ -49,8 +49,12 @@ def _index(rules: Sequence[Rule]) -> str:
     return text
 
 
+def _fence(rule: Rule) -> str:
+    return "xml" if rule.bad.startswith("<") else "cmake" if rule.family == "cmake" else ""
+
+
 def _page(rule: Rule) -> str:
-    fence = rule.languages[0] if rule.languages else "xml" if rule.bad.startswith("<") else ""
+    fence = rule.languages[0] if rule.languages else _fence(rule)
     reads = _NAMES.get(rule.syntax, rule.syntax) if isinstance(rule, FileRule) else "packages"
     parts = [
         f"# {rule.id}\n\n**{rule.title}.** {rule.finds}",
@@ -66,7 +70,7 @@ def _page(rule: Rule) -> str:
     true, read = read_samples().get(rule.id, (0, 0))
     if read:
         parts.append(f"[Measured](../../accuracy_of_rules.md): {true} of {read} findings that were read were true.")
-    comment = "#" if rule.languages == ("python",) else "<!--" if not rule.languages else "//"
+    comment = "#" if rule.languages == ("python",) or rule.family == "cmake" else "<!--" if not rule.languages else "//"
     end = " -->" if comment == "<!--" else ""
     parts.append(f"To leave one finding out: `{comment} roslens: ignore[{rule.id}] reason{end}`")
     return "\n\n".join(parts) + "\n"

@@ -19,6 +19,9 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each function with a body at the level of a namespace that has external linkage."""
     if not view.may_be_header or any(one.type == "ERROR" for one in view.root.children):
         return
+    # A library in one header: one source file asks for what it defines.
+    if b"_IMPLEMENTATION" in view.code:
+        return
     for node in view.top_level:
         if node.type != "function_definition" or node.child_by_field_name("body") is None or node.has_error:
             continue

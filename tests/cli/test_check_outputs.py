@@ -45,6 +45,7 @@ def test_what_is_not_clear_is_refused(formats, files, said):
 
 def test_several_formats_of_one_run(talking, tmp_path, capsys):
     (talking / ".git").mkdir()
+    (talking / "roslens.toml").write_text('[rules]\ndisable = ["*"]\n')
     words = ["check", str(talking / "talk"), "--jobs", "1", "-q", "--fail-on", "never", "--no-store", "--no-cache"]
     sarif, junit = tmp_path / "a.sarif", tmp_path / "junit.xml"
     assert main([*words, "--model", "his", "-o", str(sarif), "--format", f"junit={junit}"]) == 0

@@ -9,9 +9,11 @@ import jsonschema
 import msgspec
 import pytest
 
+from roslens.judge.gate import GateResult
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import WorkspaceResult
+from roslens.model.same_finding import key_of_finding
 from roslens.model.source import Location
 from roslens.model.tags import parse_tags
 from roslens.report import not_analysed, to_sarif
@@ -163,6 +165,24 @@ def test_junit_counts_what_was_not_analysed_as_errors(view):
     passed = next(one for one in root if one.get("name") == "roslens.arm").find("testcase")
     assert passed is not None
     assert len(passed) == 0
+
+
+GATE = (GateResult("errors", False, "1 error, at most 0"), GateResult("warnings", True, "1 warning, at most 9"))
+
+
+def test_a_broken_gate_is_a_failed_test_and_an_annotation(view):
+    root = junit(view, fail_on="never", gate=GATE)
+    assert (root.get("tests"), root.get("failures")) == ("5", "1")
+    assert [one.get("name") for one in root.iter("testcase") if one.find("failure") is not None] == ["errors"]
+    assert "::error title=gate errors::1 error, at most 0" in written("github", view, gate=GATE)
+
+
+def test_what_the_baseline_has_fails_no_test(view):
+    assert junit(view, fail_on="warning").get("failures") == "2"
+    assert junit(view, fail_on="warning", new=frozenset()).get("failures") == "0"
+    old = {key_of_finding(one) for one in view.findings() if one.rule != "manifest.cycle"}
+    new = frozenset(key_of_finding(one) for one in view.findings()) - old
+    assert junit(view, fail_on="warning", new=new).get("failures") == "1"
 
 
 def test_a_manifest_that_should_say_something_else_is_no_error(view_with):

@@ -46,6 +46,10 @@ class Wanted(msgspec.Struct, frozen=True):
         """Return whether a finding of this severity fails the check."""
         return self.fail_on != "never" and severity.rank >= Severity(self.fail_on).rank
 
+    def is_failing(self, finding: Finding) -> bool:
+        """Return whether a finding that counts fails the check: with a baseline only one that is new."""
+        return self.fails(finding.severity) and (self.new is None or self.is_new(finding))
+
 
 class Reported(msgspec.Struct, frozen=True):
     """A finding, the package that it belongs to, and its file.

@@ -26,6 +26,8 @@ def write_github(view: RunView, stream: TextIO, wanted: Wanted) -> None:
     """
     findings = reported(view, wanted)
     failures = view.failures()
+    broken = [result for result in wanted.gate if result.holds is False]
+    stream.writelines(_command("error", {}, f"gate {result.condition}", result.text) for result in broken)
     for failure in sorted(failures, key=lambda failure: failure.partial):
         place = failure.location
         where = {"file": wanted.below + place.path, "line": str(max(1, place.line))} if place else {}

@@ -37,10 +37,14 @@ def write_junit(view: RunView, stream: TextIO, wanted: Wanted) -> None:
     packages = [package.id for package in view.packages()]
     rest = sorted((findings.keys() | failures.keys()) - set(packages))
     suites = [_Suite(package, findings[package], failures[package], lost, wanted) for package in (*packages, *rest)]
-    totals = " ".join(f'{name}="{sum(suite.counts[name] for suite in suites)}"' for name in ("tests", *_BAD))
+    counts = {name: sum(suite.counts[name] for suite in suites) for name in ("tests", *_BAD)}
+    counts["tests"] += len(wanted.gate)
+    counts["failures"] += sum(one.holds is False for one in wanted.gate)
+    totals = " ".join(f'{name}="{count}"' for name, count in counts.items())
     stream.write(f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuites name="roslens" {totals}>\n')
     for suite in suites:
         stream.writelines(suite.lines())
+    stream.writelines(_gate(wanted))
     stream.write("</testsuites>\n")
 
 
@@ -52,8 +56,8 @@ class _Suite:
         self, package: str, findings: list[Reported], failures: list[Failure], lost: Sequence[Failure], wanted: Wanted
     ) -> None:
         self._name = package or WORKSPACE
-        self._failing = [one for one in findings if wanted.fails(one.finding.severity)]
-        self._others = [one for one in findings if not wanted.fails(one.finding.severity)]
+        self._failing = [one for one in findings if wanted.is_failing(one.finding)]
+        self._others = [one for one in findings if not wanted.is_failing(one.finding)]
         self._errors = [one for one in failures if one in lost]
         self._partial = [one for one in failures if one not in lost]
         bad = len(self._failing) + len(self._errors)
@@ -87,6 +91,19 @@ class _Suite:
             f"<{kind} type={_attribute(type_)} message={_attribute(message)}>{escape(xml_text(text))}</{kind}>"
             "</testcase>\n"
         )
+
+
+def _gate(wanted: Wanted) -> Iterator[str]:
+    """Yield the suite of the conditions of the gate: one that cannot be told is an error of the workspace besides."""
+    if not wanted.gate:
+        return
+    broken = sum(one.holds is False for one in wanted.gate)
+    counts = f'tests="{len(wanted.gate)}" failures="{broken}" errors="0" skipped="0"'
+    yield f'  <testsuite name="roslens.gate" {counts} time="0">\n'
+    for one in wanted.gate:
+        said = f'<failure type="gate" message={_attribute(one.text)}/>' if one.holds is False else ""
+        yield f'    <testcase classname="roslens.gate" name={_attribute(one.condition)} time="0">{said}</testcase>\n'
+    yield "  </testsuite>\n"
 
 
 def _place(one: Reported) -> str:

@@ -1,7 +1,7 @@
 # The commands to learn: demo, demo-live, demo-ros2, test, nightly, quick, lint, docs, accuracy, lock, bench, testbed,
 # fuzz, mutants.
 PYTHON ?= python3
-WS ?= examples/workspace
+WS ?= build/demo
 PORT ?= 8080
 BIN := .venv/bin
 
@@ -15,9 +15,10 @@ ALONE := tests/scenarios tests/testbed
 
 .PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings accuracy fuzz mutants lock lock-ros2 bench sites clean
 
-# Analyse a workspace, write its report, serve it. Another one: make demo WS=~/robot_ws
+# Analyse the example robot and what a change of it brings, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
-	$(BIN)/roslens check $(WS) --fail-on never || [ $$? -eq 3 ]
+	$(if $(filter build/demo,$(WS)),sh examples/change.sh $(WS))
+	$(BIN)/roslens check $(WS) $(if $(filter build/demo,$(WS)),--baseline HEAD) --fail-on never || [ $$? -eq 3 ]
 	$(BIN)/roslens report $(WS) -o roslens-report
 	$(BIN)/roslens serve $(WS) --port $(PORT)
 

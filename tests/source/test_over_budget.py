@@ -67,7 +67,7 @@ def test_so_do_programs(folder: Path, monkeypatch: pytest.MonkeyPatch):
 
 @pytest.mark.parametrize("content", [b"{" * 200_000, b"!" * 200_000, b"A::" * 100_000, b"a+" * 100_000])
 def test_a_tree_that_no_query_comes_to_the_end_of(content: bytes):
-    with pytest.raises(OverBudgetError, match="20,000"):
+    with pytest.raises(OverBudgetError, match="60,000"):
         parse_file(content, Language.CPP, MacroSettings())
 
 

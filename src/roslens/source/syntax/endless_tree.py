@@ -10,7 +10,7 @@ from tree_sitter import Node, Tree
 
 from roslens.intake.time_budget import OverBudgetError
 
-MOST_LEVELS = 20_000
+MOST_LEVELS = 60_000
 
 
 def refuse_endless(tree: Tree) -> None:

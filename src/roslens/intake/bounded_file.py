@@ -39,6 +39,8 @@ def read_bounded(path: str | Path, most_bytes: int = MOST_SOURCE_BYTES) -> bytes
     descriptor = os.open(path, _FLAGS)
     try:
         found = os.fstat(descriptor)
+        if stat.S_ISDIR(found.st_mode):
+            raise OSError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
         if not stat.S_ISREG(found.st_mode):
             raise OSError(errno.EINVAL, "no plain file", str(path))
         if found.st_size > most_bytes:

@@ -86,3 +86,20 @@ def test_a_failed_write_loses_nothing(tmp_path, monkeypatch):
         other.close()
         history.flush()
         assert len(history.events(NOW, NOW)) == 1
+
+
+@pytest.mark.parametrize("ended", [True, False])
+def test_a_full_disk_is_told_whether_sqlite_has_ended_the_transaction_or_not(tmp_path, monkeypatch, ended):
+    history = History.open(tmp_path / "live.sqlite")
+    history.add_events([Event(1.0, Change.VANISHED, "node:/a")])
+
+    def full():
+        if ended:
+            history._connection.execute("ROLLBACK")
+        raise sqlite3.OperationalError("database or disk is full")
+
+    monkeypatch.setattr(history, "_write", full)
+    with pytest.raises(StoreError, match="full"):
+        history.flush()
+    assert not history._connection.in_transaction
+    history._connection.close()

@@ -99,7 +99,9 @@ class History:
                 self._write()
                 self._connection.execute("COMMIT")
             except BaseException:
-                self._connection.execute("ROLLBACK")
+                # SQLite has ended it itself where the disk is full.
+                if self._connection.in_transaction:
+                    self._connection.execute("ROLLBACK")
                 raise
         self._points.clear()
         self._verdicts.clear()

@@ -209,6 +209,24 @@ def test_a_full_disk_costs_one_warning(path):
         assert "Results are the same" in warning.advice
 
 
+def test_a_disk_that_fails_twice_costs_one_warning_too(path):
+    class Failing:
+        in_transaction = True
+
+        def execute(self, words, *_):
+            raise sqlite3.OperationalError("disk I/O error" if words == "ROLLBACK" else "database or disk is full")
+
+        def close(self):
+            pass
+
+    with Cache.open(path) as cache:
+        cache._connection.close()
+        cache._connection = Failing()
+        cache.put({"a": b"x"})
+        (warning,) = cache.warnings
+        assert "full" in warning.what
+
+
 def test_another_writer_costs_one_warning(path, monkeypatch):
     monkeypatch.setattr("roslens.store.cache_file._WAIT_S", 0.05)
     with Cache.open(path) as cache:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import sqlite3
 import sys
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 
-from roslens.store.connect import Readers, connect
+from roslens.store.connect import Readers, connect, roll_back
 
 
 def readers(path: Path) -> Readers:
@@ -45,3 +46,26 @@ def test_a_copy_of_the_process_opens_its_own(tmp_path: Path) -> None:
     with found.one() as again:
         assert again is here
     found.close()
+
+
+class Unending(sqlite3.Connection):
+    """Whose disk fails while a transaction is ended."""
+
+    def execute(self, words: str, *given: object) -> sqlite3.Cursor:
+        if words == "ROLLBACK":
+            raise sqlite3.OperationalError("disk I/O error")
+        return super().execute(words, *given)  # type: ignore[arg-type]
+
+
+def test_what_was_not_committed_is_discarded_and_nothing_is_raised_of_it(tmp_path: Path) -> None:
+    with closing(connect(tmp_path / "a.sqlite", wait_s=1.0)) as connection:
+        roll_back(connection)
+        connection.execute("CREATE TABLE numbers (number)")
+        connection.execute("BEGIN")
+        connection.execute("INSERT INTO numbers VALUES (7)")
+        roll_back(connection)
+        assert not connection.in_transaction
+        assert connection.execute("SELECT * FROM numbers").fetchall() == []
+    with closing(sqlite3.connect(tmp_path / "a.sqlite", isolation_level=None, factory=Unending)) as failing:
+        failing.execute("BEGIN")
+        roll_back(failing)

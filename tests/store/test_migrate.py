@@ -102,3 +102,18 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         aside = [(one.state.value, one.finding.path) for one in view.set_aside()]
         assert aside == ([("suppressed", "src/drive/src/drive.cpp")] if dump.stem >= "schema_0005" else [])
         assert store.view(write_small(store, "key-2")).packages() == view.packages()
+
+
+@pytest.mark.parametrize("ended", [True, False])
+def test_a_disk_that_fails_is_told_whether_sqlite_has_ended_the_transaction_or_not(
+    connection, schema, monkeypatch, ended
+):
+    def failing(connection, _path, _newest):
+        if ended:
+            connection.execute("ROLLBACK")
+        raise sqlite3.OperationalError("disk I/O error")
+
+    monkeypatch.setattr("roslens.store.migrate._checked_version", failing)
+    with pytest.raises(sqlite3.OperationalError, match="disk I/O error"):
+        migrate(connection, Path("store.sqlite"), schema)
+    assert not connection.in_transaction

@@ -18,7 +18,7 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.store.cache_file import cache_warning, open_cache_file, remove_cache_file
-from roslens.store.connect import shrink
+from roslens.store.connect import roll_back, shrink
 
 T = TypeVar("T")
 
@@ -238,8 +238,7 @@ class Cache:
         try:
             return action(self._connection)
         except (sqlite3.Error, msgspec.DecodeError) as error:
-            if self._connection.in_transaction:
-                self._connection.execute("ROLLBACK")
+            roll_back(self._connection)
             self._failed(error)
             return otherwise
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sqlite3
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from threading import Lock
 from urllib.parse import quote
@@ -98,6 +98,17 @@ class Readers:
             for connection in self._idle:
                 connection.close()
             self._idle.clear()
+
+
+def roll_back(connection: sqlite3.Connection) -> None:
+    """Discard what was not committed, and raise nothing of it: the error that led here is the one to report.
+
+    On a full or failing disk SQLite may have ended the transaction itself, or fail to end it; the next one that opens
+    the file discards it then.
+    """
+    if connection.in_transaction:
+        with suppress(sqlite3.Error):
+            connection.execute("ROLLBACK")
 
 
 def write_ahead(connection: sqlite3.Connection) -> None:

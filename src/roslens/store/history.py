@@ -11,7 +11,7 @@ import msgspec
 
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import Verdict
-from roslens.store.connect import Readers, connect, shrink
+from roslens.store.connect import Readers, connect, roll_back, shrink
 from roslens.store.folder import prepare_folder
 from roslens.store.migrate import migrate
 from roslens.store.series import TIERS, DownSampler, Point, Tier, tier_for
@@ -99,9 +99,7 @@ class History:
                 self._write()
                 self._connection.execute("COMMIT")
             except BaseException:
-                # SQLite has ended it itself where the disk is full.
-                if self._connection.in_transaction:
-                    self._connection.execute("ROLLBACK")
+                roll_back(self._connection)
                 raise
         self._points.clear()
         self._verdicts.clear()

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 from roslens.model.errors import StoreError
+from roslens.store.connect import roll_back
 from roslens.store.sqlite_errors import as_store_errors
 
 _POLL_MS = 100
@@ -44,8 +45,7 @@ def claim(connection: sqlite3.Connection, path: Path | None, started: str, wait_
 
 def release(connection: sqlite3.Connection) -> None:
     """Discard what was not committed."""
-    if connection.in_transaction:
-        connection.execute("ROLLBACK")
+    roll_back(connection)
 
 
 def _begin(connection: sqlite3.Connection, path: Path | None, deadline: float, wait_s: float) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from roslens.model.errors import StoreError
-from roslens.store.connect import write_ahead
+from roslens.store.connect import roll_back, write_ahead
 
 SCHEMA = Path(__file__).with_name("schema")
 APPLICATION_ID = 0x726F736C
@@ -36,7 +36,7 @@ def migrate(connection: sqlite3.Connection, path: Path | None, schema: Path = SC
     try:
         version = _checked_version(connection, path, newest)
     finally:
-        connection.execute("ROLLBACK")
+        roll_back(connection)
     if version == newest:
         return
     if version == 0 and path is not None:
@@ -52,8 +52,7 @@ def migrate(connection: sqlite3.Connection, path: Path | None, schema: Path = SC
                 connection.execute(f"PRAGMA user_version = {number}")
             connection.execute("COMMIT")
         except BaseException:
-            if connection.in_transaction:
-                connection.execute("ROLLBACK")
+            roll_back(connection)
             raise
 
 

@@ -48,6 +48,7 @@ PARTS = (
         ),
         (
             "tests/intake", "tests/dashboard/test_guard.py", "tests/dashboard/test_server.py",
+            "tests/dashboard/test_listener.py", "tests/dashboard/test_serve.py",
             "tests/live/publish/test_endpoint.py", "tests/children/test_git.py",
             "tests/cli/test_site.py", "tests/source/extract/test_files.py", "tests/source/test_inventory.py",
             "tests/live/adapters/bag/test_decompress.py",

@@ -46,6 +46,10 @@ is not true.
 A rule that is on by default and a warning or an error has at least 90 % of them true; one that has not is mended, a
 note, or off. Where fewer than 5 were found, the share says little.
 
+Each table is of the rules as they were when it was drawn, and stays. What the first showed was mended before the second
+was drawn, on other repositories. After the second, rules below the bound of which five or more were read became notes,
+where they were not mended; that is not measured again.
+
 To measure on other repositories: `PYTHONPATH=tests python -m graph_findings sample FOLDER --native --seed N -o FILE`
 draws the sample of the clones below a folder, `verdict` and `why` are filled in by hand, the file goes to the tables,
 and `make graph-findings` writes this page and what the pages of rules say of it.

@@ -110,13 +110,22 @@ def test_odd_bytes_stop_nothing(roslens, robot):
 
 
 @pytest.mark.heavy
-def test_ten_megabytes_are_only_slow(roslens, robot):
+def test_a_large_table_is_only_slow_and_a_larger_one_is_named(roslens, robot):
     source = robot.package("big") / "src"
-    (source / "big.cpp").write_text(
-        "// table\nint table[] = {" + "1234567, " * 1_100_000 + "};\nint f() { return 1; }\n"
-    )
+
+    def write(numbers):
+        (source / "big.cpp").write_text(
+            "// table\nint table[] = {" + "1234567, " * numbers + "};\nint f() { return 1; }\n"
+        )
+
+    write(500_000)
     done, report = checked(roslens, robot)
     assert done.code == CLEAN, whats(report)
+    write(1_100_000)
+    done, report = checked(roslens, robot)
+    assert done.code == NOT_ANALYSED
+    (said,) = whats(report)
+    assert "a file of 9,900,049 bytes; at most 5,000,000 are read" in said
 
 
 PLUGIN = """

@@ -32,7 +32,7 @@ TOOL = "roslens"
 ROSCPP = ("ros/ros.h", "ros::")
 RCLCPP = ("rclcpp",)
 ROS_CPP = (*ROSCPP, *RCLCPP)
-FIRMWARE = (b"<ros.h>", b'"ros.h"', b"ros_lib")
+FIRMWARE = (b"<ros.h>", b'"ros.h"', b"ros_lib", b"NodeHandle_<")
 """What files for microcontrollers mention, whose `ros::` is that of rosserial."""
 ROSPY = ("rospy",)
 RCLPY = ("rclpy",)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -44,6 +45,7 @@ RULE = PackageRule(
     finds="A path below `/home`, `/Users` or `/root` in a launch file (XML, YAML, Python) or a file of parameters. "
     "Use `$(find PACKAGE)`, `$(find-pkg-share PACKAGE)`, an argument, or `$(env HOME)`.",
     why="The robot has another user: the map, model or calibration is not found there.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("launch",),
     bad='<arg name="map" default="/home/ada/maps/office.yaml"/>',

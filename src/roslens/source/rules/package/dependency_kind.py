@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.model.finding import Severity
 from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -50,6 +51,7 @@ RULE = PackageRule(
     "running only; and what Python imports and package.xml declares for the build or for tests only.",
     why="Where packages are installed for their purpose (robots get no test dependencies, build machines no "
     "others), the build fails, or the node ends with an ImportError.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_build_depend",),

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import class_name, function_declarator, members_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above, below
@@ -112,6 +113,7 @@ RULE = FileRule(
     "file mentions; classes whose constructors call functions of their own, or that have a second step "
     "such as `configure` or `init`, are let be. Give it a value where it is declared.",
     why="A limit or a flag begins with what was in memory: the robot behaves differently after each start.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

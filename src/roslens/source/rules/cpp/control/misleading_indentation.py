@@ -38,6 +38,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     inner, after = _lead(body, view), _lead(following, view)
     if inner is None or lead is None or inner != after or len(inner) <= len(lead):
         return
+    block = following.parent.named_children if following.parent is not None else []
+    if block and block[0].start_byte != whole.start_byte and _lead(block[0], view) == after:
+        return  # it stands where the block does; the branch before it is too far left
     text = view.text(following)[:40]
     yield view.hit(
         "cpp.misleading_indentation",

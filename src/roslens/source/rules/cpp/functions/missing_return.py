@@ -32,6 +32,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         text in ("void", "auto", "noreturn")
         or "NORETURN" in text
         or "enable_if" in text
+        or "disable_if" in text
         or _MACRO.fullmatch(text)
         or node.has_error
     ):

@@ -39,7 +39,7 @@ RULE = FileRule(
     "whatever the buffer holds. Use `std::string`, or `snprintf` with the size. Literals that are copied "
     "are let be.",
     why="A long device name or topic overwrites what lies behind the buffer: the node dies, or worse, goes on.",
-    severity=Severity.WARNING,
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -33,7 +33,7 @@ RULE = FileRule(
     finds="A using directive outside of functions in a header. Write the names out, or use it inside of functions.",
     why="Every file that includes the header gets all names of the namespace; `using namespace std` makes "
     "`count` or `distance` ambiguous in a package far away.",
-    severity=Severity.WARNING,
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -73,7 +73,7 @@ RULE = FileRule(
     "variable of a constructor. Keep it in a member.",
     why="The handle is the endpoint: when the last copy is gone, the subscription is closed and the timer stopped. The "
     "node starts without an error and never reacts.",
-    severity=Severity.ERROR,
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("endpoints",),
     bad="""#include <rclcpp/rclcpp.hpp>

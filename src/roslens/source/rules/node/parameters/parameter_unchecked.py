@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_discarded
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -52,6 +53,7 @@ RULE = FileRule(
     why="Where the parameter is not set, a misspelt launch file is enough, the variable holds what was in memory: a "
     "speed "
     "limit of 1e-310 on one start and of 1e80 on the next.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("parameters",),
     bad='#include <ros/ros.h>\nvoid f() { double limit; nh.getParam("limit", limit); use(limit); }\n',

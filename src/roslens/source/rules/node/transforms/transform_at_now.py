@@ -24,7 +24,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     given = arguments(call) if call is not None else ()
     if call is None or body is None or len(given) not in _WITHOUT_LIMIT or not _NOW.search(view.text(given[2])):
         return
-    if len(given) == _WITHOUT_LIMIT[1] and not re.search(r"[tT]ransform|^\w*(tf|t)_?$", view.text(given[3])):
+    if len(given) == _WITHOUT_LIMIT[1] and not re.search(r"[tT]ransform|^(?:\w*_)?(?:tf|t)_?$", view.text(given[3])):
         return
     if not _WAITS.search(view.code[body.start_byte : call.start_byte]):
         yield view.hit(

@@ -12,10 +12,27 @@ from roslens.source.rules.file_view import FileView, above
 _BODY = "field_declaration_list"
 _GROUPS = ("preproc_if", "preproc_ifdef", "preproc_else", "preproc_elif", "template_declaration")
 _DECLARATIONS = ("field_declaration", "declaration", "function_definition")
-_DECLARATORS = (
-    *("pointer_declarator", "reference_declarator", "array_declarator", "parenthesized_declarator"),
-    *("init_declarator", "attributed_declarator"),
+_DECLARATORS = frozenset(
+    (
+        *("pointer_declarator", "reference_declarator", "array_declarator", "parenthesized_declarator"),
+        *("init_declarator", "attributed_declarator"),
+    )
 )
+_NAMING = _DECLARATORS | {"function_declarator"}
+
+
+class Function(NamedTuple):
+    """What a definition of a function names.
+
+    Attributes:
+        declarator: of the function; None where there is none.
+        named: the node of the name.
+        name: as it is written; empty without a node.
+    """
+
+    declarator: Node | None
+    named: Node | None
+    name: str
 
 
 class Member(NamedTuple):
@@ -116,9 +133,20 @@ def function_declarator(node: Node) -> Node | None:
     return found
 
 
+def function_of(definition: Node, view: FileView) -> Function:
+    """Return what a definition of a function names, found once for all rules."""
+    key = ("function", definition.id)
+    found = view.kept.get(key)
+    if found is None:
+        declarator = function_declarator(definition)
+        named = name_node(declarator)
+        found = view.kept[key] = Function(declarator, named, view.text(named))
+    return cast("Function", found)
+
+
 def name_node(declarator: Node | None) -> Node | None:
     """Return the node of the name that a declarator declares."""
-    while declarator is not None and declarator.type in (*_DECLARATORS, "function_declarator"):
+    while declarator is not None and declarator.type in _NAMING:
         inner = declarator.child_by_field_name("declarator")
         declarator = inner or next((one for one in declarator.named_children if one.type != "type_qualifier"), None)
     return declarator

@@ -6,6 +6,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import accumulate
 
 from tree_sitter import Node
 
@@ -13,6 +14,7 @@ from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 
 _LONGEST_CONTEXT = 200
+_LARGE = 1000
 _WORD = re.compile(rb"\w+")
 _OPEN = frozenset(
     (
@@ -52,11 +54,8 @@ class FileView:
 
     @cached_property
     def _starts(self) -> list[int]:
-        starts, at = [0], self.content.find(b"\n")
-        while at >= 0:
-            starts.append(at + 1)
-            at = self.content.find(b"\n", at + 1)
-        return starts
+        lengths = map(len, self.lines)
+        return [row + end for row, end in enumerate(accumulate(lengths, initial=0))][:-1]
 
     @cached_property
     def top_level(self) -> list[Node]:
@@ -88,6 +87,16 @@ class FileView:
             return ""
         return " ".join(self.source[node.start_byte : node.end_byte].decode("utf-8", "replace").split())
 
+    def _context(self, node: Node) -> str:
+        """Return the beginning of the text of a node, without reading all of a large one."""
+        start, end = node.start_byte, node.end_byte
+        if end - start > _LARGE:
+            text = " ".join(self.source[start : start + _LARGE].decode("utf-8", "replace").split())
+            # The last character may have been cut in two.
+            if len(text) > _LONGEST_CONTEXT:
+                return text[:_LONGEST_CONTEXT]
+        return self.text(node)[:_LONGEST_CONTEXT]
+
     def place(self, position: int) -> tuple[int, int]:
         """Return the line and column, both 1-based, of a position in bytes."""
         row = bisect_right(self._starts, position) - 1
@@ -110,7 +119,7 @@ class FileView:
         """Return a hit at a node; see :class:`Hit` for the rest."""
         line, column = self.place(node.start_byte)
         end_line, end_column = self.place(max(node.end_byte - 1, node.start_byte))
-        context = self.text(node)[:_LONGEST_CONTEXT]
+        context = self._context(node)
         return Hit(
             rule,
             message,

@@ -41,7 +41,8 @@ class _Plan:
         self.whole = tuple(rule for rule in rules if rule.whole)
         self.anchored = tuple((rule, tuple(map(_anchor, rule.anchors))) for rule in rules if rule.anchors)
         self.quoted = tuple((rule, tuple(part.encode() for part in rule.quoted)) for rule in rules if rule.quoted)
-        self.mentions = {one: tuple(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
+        self.mentions = {one: frozenset(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
+        self.mentioned = frozenset(part for parts in self.mentions.values() for part in parts)
         self.concerns = {(rule.mentions, rule.spares_tests) for rule in rules}
         self.by_kind: Mapping[str, list[FileRule]] = defaultdict(list)
         for rule in rules:
@@ -84,7 +85,8 @@ def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
 def _concerns(plan: _Plan, view: FileView) -> set[tuple[tuple[str, ...], bool]]:
     """Return which pairs of what rules want mentioned and whether they spare tests a file satisfies."""
     content = view.content
-    mentioned = {one for one, parts in plan.mentions.items() if not parts or any(part in content for part in parts)}
+    present = {part for part in plan.mentioned if part in content}
+    mentioned = {one for one, parts in plan.mentions.items() if not parts or not present.isdisjoint(parts)}
     is_test = any(one in content for one in TESTS)
     return {one for one in plan.concerns if one[0] in mentioned and not (one[1] and is_test)}
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import cast
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
+from roslens.source.rules.cpp_class import function_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -41,21 +42,37 @@ def _hidden(name: str, declaration: Node, view: FileView) -> Node | None:
     one = scope.parent if scope is not None else None
     while one is not None and inside is not None:
         if one.type in _ENDS:
-            declarator = function_declarator(one) if one.type == "function_definition" else None
-            for parameter in parameters_of(declarator) if declarator is not None else ():
-                if view.text(name_node(parameter.child_by_field_name("declarator"))).lstrip("&* ") == name:
-                    return parameter
-            return None
+            declared = _declared(one, view) if one.type == "function_definition" else ()
+            return next((parameter for parameter, names in declared if name in names), None)
         if one.type in _SCOPES:
-            for child in one.named_children:
+            for child, names in _declared(one, view):
                 if child.start_byte >= inside.start_byte:
                     break
-                if child.type == "declaration" and any(
-                    view.text(name_node(each)) == name for each in child.children_by_field_name("declarator")
-                ):
+                if name in names:
                     return child
         inside, one = one, one.parent
     return None
+
+
+def _declared(scope: Node, view: FileView) -> Sequence[tuple[Node, Sequence[str]]]:
+    """Return the declarations of a block, or the parameters of a function, with their names."""
+    key = ("declared", scope.id)
+    known = view.kept.get(key)
+    if known is None:
+        if scope.type == "function_definition":
+            declarator = function_of(scope, view).declarator
+            known = [
+                (one, (view.text(name_node(one.child_by_field_name("declarator"))).lstrip("&* "),))
+                for one in (parameters_of(declarator) if declarator is not None else ())
+            ]
+        else:
+            known = [
+                (one, [view.text(name_node(each)) for each in one.children_by_field_name("declarator")])
+                for one in scope.named_children
+                if one.type == "declaration"
+            ]
+        view.kept[key] = known
+    return cast("Sequence[tuple[Node, Sequence[str]]]", known)
 
 
 RULE = FileRule(

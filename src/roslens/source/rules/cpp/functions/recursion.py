@@ -9,17 +9,19 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import word_places
-from roslens.source.rules.cpp_class import function_declarator, name_node, parameters_of
+from roslens.source.rules.cpp_class import function_of, parameters_of
 from roslens.source.rules.cpp_statement import arguments_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_LIST = re.compile(rb"\s*(\([^()]*\))\s*(?:const)?\s*[{:]")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each call of the function around it."""
-    body, declarator = node.child_by_field_name("body"), function_declarator(node)
-    name = view.text(name_node(declarator))
+    body = node.child_by_field_name("body")
+    declarator, _, name = function_of(node, view)
     last = name.rpartition("::")[2]
     if body is None or declarator is None or not last.isidentifier():
         return
@@ -46,8 +48,18 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 
 def _heads(name: str, view: FileView) -> int:
+    """Return how many functions of a name the file has; most have one, which the search from lines need not tell."""
+    word, code = name.encode(), view.code
+    lists, at = set(), code.find(word)
+    while at >= 0:
+        match = _LIST.match(code, at + len(word))
+        if match is not None:
+            lists.add(match[1])
+        at = code.find(word, at + 1)
+    if len(lists) < 2:
+        return len(lists)
     head = rb"^(?!\s*return)[\w:<>,&* ]*[\w&*>]\s+(?:\w+::)*%s\s*(\([^()]*\))\s*(?:const)?\s*[{:]"
-    return len(set(re.findall(head % name.encode(), view.code, re.MULTILINE)))
+    return len(set(re.findall(head % word, code, re.MULTILINE)))
 
 
 RULE = FileRule(

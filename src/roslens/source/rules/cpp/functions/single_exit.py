@@ -8,7 +8,7 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import word_places
-from roslens.source.rules.cpp_class import function_declarator, name_node
+from roslens.source.rules.cpp_class import function_of
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -31,7 +31,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         )
         count, first = len(returns), returns[0] if returns else None
     if count > 1 and first is not None:
-        name = view.text(name_node(function_declarator(node)))
+        name = function_of(node, view).name
         yield view.hit_at(
             "cpp.single_exit", view.place(first.start_byte)[0], f"{count} returns in `{name}`; expected one at the end"
         )

@@ -19,11 +19,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     for member in members_of(node, view):
         if member.access == "public" or member.node.type != "field_declaration" or member.declarator is not None:
             continue
-        if any(one.text in (b"static", b"constexpr") for one in member.node.children):
-            continue
         named = name_node(member.node.child_by_field_name("declarator"))
         name = view.text(named)
-        if named is not None and named.type == "field_identifier" and (not name.endswith("_") or name != name.lower()):
+        if named is None or named.type != "field_identifier" or (name.endswith("_") and name == name.lower()):
+            continue
+        if not any(one.text in (b"static", b"constexpr") for one in member.node.children):
             better = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name.removeprefix("m_")).lower().strip("_") + "_"
             yield view.hit("cpp.member_name", named, f"member `{name}`; expected `{better}`")
 

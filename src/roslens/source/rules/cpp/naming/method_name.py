@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_class import class_name, enclosing_class, function_declarator, name_node
+from roslens.source.rules.cpp_class import class_name, enclosing_class, function_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -15,17 +15,17 @@ from roslens.source.rules.rule import FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each function that is named otherwise."""
-    declarator = function_declarator(node)
-    named = name_node(declarator)
-    name = view.text(named).rpartition("::")[2]
+    declarator, named, whole = function_of(node, view)
+    name = whole.rpartition("::")[2]
     if named is None or declarator is None or not name.isidentifier() or name == "main" or name.isupper():
         return
-    cls = view.text(named).rpartition("::")[0].rpartition("::")[2].partition("<")[0]
+    if not name[0].isupper():
+        return
+    cls = whole.rpartition("::")[0].rpartition("::")[2].partition("<")[0]
     around = enclosing_class(node)
     if name == cls or (around is not None and name == class_name(around, view)) or (name.lower() == name and False):
         return
-    if name[0].isupper():
-        yield view.hit("cpp.method_name", named, f"function `{name}`; expected `{name[0].lower() + name[1:]}`")
+    yield view.hit("cpp.method_name", named, f"function `{name}`; expected `{name[0].lower() + name[1:]}`")
 
 
 RULE = FileRule(

@@ -39,7 +39,11 @@ class _Plan:
     def __init__(self, syntax: str, language: Language, wanted: frozenset[str] | None) -> None:
         rules = [rule for rule in file_rules(syntax) if wanted is None or rule.id in wanted]
         self.whole = tuple(rule for rule in rules if rule.whole)
-        self.anchored = tuple((rule, tuple(map(_anchor, rule.anchors))) for rule in rules if rule.anchors)
+        self.anchored = tuple((rule, *_anchor(text)) for rule in rules for text in rule.anchors)
+        self.by_word: Mapping[bytes, list[int]] = defaultdict(list)
+        for index, (_, _, words) in enumerate(self.anchored):
+            self.by_word[min(words, default=b"")].append(index)
+        self.anchor_words = frozenset(self.by_word) - {b""}
         self.quoted = tuple((rule, tuple(part.encode() for part in rule.quoted)) for rule in rules if rule.quoted)
         self.mentions = {one: frozenset(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
         self.mentioned = frozenset(part for parts in self.mentions.values() for part in parts)
@@ -98,11 +102,15 @@ def _lookouts(
     for rule in plan.whole:
         if (rule.mentions, rule.spares_tests) in concerns:
             yield rule, (view.root,)
-    for rule, anchors in plan.anchored:
-        if (rule.mentions, rule.spares_tests) in concerns:
-            for anchor, words in anchors:
-                if words <= view.words and (len(words) == 1 or anchor in view.code):
-                    yield rule, _anchored(view, anchor)
+    present = (b"", *(view.words & plan.anchor_words))
+    for index in sorted(one for word in present for one in plan.by_word.get(word, ())):
+        rule, anchor, words = plan.anchored[index]
+        if (
+            (rule.mentions, rule.spares_tests) in concerns
+            and words <= view.words
+            and (len(words) == 1 or anchor in view.code)
+        ):
+            yield rule, _anchored(view, anchor)
     for rule, parts in plan.quoted:
         if (rule.mentions, rule.spares_tests) in concerns:
             yield from ((rule, _quoted(view, part)) for part in parts if part in view.content)

@@ -97,8 +97,15 @@ def _is_copy(declarator: Node, name: str, view: FileView) -> bool:
 
 def _outside(name: str, count: int, view: FileView) -> Node | None:
     """Return the body of the constructor with so many parameters that is defined outside of its class."""
-    for match in re.finditer(rb"\b%s(?:<\w+>)?\s*::\s*%s\s*\(" % (name.encode(), name.encode()), view.code):
-        at = view.node_at(match.start(), match.end())
+    word = name.encode()
+    if not name or b"::" not in view.code:
+        return None
+    behind = re.compile(rb"(?:<\w+>)?\s*::\s*%s\s*\(" % word)
+    for start in word_places(word, view):
+        match = behind.match(view.code, start + len(word))
+        if match is None:
+            continue
+        at = view.node_at(start, match.end())
         function = at if at is None or at.type == "function_definition" else above(at, "function_definition")
         declarator = function_declarator(function) if function is not None else None
         if function is not None and declarator is not None and len(parameters_of(declarator)) == count:

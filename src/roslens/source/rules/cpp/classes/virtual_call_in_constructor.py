@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import Member, class_name, has_token, members_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -68,10 +69,15 @@ def above_lambda(call: Node, body: Node) -> bool:
 
 
 def _outside(name: str, view: FileView) -> Iterator[Node]:
-    if f"{name}::".encode() not in view.code:
+    word = name.encode()
+    if word + b"::" not in view.code:
         return
-    for match in re.finditer(rb"\b%s\s*::\s*~?%s\s*\(" % (name.encode(), name.encode()), view.code):
-        at = view.node_at(match.start(), match.end())
+    behind = re.compile(rb"\s*::\s*~?%s\s*\(" % word)
+    for start in word_places(word, view):
+        match = behind.match(view.code, start + len(word))
+        if match is None:
+            continue
+        at = view.node_at(start, match.end())
         function = at if at is None or at.type == "function_definition" else above(at, "function_definition")
         if function is not None:
             yield function

@@ -14,6 +14,8 @@ from roslens.source.rules.rule import FileRule
 
 _INTEGERS = tuple(re.compile(rb"%s(?!\w)" % word) for word in (b"int", b"unsigned", b"signed", b"short", b"long"))
 
+_MAIN = re.compile(rb"\s*(?:main\s*\(|argc\b|\))")
+
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each integer type that does not say its size."""
@@ -31,7 +33,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             continue
         seen.add(one.start_byte)
         text = view.text(one)
-        is_main = re.match(rb"\s*(?:main\s*\(|argc\b|\))", view.code[one.end_byte : one.end_byte + 40])
+        is_main = _MAIN.match(view.code, one.end_byte, one.end_byte + 40)
         if not is_main and "char" not in text and "double" not in text:
             yield view.hit("cpp.basic_type", one, f"`{text}` does not say its size; expected a type of <cstdint>")
 

@@ -110,8 +110,19 @@ def test_a_store_that_fails_is_an_answer_of_its_own(bare_site: Site, monkeypatch
         raise StoreError("the disk failed <here>", expected="a disk", advice="check it")
 
     monkeypatch.setitem(server.PAGES, "overview", broken)
+    views: list[Any] = []
+    message = server.Renderer.message
+
+    def noted(renderer: server.Renderer, view: Any, links: Any) -> str:
+        views.append(view)
+        return message(renderer, view, links)
+
+    monkeypatch.setattr(server.Renderer, "message", noted)
     answer = Client(create_app(bare_site)).get("/")
     assert answer.status_code == 503
+    # The error brings its own advice.
+    assert views[0].shown["advice"] == ""
+    assert "check it" in answer.text
     assert "The run cannot be read" in answer.text
     assert "the disk failed &lt;here&gt;" in answer.text
     assert "content-security-policy" in answer.headers

@@ -1,5 +1,6 @@
 """Only plain files, and no more of them than was asked for."""
 
+import errno
 import os
 from pathlib import Path
 
@@ -45,3 +46,16 @@ def test_a_configuration_of_three_gigabytes(tmp_path):
     (tmp_path / "roslens.toml").unlink()
     (tmp_path / ".git").mkdir()
     assert find_configuration(tmp_path, None).path == ""
+
+
+def test_a_file_that_fails_while_it_is_read_is_named(tmp_path, monkeypatch):
+    file = tmp_path / "a"
+    file.write_bytes(b"x")
+
+    def failing(*_):
+        raise BlockingIOError(errno.EAGAIN, "nothing to say yet")
+
+    monkeypatch.setattr(os, "read", failing)
+    with pytest.raises(OSError, match="nothing to say yet") as failed:
+        read_bounded(file)
+    assert (failed.value.errno, failed.value.filename) == (errno.EAGAIN, str(file))

@@ -14,6 +14,7 @@ def test_the_page_is_made_anew_for_each_request():
         for expected in ("one\n", "two é\n"):
             with urllib.request.urlopen(endpoint.url) as answer:
                 assert answer.headers["Content-Type"].startswith("text/plain; version=0.0.4")
+                assert answer.headers["Content-Length"] == str(len(expected.encode()))
                 assert answer.read().decode() == expected
         with pytest.raises(urllib.error.HTTPError, match="only /metrics"):
             urllib.request.urlopen(endpoint.url + "x")

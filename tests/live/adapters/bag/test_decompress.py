@@ -68,3 +68,10 @@ def test_what_is_packed_well_is_no_bomb():
     assert decompress(zstd.compress(black), "zstd", len(black)) == black
     assert most_unpacked(100) == UNCHECKED
     assert most_unpacked(10**6) == LARGEST
+
+
+def test_what_is_not_compressed_is_handed_on_and_what_fails_is_told():
+    assert unpack_start(TEXT, "none", 3) == (TEXT, "")
+    found, reason = unpack_start(b"garbage", "zstd", 5)
+    assert found == b""
+    assert reason.startswith("a chunk that cannot be unpacked: ")

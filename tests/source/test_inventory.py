@@ -3,6 +3,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from roslens.intake.bounded_file import TooLargeError
 from roslens.model.source import Language, Role
 from roslens.source.inventory import take_inventory
 from roslens.source.keys import content_hash
@@ -72,6 +73,7 @@ def test_a_file_that_went_away_meanwhile_is_a_failure(tmp_path: Path):
     (tmp_path / "arm" / "a.cpp").unlink()
     found = take_inventory(seen, WorkspaceSettings(), {})
     (failure,) = found.failures
+    assert failure.tool == "read"
     assert failure.location is not None
     assert failure.location.path == "arm/a.cpp"
     assert failure.package == "arm"
@@ -91,3 +93,17 @@ def test_folders_of_others_are_vendored_but_for_what_the_user_calls_own(tmp_path
 
     assert set(roles(WorkspaceSettings()).values()) == {Role.VENDORED}
     assert roles(WorkspaceSettings(own=("**/x.cpp",)))["p/lib/x/x.cpp"] is Role.OWN
+
+
+def test_a_file_that_is_too_large_leaves_out_nothing_judged_where_it_is_a_test(tmp_path: Path, monkeypatch):
+    def large(path, most=5):
+        raise TooLargeError(path, most + 1, most)
+
+    seen = workspace(tmp_path, a__cpp="int a;", test_b__py="x = 1")
+    monkeypatch.setattr("roslens.source.inventory.read_bounded", large)
+    found = {one.location.path: one for one in take_inventory(seen, WorkspaceSettings(), {}).failures}
+    assert {path: one.partial for path, one in found.items() if path.endswith((".cpp", ".py"))} == {
+        "arm/a.cpp": False,
+        "arm/test_b.py": True,
+    }
+    assert {one.tool for one in found.values()} == {"syntax"}

@@ -26,7 +26,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 RULE = FileRule(
     id="python.equals_none",
-    title="Comparison with None by value",
+    title="Comparison with nothing by value",
     finds="`== None` and `!= None`. Write `is None`, `is not None`.",
     why="An array of NumPy answers for each of its elements: `if image == None` raises as soon as there is an image.",
     severity=Severity.NOTE,

@@ -25,7 +25,7 @@ from starved import Sleeper, Watched
 IN_TIME = ("timed", "real", "slow", "browser")
 TRIES = 3
 MOST_RERUNS = 3
-"""Tests. In CI (`$CI`), a run with more has failed: its machine shows nothing, or tests lean on being tried again."""
+"""In CI (`$CI`), a run with more has failed: its machine shows nothing, or tests lean on being tried again."""
 TITLE = "tried again"
 SHARED = ("class", "module", "package")
 """Scopes of fixtures that may hold what was recorded while an earlier test ran."""
@@ -111,8 +111,10 @@ class TriedAgain:
         """Say what failed at first, how, and what was seen of the machine."""
         reports = terminalreporter.stats.get("rerun", ())
         if self._too_many:
-            what = f"{self._too_many} tests were tried again, at most {MOST_RERUNS} may be"
-            terminalreporter.write_line(f"{TITLE}: {what}: give CI an idle machine, or mend the tests below", red=True)
+            what = (
+                f"{self._too_many} tries were repeated, at most {MOST_RERUNS} may be: give CI an idle machine, or mend"
+            )
+            terminalreporter.write_line(f"{TITLE}: {what} the tests below", red=True)
         for report in reports:
             terminalreporter.section(f"{TITLE}: {report.nodeid} ({report.when})", sep="-", yellow=True)
             terminalreporter.write_line(report.longreprtext)
@@ -124,7 +126,7 @@ class TriedAgain:
     def pytest_sessionfinish(self, session) -> None:
         """Fail a run in CI in which too much was tried again."""
         terminal = session.config.pluginmanager.get_plugin("terminalreporter")
-        reruns = len({one.nodeid for one in terminal.stats.get("rerun", ())}) if terminal is not None else 0
+        reruns = len(terminal.stats.get("rerun", ())) if terminal is not None else 0
         if os.environ.get("CI") and reruns > MOST_RERUNS and session.exitstatus == pytest.ExitCode.OK:
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
             self._too_many = reruns

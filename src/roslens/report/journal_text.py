@@ -1,0 +1,64 @@
+"""A journal as text for people: a line for each entry, with what it was done for."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from roslens.store.journal_entry import Entry
+
+_QUIET = ("decision", "action", "because", "place", "fields", "bytes")
+
+
+def journal_line(entry: Entry, clock: Callable[[float], str]) -> str:
+    """Return one entry as a line; ``clock`` writes seconds since the epoch."""
+    return f"{clock(entry.time)}  {entry.what:<10}  {_said(entry)}".rstrip()
+
+
+def _said(entry: Entry) -> str:
+    fields = entry.fields
+    parts: list[str] = []
+    if decision := fields.get("decision"):
+        parts.append(f"[{_plain(decision)}]")
+    if isinstance(action := fields.get("action"), dict):
+        parts.append(action_text(action))
+    if entry.what == "decided":
+        parts.append(f"about {_plain(fields.get('entity', ''))}")
+        if because := _because(fields.get("because")):
+            parts.append(f"because {because}")
+        if cause := fields.get("first_cause"):
+            parts.append(f"(first cause: {_plain(cause)})")
+        return "  ".join(parts)
+    for key, value in fields.items():
+        if key in _QUIET or value in ("", None, [], {}):
+            continue
+        shown = f"{value:.3f} s" if key == "duration_s" and isinstance(value, float) else _plain(value)
+        parts.append(shown if key in ("result", "text", "gate", "verification") else f"{key}: {shown}")
+    return "  ".join(parts)
+
+
+def action_text(action: Mapping[str, Any]) -> str:
+    """Return an action in words: its kind, its target and what it is told."""
+    target = action.get("target") or ""
+    if isinstance(target, dict):
+        target = f"{target.get('kind', '')}:{target.get('name', '')}"
+    told = ", ".join(f"{key}: {_plain(value)}" for key, value in (action.get("arguments") or {}).items())
+    return " ".join(filter(None, (str(action.get("kind", "")), str(target), f"({told})" if told else "")))
+
+
+def _because(told: Any) -> str:
+    if not isinstance(told, list):
+        return ""
+    shown = []
+    for one in told:
+        if isinstance(one, dict):
+            value = f" = {one['value']:g}" if isinstance(one.get("value"), (int, float)) else ""
+            shown.append(f"{_plain(one.get('statement', ''))}{value}")
+    return "; ".join(shown)
+
+
+def _plain(value: Any) -> str:
+    """Return a value on one line, without what a terminal would take as a command."""
+    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, sort_keys=True)
+    return "".join(one if one.isprintable() else " " for one in text)

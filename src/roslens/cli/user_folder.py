@@ -64,8 +64,7 @@ def _machine() -> bytes:
 
 
 def state_folder(environment: Mapping[str, str]) -> Path:
-    """Return where journals and holds of this user lie: ``roslens`` in ``$XDG_STATE_HOME``, or in "
-    "``~/.local/state``."""
+    """Return where journals and holds of this user lie: below ``$XDG_STATE_HOME`` or ``~/.local/state``."""
     home = environment.get("XDG_STATE_HOME", "")
     own = os.path.isabs(home)  # noqa: PTH117 - may be empty
     return (Path(home) if own else Path.home() / ".local" / "state") / "roslens"

@@ -34,7 +34,7 @@ def _said(entry: Entry) -> str:
         if key in _QUIET or value in ("", None, [], {}):
             continue
         shown = f"{value:.3f} s" if key == "duration_s" and isinstance(value, float) else _plain(value)
-        parts.append(shown if key in ("result", "text", "gate", "verification") else f"{key}: {shown}")
+        parts.append(shown if key in ("result", "text", "gate", "verification", "duration_s") else f"{key}: {shown}")
     return "  ".join(parts)
 
 

@@ -24,7 +24,7 @@ def test_it_is_shown_with_what_it_was_done_for(path, capsys):
     day, decided, outcome = capsys.readouterr().out.splitlines()
     assert day.startswith("2001-09-0")
     assert "[r/1.0]  restart node:/driver (grace: 2.0)  about topic:/scan  because topic /scan is low = 3.5" in decided
-    assert "done  started [2J again  duration_s: 0.250 s" in outcome
+    assert "0.250 s  done  started [2J again" in outcome
 
 
 def test_what_was_changed_is_the_exit_code(path, capsys):

@@ -21,6 +21,8 @@ SETTINGS = WorkspaceSettings()
         "p/vendor/a.py",
         "p/Third-Party/a.cpp",
         "p/include/catch.hpp",
+        "p/include/ikfast.h",
+        "p/client/ros_lib/ros/node_handle.h",
         "p/src/tinyxml2.cpp",
         "p/third_party/lib/test/test_a.cpp",
         "p/third_party/lib/a.pb.h",

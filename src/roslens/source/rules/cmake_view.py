@@ -28,7 +28,8 @@ _MOST_REFERENCES = 20
 _LONGEST = 1_000
 """Characters of a value that is put into another one: lists that are doubled again and again would have no end."""
 _REFERENCE = re.compile(r"\$\{([A-Za-z0-9_]+)\}")
-_HERE = re.compile(r"\$\{(?:CMAKE_CURRENT_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/?")
+_HERE = re.compile(r"\$\{CMAKE_CURRENT_SOURCE_DIR\}/?")
+_LISTED = re.compile(r"\$\{CMAKE_CURRENT_LIST_DIR\}/?")
 _TOP = re.compile(r"\$\{(?:PROJECT_SOURCE_DIR|CMAKE_SOURCE_DIR|[A-Za-z0-9_]+_SOURCE_DIR)\}/?")
 _TEST_SWITCH = re.compile(r"TEST", re.IGNORECASE)
 _LOOPS = frozenset({"foreach", "while"})
@@ -44,6 +45,7 @@ class Written(msgspec.Struct, frozen=True):
         conditions: texts of the ``if`` around it, outermost first; of a later arm with ``NOT`` before it.
         inside: names of what else is around it: ``foreach``, ``while``, ``function``, ``macro``.
         words: the arguments, with the variables that are known replaced and lists taken apart.
+        folder: of the sources that a relative path starts from: ``include()`` keeps that of the file that includes.
     """
 
     command: Command
@@ -51,6 +53,7 @@ class Written(msgspec.Struct, frozen=True):
     conditions: tuple[str, ...] = ()
     inside: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
+    folder: str = ""
 
     @property
     def name(self) -> str:
@@ -94,7 +97,7 @@ class CmakeView:
         self.top = join(package.folder, "CMakeLists.txt")
         self.commands: tuple[Written, ...] = ()
         if self.top in package.by_path:
-            self.commands = tuple(self._file(self.top, (), (), 0))
+            self.commands = tuple(self._file(self.top, package.folder, (), (), 0))
 
     @property
     def exists(self) -> bool:
@@ -126,43 +129,46 @@ class CmakeView:
         """Return what a variable may be made of."""
         return tuple(self._values.get(name, ()))
 
-    def _file(self, path: str, conditions: tuple[str, ...], inside: tuple[str, ...], depth: int) -> Iterator[Written]:
+    def _file(
+        self, path: str, folder: str, conditions: tuple[str, ...], inside: tuple[str, ...], depth: int
+    ) -> Iterator[Written]:
         from roslens.source.extract.cmake_syntax import parse_cmake
 
         if path in self._read or depth > _MOST_DEPTH:
             return
         self._read.add(path)
         body = parse_cmake(self._package.read(path)).body
-        yield from self._body(body, path, conditions, inside, depth)
+        yield from self._body(body, (path, folder), conditions, inside, depth)
 
     def _body(
-        self, body: Body, path: str, conditions: tuple[str, ...], inside: tuple[str, ...], depth: int
+        self, body: Body, at: tuple[str, str], conditions: tuple[str, ...], inside: tuple[str, ...], depth: int
     ) -> Iterator[Written]:
         from roslens.source.extract.cmake_syntax import Command
 
         for one in body:
             if isinstance(one, Command):
-                written = Written(one, path, conditions, inside, self._words(one))
+                written = Written(one, at[0], conditions, inside, self._words(one), at[1])
                 self._remember(written)
                 yield written
                 if (further := self._further(written)) is not None:
-                    yield from self._file(further, conditions, inside, depth + 1)
+                    folder = at[1] if written.name == "include" else dirname(further)
+                    yield from self._file(further, folder, conditions, inside, depth + 1)
                 continue
             earlier: list[str] = []
             for opening, part in one.branches:
                 text = " ".join(argument.written for argument in opening.arguments)
                 if opening.name in _LOOPS | _DEFINITIONS:
-                    written = Written(opening, path, conditions, inside, self._words(opening))
+                    written = Written(opening, at[0], conditions, inside, self._words(opening), at[1])
                     self._remember(written)
                     yield written
-                    yield from self._body(part, path, conditions, (*inside, opening.name), depth)
+                    yield from self._body(part, at, conditions, (*inside, opening.name), depth)
                 elif opening.name in ("if", "elseif"):
                     around = (*conditions, *(f"NOT ({other})" for other in earlier), text)
-                    yield from self._body(part, path, around, inside, depth)
+                    yield from self._body(part, at, around, inside, depth)
                     earlier.append(text)
                 else:
                     around = (*conditions, *(f"NOT ({other})" for other in earlier))
-                    yield from self._body(part, path, around, inside, depth)
+                    yield from self._body(part, at, around, inside, depth)
 
     def _remember(self, written: Written) -> None:
         name, words = written.name, written.words
@@ -214,19 +220,21 @@ class CmakeView:
         """Return the file of the package that a command runs."""
         if written.name not in ("add_subdirectory", "include") or not written.words or written.defined:
             return None
-        path = self.inside(written.words[0], written.path)
+        path = self.inside(written.words[0], written)
         if path is None:
             return None
         path = join(path, "CMakeLists.txt") if written.name == "add_subdirectory" else path
         return path if path in self._package.by_path else None
 
-    def inside(self, path: str, file: str) -> str | None:
-        """Return a path as a CMake file writes it as one below the workspace; nothing where that is open."""
+    def inside(self, path: str, written: Written) -> str | None:
+        """Return a path as a command writes it as one below the workspace; nothing where that is open."""
         top = self._package.folder
         if match := _TOP.match(path):
             whole = join(top, path[match.end() :])
         elif match := _HERE.match(path):
-            whole = join(dirname(file), path[match.end() :])
+            whole = join(written.folder, path[match.end() :])
+        elif match := _LISTED.match(path):
+            whole = join(dirname(written.path), path[match.end() :])
         else:
-            whole = join(dirname(file), path)
+            whole = join(written.folder, path)
         return None if "$" in whole or whole.startswith("/") else normpath(whole)

@@ -82,6 +82,9 @@ def _of_build(view: PackageView) -> Iterator[Use]:
 
 def _of_sources(view: PackageView) -> Iterator[Use]:
     own = {view.package.name, *(one.partition("/")[0] for one in view.listing if "/" in one)}
+    # Headers that the package carries below a folder of another's name.
+    parts = [one.split("/") for one in view.listing if one.endswith((".h", ".hpp", ".hh"))]
+    copies = {"/".join(one[-depth:]) for one in parts for depth in (2, 3)}
     for file in view.files:
         facts = view.facts.get(file.path)
         if facts is None or file.role not in (Role.OWN, Role.TEST):
@@ -93,6 +96,8 @@ def _of_sources(view: PackageView) -> Iterator[Use]:
         for written, line in facts.includes:
             if facts.syntax == "cpp":
                 name, when = _included(written), TEST if is_test else BUILD
+                if written.strip('<>"') in copies:
+                    continue
                 how = f"#include {written}"
             elif file.language is Language.LAUNCH_PYTHON:
                 continue

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from roslens.model.finding import Severity
-from roslens.model.source import Role
+from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -25,7 +25,14 @@ _FOLDERS = (
     "models",
     "behavior_trees",
 )
-_EVERYTHING = ("INSTALL_TO_SHARE", "GLOB", "${CMAKE_CURRENT_SOURCE_DIR}/ ", "DIRECTORY .", "DIRECTORY ./")
+_READERS = (
+    Language.LAUNCH_XML,
+    Language.LAUNCH_YAML,
+    Language.LAUNCH_PYTHON,
+    Language.PYTHON,
+    Language.CPP,
+    Language.C,
+)
 
 
 def found(view: PackageView) -> Iterator[Hit]:
@@ -38,12 +45,22 @@ def found(view: PackageView) -> Iterator[Hit]:
     for folder in _FOLDERS:
         inside = [path for path in files if view.inside(path).startswith(f"{folder}/")]
         inside = [path for path in inside if not path.endswith(("CMakeLists.txt", "__init__.py"))]
-        if inside and not re.search(rf"(?<![\w-]){folder}(?![\w-])", text):
+        if inside and not re.search(rf"(?<![\w-]){folder}(?![\w-])", text) and _is_asked_for(folder, inside, view):
             message = (
                 f"folder {folder!r} ({len(inside)} files) is installed by nothing; expected a rule that installs it"
             )
             severity = None if 2 in view.ros else Severity.NOTE
             yield Hit("cmake.folder_not_installed", message, place[1], context=folder, path=place[0], severity=severity)
+
+
+def _is_asked_for(folder: str, inside: list[str], view: PackageView) -> bool:
+    """Return whether somebody looks for the folder: ``ros2 launch``, or a file of the package that names it."""
+    if folder == "launch":
+        return any("launch" in path.rpartition("/")[2] for path in inside)
+    readers = view.of_language(*_READERS, roles=(Role.OWN,))
+    texts = (view.read(one.path) for one in readers if one.path not in inside)
+    named = re.compile(rf"['\"/(\s]{folder}['\"/]".encode())
+    return any(named.search(text) for text in texts)
 
 
 def _build(view: PackageView) -> tuple[str, tuple[str, int]] | None:
@@ -66,11 +83,11 @@ RULE = PackageRule(
     id="cmake.folder_not_installed",
     title="Folder for running that nothing installs",
     finds="A folder `launch`, `config`, `params`, `urdf`, `meshes`, `rviz`, `worlds`, `maps` or the like whose "
-    "name stands nowhere in CMakeLists.txt (or in the setup.py of an `ament_python` package). Install it to "
-    "`share/PACKAGE`. In ROS 1 it is a note: the devel space finds it.",
+    "name stands nowhere in CMakeLists.txt (or in the setup.py of an `ament_python` package), and which a launch "
+    "file or source of the package names; `launch` itself needs no one to name it. Install it to `share/PACKAGE`. "
+    "In ROS 1 it is a note: the devel space finds it.",
     why="`ros2 launch` and `$(find-pkg-share …)` look into the installation: the file is not found there, or on "
     "the robot only, where nothing but the installation is.",
-    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("build", "install"),
     bad="ament_package()  # and a folder launch/",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -18,7 +17,8 @@ _GENERATES = ("generate_messages", "generate_dynamic_reconfigure_options")
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each target of catkin that includes generated headers of its package and waits for none of them."""
     cmake = view.cmake
-    if 1 not in view.ros or cmake.first(*_GENERATES) is None:
+    makes = cmake.first(*_GENERATES)
+    if 1 not in view.ros or makes is None:
         return
     name = view.package.name
     made = {
@@ -37,9 +37,17 @@ def found(view: PackageView) -> Iterator[Hit]:
     for one in cmake.named("add_executable", "add_library", "cuda_add_library"):
         if one.defined or one.for_tests or not one.words or one.words[0] in waits or "$" in one.words[0]:
             continue
+        # In the arm for ROS 2 of a package for both, the target of the messages is linked.
+        if _excludes(one.conditions, makes.conditions):
+            continue
         if (first := _generated(one, made, view)) is not None:
             message = f"target {one.words[0]!r} includes {first!r}, which is generated, and does not wait for it"
             yield one.hit("cmake.message_order", f"{message}; expected add_dependencies()", one.words[0])
+
+
+def _excludes(some: tuple[str, ...], others: tuple[str, ...]) -> bool:
+    """Return whether what stands under some conditions never runs together with what stands under others."""
+    return any(f"NOT ({one})" in others for one in some) or any(f"NOT ({one})" in some for one in others)
 
 
 _FOLDERS = {"msg/": (".h",), "srv/": (".h", "Request.h", "Response.h"), "cfg/": ("Config.h",), "action/": ("Action.h",)}
@@ -47,7 +55,7 @@ _ENDINGS = {"msg/": ".msg", "srv/": ".srv", "cfg/": ".cfg", "action/": ".action"
 
 
 def _generated(command: Written, made: set[str], view: PackageView) -> str | None:
-    waiting = [view.cmake.inside(word, command.path) for word in command.words[1:]]
+    waiting = [view.cmake.inside(word, command) for word in command.words[1:]]
     seen: set[str] = set()
     while waiting:
         path = waiting.pop()
@@ -70,7 +78,6 @@ RULE = PackageRule(
     "${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})`.",
     why="Whether the header exists when the source is compiled is chance: the build fails on a machine with more "
     "processors, or in CI, or takes the header of an older installation.",
-    severity=Severity.NOTE,
     profiles=("ros1",),
     tags=("build",),
     clauses=("catkin_lint missing_add_dependencies",),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from posixpath import basename
+from posixpath import basename, dirname
 
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
@@ -34,8 +34,8 @@ def found(view: PackageView) -> Iterator[Hit]:
             word = argument.literal
             if word is None or not _SOURCE.fullmatch(word) or basename(word) in made:
                 continue
-            path = cmake.inside(word, one.path)
-            if path is None or view.exists(path) or not _is_below(path, view.folder):
+            path = cmake.inside(word, one)
+            if path is None or view.exists(path) or not _is_below(path, view.folder) or _is_elsewhere(path, view):
                 continue
             sure = not one.conditions and one.name in ("add_executable", "add_library")
             message = f"source {word!r} of target {one.words[0]!r} does not exist; expected a file of the package"
@@ -46,19 +46,28 @@ def _is_below(path: str, folder: str) -> bool:
     return not path.startswith("..") and (not folder or path.startswith(f"{folder}/"))
 
 
+def _is_elsewhere(path: str, view: PackageView) -> bool:
+    """Return whether the folder of a path is there and empty: that of a submodule, which was not cloned."""
+    folder = dirname(path)
+    return (
+        bool(folder)
+        and view.exists(folder)
+        and not any(view.path(one).startswith(f"{folder}/") for one in view.listing)
+    )
+
+
 def _weighed(hit: Hit, *, sure: bool) -> Hit:
     import msgspec
 
-    return hit if sure else msgspec.structs.replace(hit, severity=Severity.WARNING)
+    return hit if sure else msgspec.structs.replace(hit, severity=Severity.NOTE)
 
 
 RULE = PackageRule(
     id="cmake.missing_source",
     title="Target of a source that does not exist",
     finds="A source that `add_executable` or `add_library` names and that is neither in the package nor made by a "
-    "command. Correct the path, or remove the target. Inside a condition it is a warning: that arm may never run.",
+    "command. Correct the path, or remove the target. Inside a condition it is a note: that arm may never run.",
     why="CMake stops: the package cannot be built at all.",
-    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="add_executable(driver src/drvier.cpp)",

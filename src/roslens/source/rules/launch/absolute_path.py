@@ -5,12 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import msgspec
+
 from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
+_OF_BUILDS = (".", "snapcraft", "docker", "compose", "circle", "appveyor", "azure", "travis", "mkdocs", "bitbucket")
+"""How files begin that say how a machine of its own builds or documents the package."""
+_OF_CONTAINERS = ("/home/user", "/home/ros", "/root")
+"""Home folders of the users that containers have: whoever starts it there finds the path."""
 _HOME = re.compile(r"(?:^|[\s'\"=:(\[,])((?:file://)?/(?:home|Users|root)/[\w.@+-]+(?:/[^\s'\"<>,)\]]*)?)")
 
 
@@ -20,19 +26,31 @@ def found(view: PackageView) -> Iterator[Hit]:
         for element, _ in file.elements:
             for value in (*element.attributes.values(), element.text()):
                 if match := _HOME.search(value):
-                    yield file.hit("launch.absolute_path", element, _message(match[1]), match[1])
+                    hit = file.hit("launch.absolute_path", element, _message(match[1]), match[1])
+                    yield msgspec.structs.replace(hit, severity=_severity(match[1]))
                     break
     others = view.of_language(Language.YAML, Language.LAUNCH_YAML, Language.LAUNCH_PYTHON, roles=(Role.OWN,))
     for one in others:
         text = view.read(one.path)
-        if one.path.rpartition("/")[2].startswith(("snapcraft", "docker")):
+        if one.path.rpartition("/")[2].startswith(_OF_BUILDS):
             continue
         if b"/home/" not in text and b"/root/" not in text and b"/Users/" not in text:
             continue
         for number, line in enumerate(text.decode("utf-8", "replace").splitlines(), 1):
             match = _HOME.search(re.sub(r"(?:^|\s)#.*", "", line))
             if match:
-                yield Hit("launch.absolute_path", _message(match[1]), number, context=match[1], path=one.path)
+                yield Hit(
+                    "launch.absolute_path",
+                    _message(match[1]),
+                    number,
+                    context=match[1],
+                    path=one.path,
+                    severity=_severity(match[1]),
+                )
+
+
+def _severity(path: str) -> Severity | None:
+    return Severity.NOTE if f"{path.rstrip('/')}/".startswith(tuple(f"{one}/" for one in _OF_CONTAINERS)) else None
 
 
 def _message(path: str) -> str:
@@ -43,9 +61,9 @@ RULE = PackageRule(
     id="launch.absolute_path",
     title="Path of one machine in a configuration",
     finds="A path below `/home`, `/Users` or `/root` in a launch file (XML, YAML, Python) or a file of parameters. "
-    "Use `$(find PACKAGE)`, `$(find-pkg-share PACKAGE)`, an argument, or `$(env HOME)`.",
+    "Use `$(find PACKAGE)`, `$(find-pkg-share PACKAGE)`, an argument, or `$(env HOME)`. "
+    "Homes of the usual users of containers (`/home/user`, `/root`) are notes.",
     why="The robot has another user: the map, model or calibration is not found there.",
-    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("launch",),
     bad='<arg name="map" default="/home/ada/maps/office.yaml"/>',

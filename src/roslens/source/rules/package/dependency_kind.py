@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from roslens.model.finding import Severity
 from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -29,6 +29,8 @@ def found(view: PackageView) -> Iterator[Hit]:
             continue
         if not declared & {"build", "exec", "run", "test", "doc", "buildtool"}:
             continue
+        if use.when == BUILD and _is_brought(use.name, kinds):
+            continue
         told.add(use.name)
         has = ", ".join(f"<{kind if kind == 'depend' else f'{kind}_depend'}>" for kind in sorted(declared))
         expected = "<build_depend> or <depend>" if use.when == BUILD else "<exec_depend> or <depend>"
@@ -36,6 +38,12 @@ def found(view: PackageView) -> Iterator[Hit]:
         at = f"{use.path}:{use.line}"
         message = f"{use.name!r} is declared by {has}, and {at} uses it: {use.how}; expected {expected}"
         yield Hit("package.dependency_kind", message, place.line, place.column, context=use.name, path=place.path)
+
+
+def _is_brought(name: str, kinds: dict[str, set[str]]) -> bool:
+    """Return whether a system package that the build needs is that of the name: ``libgazebo11-dev`` of ``gazebo``."""
+    own = re.compile(rf"(?:lib)?{re.escape(name.replace('_', '-').removesuffix('-ros'))}[\d.]*(?:-dev)?", re.IGNORECASE)
+    return any(own.fullmatch(one) and one != name and kind & _FOR_BUILD for one, kind in kinds.items())
 
 
 def _runs(use: Use, view: PackageView) -> bool:
@@ -51,7 +59,6 @@ RULE = PackageRule(
     "running only; and what Python imports and package.xml declares for the build or for tests only.",
     why="Where packages are installed for their purpose (robots get no test dependencies, build machines no "
     "others), the build fails, or the node ends with an ImportError.",
-    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_build_depend",),

@@ -24,7 +24,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         for word in one.words[one.words.index("PROGRAMS") + 1 :]:
             if word in ("DESTINATION", "PERMISSIONS", "RENAME"):
                 break
-            path = view.cmake.inside(word, one.path)
+            path = view.cmake.inside(word, one)
             file = view.by_path.get(path or "")
             if path is None or file is None or file.language is not Language.PYTHON or path in told:
                 continue

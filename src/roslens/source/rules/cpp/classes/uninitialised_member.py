@@ -9,14 +9,26 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import word_places
-from roslens.source.rules.cpp_class import class_name, function_declarator, members_of, name_node, parameters_of
+from roslens.source.rules.cpp_class import (
+    bases_of,
+    class_name,
+    function_declarator,
+    members_of,
+    name_node,
+    parameters_of,
+)
 from roslens.source.rules.file_view import FileView, above, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
 _SECOND_STEP = re.compile(
-    r"(?:on_?)?(?:configure|init|setup|set_?up|reset|clear|load|read_?param|get_?param)", re.IGNORECASE
+    r"(?:on_?)?(?:configure|init|setup|set_?up|reset|clear|load|read_?param|get_?param)|on(?:_[a-z]|[A-Z])",
+    re.IGNORECASE,
 )
+"""Functions that others call before the members are read, hooks of a framework among them."""
+_NEAR = 40
+_GIVEN = re.compile(rb"\s*(?:(?:[-+*/|&^%]|<<|>>)?=(?!=)|\+\+|--|\[|\{)")
+_TAKEN = re.compile(rb"(?:>>|\+\+|--|(?<!&)&|(?<!if )(?<!while )(?<!return )[(,])\s*$")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -24,10 +36,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     name = class_name(node, view)
     bodies: list[tuple[int, int]] = []
     fields: list[tuple[str, Node]] = []
+    functions: list[Node] = []
+    is_whole = True
     for member in members_of(node, view):
         if member.declarator is not None:
             if _SECOND_STEP.match(member.name):
                 return
+            if not member.is_deleted and not member.is_defaulted:
+                own = member.node.child_by_field_name("body")
+                is_whole = is_whole and own is not None
+                functions += [own] if own is not None else []
             if member.name != name or member.is_deleted:
                 continue
             if member.is_defaulted or _is_copy(member.declarator, name, view):
@@ -43,11 +61,24 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             fields.extend(_scalars(member.node, view))
     for field, place in fields if bodies else ():
         if not any(True for start, end in bodies for _ in word_places(field.encode(), view, start, end)):
+            is_read = is_whole and not bases_of(node, view) and _is_only_read(field, functions, view)
             yield view.hit(
                 "cpp.uninitialised_member",
                 place,
                 f"`{field}` has no value after construction; expected one where it is declared",
+                severity=None if is_read else Severity.NOTE,
             )
+
+
+def _is_only_read(field: str, functions: list[Node], view: FileView) -> bool:
+    """Return whether functions of the class use a member, and none gives it a value or hands it over."""
+    word = field.encode()
+    places = [at for one in functions for at in word_places(word, view, one.start_byte, one.end_byte)]
+    for at in places:
+        before, behind = view.code[max(0, at - _NEAR) : at], view.code[at + len(word) : at + len(word) + _NEAR]
+        if _GIVEN.match(behind) or _TAKEN.search(before):
+            return False
+    return bool(places)
 
 
 def _scalars(declaration: Node, view: FileView) -> Iterator[tuple[str, Node]]:
@@ -118,9 +149,9 @@ RULE = FileRule(
     title="Member without a value",
     finds="A member of a number, `bool` or pointer type without a value, that none of the constructors in the "
     "file mentions; classes whose constructors call functions of their own, or that have a second step "
-    "such as `configure` or `init`, are let be. Give it a value where it is declared.",
+    "such as `configure` or `init`, are let be. Give it a value where it is declared. It is a note unless all "
+    "functions of the class are seen, one of them reads it, and none sets it.",
     why="A limit or a flag begins with what was in memory: the robot behaves differently after each start.",
-    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

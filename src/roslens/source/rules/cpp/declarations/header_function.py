@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import function_declarator, name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import GUARDED, Hit
@@ -32,6 +31,9 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             continue
         if any(one.type == "virtual_specifier" for one in function.children):
             continue
+        # A piece that is read inside of a class of others, as the plug-ins of Eigen are.
+        if "::" not in name and any(one.type == "type_qualifier" for one in function.children):
+            continue
         body = node.child_by_field_name("body")
         start = max(view.code.rfind(b";", 0, node.start_byte), view.code.rfind(b"}", 0, node.start_byte)) + 1
         head = view.code[max(start, node.start_byte - 200) : body.start_byte if body is not None else node.end_byte]
@@ -53,7 +55,6 @@ RULE = FileRule(
     "source file.",
     why="The second file that includes the header makes linking fail, with a message about a symbol and not "
     "about the header.",
-    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import msgspec
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import GUARDED, Hit
 from roslens.source.rules.rule import FileRule
@@ -18,6 +20,18 @@ _GUARD = re.compile(
 _ONCE = re.compile(rb"#[ \t]*pragma[ \t]+once\b")
 _FIRST = re.compile(rb"\s*(\S)")
 
+_SAYS_NOTHING = frozenset(
+    (
+        "comment",
+        "preproc_def",
+        "preproc_function_def",
+        "preproc_include",
+        "preproc_call",
+        "expression_statement",
+        "ERROR",
+    )
+)
+
 
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield a file that nothing keeps from being read twice; whether it is a header, its name tells."""
@@ -26,10 +40,14 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         return
     guard = _GUARD.search(view.code)
     if guard is None:
+        if not _declares(view):
+            return
         problem = "no `#pragma once` and no `#ifndef` … `#define` around the header"
-        yield view.hit_at(
+        hit = view.hit_at(
             "cpp.guard", view.place(first.start(1))[0], f"{problem}; expected one of the two", only=GUARDED
         )
+        # What includes nothing needs what stands before its one `#include`: a piece of another file.
+        yield hit if b"#include" in view.code else msgspec.structs.replace(hit, severity=Severity.NOTE)
         return
     tested = guard[1] or guard[2]
     if tested != guard[3]:
@@ -40,10 +58,23 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         )
 
 
+def _declares(view: FileView) -> bool:
+    """Return whether a second reading would declare something again.
+
+    Macros alone may be said twice. A list of calls of macros is meant to be read more than once, with other
+    definitions each time, and so is what takes its macros back by ``#undef``; the plug-ins of Eigen are read
+    inside of a class.
+    """
+    if b"#undef" in view.code or (b"EIGEN_" in view.code and b"namespace" not in view.code):
+        return False
+    return any(one.type not in _SAYS_NOTHING for one in view.root.named_children)
+
+
 RULE = FileRule(
     id="cpp.guard",
     title="Header without a guard",
-    finds="A header with neither `#pragma once` nor `#ifndef` and `#define` of one name around it. Add one of the two.",
+    finds="A header with neither `#pragma once` nor `#ifndef` and `#define` of one name around it. Add one of the two. "
+    "Pieces that include nothing themselves are notes; lists of calls of macros are let be.",
     why="The day two headers include it, nothing compiles, with messages about another file.",
     profiles=(
         "ros2",

@@ -22,7 +22,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     # Literals can be used in no other way.
     if "literals" in name:
         return
-    severity = None if name.split("::")[0] in ("std", "boost") else Severity.NOTE
+    severity = None if name.split("::")[0] == "std" else Severity.NOTE
     message = f"`using namespace {name}` in a header; expected qualified names"
     yield view.hit("cpp.using_namespace", node, message, only=HEADER, severity=severity)
 
@@ -30,10 +30,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="cpp.using_namespace",
     title="`using namespace` in a header",
-    finds="A using directive outside of functions in a header. Write the names out, or use it inside of functions.",
+    finds="A using directive outside of functions in a header. Write the names out, or use it inside of functions. "
+    "Other namespaces than `std` are notes.",
     why="Every file that includes the header gets all names of the namespace; `using namespace std` makes "
     "`count` or `distance` ambiguous in a package far away.",
-    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
 
@@ -22,7 +22,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or any(_AT_ONCE.search(view.text(one)) for one in arguments(call)):
         return
     callback = callback_around(call, view)
-    if callback is not None:
+    if callback is not None and not _is_of_once(call, view):
         yield view.hit(
             "node.wait_in_callback",
             call,
@@ -31,6 +31,20 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "look at what is ready (`service_is_ready`, `isServerConnected`) or the wait outside of callbacks",
             callback=callback,
         )
+
+
+def _is_of_once(call: Node, view: FileView) -> bool:
+    """Return whether it stands in a lambda that cancels its timer first: a step of the start, put off."""
+    around = above(call, "lambda_expression", "function_definition")
+    if around is None or around.type != "lambda_expression":
+        return False
+    return (
+        b"imer" in view.code[around.start_byte : call.start_byte]
+        and re.search(
+            rb"imer\w*\s*(?:->|\.)\s*(?:cancel|reset|stop)\s*\(", view.code[around.start_byte : call.start_byte]
+        )
+        is not None
+    )
 
 
 RULE = FileRule(

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_discarded
 from roslens.source.rules.file_view import FileView
@@ -18,6 +17,7 @@ _CALLBACK = re.compile(r"&\s*\w+(::\w+)+|\bbind\s*\(|^\[")
 _BEGINNINGS = frozenset(
     ("onInit", "init", "initialize", "setup", "on_configure", "on_activate", "configure", "onConfigure")
 )
+_NODE = re.compile(r"\*?(?:this\b|\w*(?:node|nh)(?:_?handle)?_*$|n_*$|\w*n_?h_*$)", re.IGNORECASE)
 _STAYS = re.compile(rb"\bspin|\bwaitForShutdown\b|\bok\s*\(")
 
 
@@ -30,6 +30,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if len(given) < 2 or not any(_CALLBACK.search(view.text(one)) for one in given[1:]):
         return
     if is_discarded(call):
+        # Of a class of one's own, which gets the node as an argument and keeps what it makes.
+        if _NODE.match(view.text(given[0])):
+            return
         yield view.hit(
             "node.handle_dropped",
             call,
@@ -73,7 +76,6 @@ RULE = FileRule(
     "variable of a constructor. Keep it in a member.",
     why="The handle is the endpoint: when the last copy is gone, the subscription is closed and the timer stopped. The "
     "node starts without an error and never reacts.",
-    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("endpoints",),
     bad="""#include <rclcpp/rclcpp.hpp>

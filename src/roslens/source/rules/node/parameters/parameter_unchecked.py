@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.model.finding import Severity
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_discarded
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -25,7 +24,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if call is None or body is None or len(given) != _PAIR or not is_discarded(call) or given[1].type != "identifier":
         return
     # A parameter that was declared has a value.
-    if view.text(node) == "get_parameter" and b"declare" in view.code:
+    if view.text(node) == "get_parameter" and (b"declare" in view.code or b"add_parameter" in view.code):
+        return
+    if _is_asked_elsewhere(given[0], call, view):
         return
     name = view.text(given[1])
     before = " ".join(view.code[body.start_byte : call.start_byte].decode("utf-8", "replace").split())
@@ -44,6 +45,18 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     )
 
 
+def _is_asked_elsewhere(name: Node, call: Node, view: FileView) -> bool:
+    """Return whether the file asks in a condition for a parameter of the same name, or sets it."""
+    if name.type != "string_literal":
+        return False
+    text = re.escape(view.source[name.start_byte : name.end_byte])
+    others = view.source[: call.start_byte] + view.source[call.end_byte :]
+    return (
+        re.search(rb"(?:\bif\s*\([^;{]*|[sS]et_?[pP]aram\w*\s*\(\s*|[hH]as_?[pP]aram\w*\s*\(\s*)" + text, others)
+        is not None
+    )
+
+
 RULE = FileRule(
     id="node.parameter_unchecked",
     title="Result of getParam unchecked",
@@ -53,7 +66,6 @@ RULE = FileRule(
     why="Where the parameter is not set, a misspelt launch file is enough, the variable holds what was in memory: a "
     "speed "
     "limit of 1e-310 on one start and of 1e80 on the next.",
-    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("parameters",),
     bad='#include <ros/ros.h>\nvoid f() { double limit; nh.getParam("limit", limit); use(limit); }\n',

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.calls import constructed, whole_name
-from roslens.source.rules.file_view import FileView
+from roslens.model.finding import Severity
+from roslens.source.rules.calls import body_of, constructed, function_around, whole_name
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
 
@@ -26,6 +28,24 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         around,
         f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says; expected the node's "
         "`now()`",
+        severity=Severity.NOTE if _is_told_only(around, view) else None,
+    )
+
+
+def _is_told_only(now: Node, view: FileView) -> bool:
+    """Return whether the time goes to a variable that no message, look-up or comparison of the function takes."""
+    declared = above(now, "init_declarator", "return_statement", "field_initializer")
+    function = function_around(now)
+    body = body_of(function) if function is not None else None
+    if declared is None or declared.type != "init_declarator" or body is None:
+        return False
+    name = view.text(declared.child_by_field_name("declarator"))
+    if not name.isidentifier():
+        return False
+    uses = view.code[declared.end_byte : body.end_byte].decode("utf-8", "replace")
+    return not re.search(
+        rf"(?:stamp|time|lookup\w*|transform\w*|compare\w*)\b[^;]*\b{name}\b|\b{name}\b\s*[-<>+=]|[-<>+]\s*{name}\b",
+        uses,
     )
 
 
@@ -33,7 +53,8 @@ RULE = FileRule(
     id="node.own_clock",
     title="Clock that belongs to no node",
     finds="`rclcpp::Clock().now()`: the time of a clock that was made on the spot. Use `now()` or `get_clock()` of "
-    "the node.",
+    "the node. "
+    "A time that is kept in a variable, and that the function neither compares nor puts into a stamp, is a note.",
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",

@@ -12,6 +12,7 @@ def pages() -> Mapping[str, str]:
     """Return every generated page by its path below ``docs/reference``."""
     from roslens.judge.models_page import model_schema, models_page
     from roslens.judge.quality_model import builtin_models, load_model
+    from roslens.judge.reactions_page import reactions_page
     from roslens.judge.references_page import reference_schema, references_page
     from roslens.live.signals import BY_KEY
     from roslens.report.graph_document import graph_schema
@@ -33,6 +34,7 @@ def pages() -> Mapping[str, str]:
         "models.md": models_page(models),
         "model.schema.json": _json(model_schema()),
         "references.md": references_page(BY_KEY),
+        "reactions.md": reactions_page(),
         "reference.schema.json": _json(reference_schema(BY_KEY)),
         "tools.md": tools_page(),
         **{f"tools/{name}.md": tool_page(name) for name in TOOLS},

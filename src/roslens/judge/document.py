@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NoReturn, TypeVar
 
 from roslens.intake.bounded_file import read_bounded
+from roslens.judge.plain_value import Value, plain_value
 from roslens.judge.yaml_tree import Items, Node, Place, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.model.source import Location
@@ -160,6 +161,19 @@ class Section:
         if not isinstance(node, Table):
             self._mistyped(key, node, f"a {what} of `key: value` lines below it")
         return Section(self._tree, node, what, keys)
+
+    def given(self) -> tuple[str, ...]:
+        """Return the keys that are there, in their order."""
+        return tuple(self._table.nodes)
+
+    def is_table(self, key: str) -> bool:
+        """Whether there is a mapping under ``key``."""
+        return isinstance(self._table.nodes.get(key), Table)
+
+    def value(self, key: str) -> Value:
+        """Return whatever is under ``key`` as a value of JSON; None where the key is not there."""
+        node = self._table.nodes.get(key)
+        return None if node is None else plain_value(node)
 
     def _given(self, key: str, *, required: bool) -> Node | None:
         node = self._table.nodes.get(key)

@@ -10,6 +10,7 @@ import msgspec
 from roslens.judge.range import Range
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
+from roslens.model.reaction import Reaction
 from roslens.model.selector import Selector as Selector
 
 
@@ -187,7 +188,10 @@ class StateCheck(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Reference(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Everything that is expected of a system, merged from its documents; sorted by id within each part."""
+    """Everything that is expected of a system, and what is done where it is not so, merged from its documents.
+
+    Each part is sorted by id.
+    """
 
     name: str
     title: str = ""
@@ -197,6 +201,7 @@ class Reference(msgspec.Struct, frozen=True, omit_defaults=True):
     field_checks: tuple[FieldCheck, ...] = ()
     chains: tuple[AgeChain, ...] = ()
     states: tuple[StateCheck, ...] = ()
+    reactions: tuple[Reaction, ...] = ()
 
 
 AnySentence = TypeVar("AnySentence", Expectation, Presence, FieldCheck, AgeChain, StateCheck)

@@ -9,6 +9,7 @@ import msgspec
 
 from roslens.judge.contradiction import Contradiction, contradictions
 from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, Reference, StateCheck
+from roslens.judge.merge_reactions import merge_reactions
 from roslens.judge.reference_document import Declared, ReferenceDocument, Sentence
 from roslens.model.errors import DocumentError
 from roslens.plugins.nearest import did_you_mean
@@ -66,6 +67,7 @@ def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
         field_checks=_sorted(standing, FieldCheck),
         chains=_sorted(standing, AgeChain),
         states=_sorted(standing, StateCheck),
+        reactions=merge_reactions(documents),
     )
     return Merged(reference, tuple(contradictions(standing)), standing, tuple(replaced))
 

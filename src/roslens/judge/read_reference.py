@@ -15,6 +15,7 @@ from roslens.judge.expectation import Reference
 from roslens.judge.merge_references import merge_references
 from roslens.judge.name_scope import join, put_under
 from roslens.judge.pattern import REGULAR_EXPRESSION, Pattern
+from roslens.judge.read_reactions import read_reactions
 from roslens.judge.read_sentences import read_sentences
 from roslens.judge.read_told import read_defaults, reading, sentence_id, slug, visible
 from roslens.judge.reference_document import Declared, Defaults, ReferenceDocument, Scope
@@ -119,7 +120,7 @@ class _Reader:
         title = visible(document, "title", document.text("title", name))
         shown = str(source) if isinstance(source, Path) else source.shown
         own = distinct(read_sentences(document, scope), name)
-        self.documents.append(ReferenceDocument(name, title, shown, own))
+        self.documents.append(ReferenceDocument(name, title, shown, own, read_reactions(document, scope)))
 
     def _name(self, document: Section, path: str) -> str:
         if (kind := document.text("kind")) != DOCUMENT_KIND:

@@ -16,8 +16,8 @@ _UNSCOPED = (EntityKind.HOST, EntityKind.PROCESS)
 _KIND_WORDS = {kind.value: kind for kind in KINDS}
 
 
-def read_selector(section: Section, scope: Scope) -> Selector:
-    """Return which entities a constraint selects.
+def read_selector(section: Section, scope: Scope, what: str = "constraint") -> Selector:
+    """Return which entities a constraint, or ``what`` else, selects.
 
     Raises:
         DocumentError: no kind or several are selected, a pattern is wrong, or a kind cannot be narrowed like that.
@@ -25,11 +25,11 @@ def read_selector(section: Section, scope: Scope) -> Selector:
     given = [kind for kind in KINDS if kind.value in section]
     words = ", ".join(_KIND_WORDS)
     if not given:
-        raise section.fault("", "a constraint that selects nothing", expected=f"one of the keys {words}")
+        raise section.fault("", f"a {what} that selects nothing", expected=f"one of the keys {words}")
     if len(given) > 1:
-        expected = "one of them; split the constraint"
+        expected = f"one of them; split the {what}"
         found = " and ".join(f"`{kind.value}`" for kind in given)
-        raise section.fault(given[1].value, f"a constraint on {found}", expected=expected)
+        raise section.fault(given[1].value, f"a {what} on {found}", expected=expected)
     kind = given[0]
     narrowing = {key: _narrowing(section, scope, key, kind) for key in NARROWING}
     return Selector(

@@ -46,7 +46,7 @@ def read_state_checks(section: Section, scope: Scope, selector: Selector, name: 
             expected = f"one of {', '.join(LIFECYCLE)}"
             advice = did_you_mean(wrong[0], LIFECYCLE)
             raise section.fault(key, f"{key} is {wrong[0]!r}", expected=expected, advice=advice)
-        limits = _range(texts) if of is StateOf.VALUE else None
+        limits = number_range(texts) if of is StateOf.VALUE else None
         check = StateCheck(
             told=told_of(section, scope, name, key, key),
             selector=selector,
@@ -58,7 +58,7 @@ def read_state_checks(section: Section, scope: Scope, selector: Selector, name: 
         yield declared(section, scope, check, name, key)
 
 
-def _range(texts: tuple[str, ...]) -> Range | None:
+def number_range(texts: tuple[str, ...]) -> Range | None:
     """Return the range that a single text is; None where it is a value."""
     text = texts[0]
     if len(texts) > 1 or not (".." in text or text.startswith(("<", ">"))):

@@ -9,6 +9,7 @@ import msgspec
 from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Presence, StateCheck, Timing
 from roslens.model.finding import Severity
 from roslens.model.quantity import Quantity
+from roslens.model.reaction import Reaction
 
 Sentence = Expectation | Presence | FieldCheck | AgeChain | StateCheck
 
@@ -61,6 +62,14 @@ class Declared(msgspec.Struct, frozen=True):
     void: bool = False
 
 
+class DeclaredReaction(msgspec.Struct, frozen=True):
+    """A reaction with what merging asks for: what its document calls it, and whether it replaces another."""
+
+    reaction: Reaction
+    name: str
+    override: bool = False
+
+
 class ReferenceDocument(msgspec.Struct, frozen=True):
     """One document: its own sentences, in the order in which they stand; included ones are documents of their own.
 
@@ -71,3 +80,4 @@ class ReferenceDocument(msgspec.Struct, frozen=True):
     title: str
     path: str
     declared: tuple[Declared, ...]
+    reactions: tuple[DeclaredReaction, ...] = ()

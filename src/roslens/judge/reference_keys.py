@@ -20,6 +20,8 @@ REFERENCE_KEYS = {
     "constraints": "what is expected of hosts, nodes, processes, topics, connections, services and parameters",
     "fields": "what is expected of fields of messages",
     "chains": "how old data may be at the end of a path over topics",
+    "conditions": "conditions with a name, for reactions",
+    "reactions": "what is done when something of it does not hold, and when not",
 }
 
 TIMING_KEYS = {

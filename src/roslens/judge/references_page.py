@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from roslens.judge.amount import UNITS
 from roslens.judge.expectation import CONDITIONAL, PresenceMode
+from roslens.judge.reaction_schema import condition_schema, described, named_condition_schema, reaction_schema
 from roslens.judge.read_state_check import LIFECYCLE
 from roslens.judge.reference_keys import (
     CHAIN_KEYS,
@@ -105,7 +106,8 @@ hosts, nodes, processes, topics, connections, services and parameters are fine. 
 what is wrong with documents and what they expect together; `roslens reference explain FILE… topic:/scan` tells what is
 expected of one entity, and where that stands; `roslens reference import FILE` makes a reference of a specification of
 ARNI. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
-[`reference.schema.json`](reference.schema.json) lets editors check and complete such documents.
+[`reference.schema.json`](reference.schema.json) lets editors check and complete such documents. What is done where
+something does not hold stands in the same documents: [reactions](reactions.md).
 
 ```yaml
 """
@@ -219,7 +221,7 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
     }
     modes = [mode.value for mode in PresenceMode if mode not in CONDITIONAL]
     kinds = "|".join(kind.value for kind in KINDS)
-    constraint = _described(
+    constraint = described(
         constraint_keys(known),
         {
             **told,
@@ -237,20 +239,20 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
     constraint["oneOf"] = [{"required": [kind.value]} for kind in KINDS]
     constraint["anyOf"] = [{"required": [key]} for key in ("expected", *STATE_KEYS, *known)]
     constraint["dependentRequired"] = {"override": ["id"]}
-    when = _described(WHEN_KEYS, {"range": amount}, "field", "range")
-    to = _described(TO_KEYS, {}, "field")
+    when = described(WHEN_KEYS, {"range": amount}, "field", "range")
+    to = described(TO_KEYS, {}, "field")
     measures = ("range", "change", "difference")
     ranges = {key: dict(amount) for key in measures}
-    check = _described(FIELD_KEYS, {**told, **ranges, "without": texts, "to": to, "when": when}, "topic", "field")
+    check = described(FIELD_KEYS, {**told, **ranges, "without": texts, "to": to, "when": when}, "topic", "field")
     check["anyOf"] = [{"required": [key]} for key in measures]
     check["dependentRequired"] = {"difference": ["to"], "to": ["difference"]}
-    chain = _described(
+    chain = described(
         CHAIN_KEYS,
         {**told, "age": amount, "topics": {"type": "array", "minItems": 2, "items": {"type": "string"}}},
         "topics",
         "age",
     )
-    document = _described(
+    document = described(
         REFERENCE_KEYS,
         {
             "kind": {"const": DOCUMENT_KIND},
@@ -258,10 +260,12 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
             "title": dict(word),
             "text": dict(word),
             "include": texts,
-            "defaults": _described(DEFAULT_KEYS, told),
+            "defaults": described(DEFAULT_KEYS, told),
             "constraints": {"type": "array", "items": constraint},
             "fields": {"type": "array", "items": check},
             "chains": {"type": "array", "items": chain},
+            "conditions": {"type": "array", "items": named_condition_schema()},
+            "reactions": {"type": "array", "items": reaction_schema()},
         },
         "kind",
         "name",
@@ -270,13 +274,8 @@ def reference_schema(known: Mapping[str, Quantity]) -> dict[str, object]:
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "roslens reference",
         **document,
+        "$defs": {"condition": condition_schema(known)},
     }
-
-
-def _described(keys: Mapping[str, str], types: Mapping[str, Mapping[str, object]], *required: str) -> dict[str, object]:
-    properties = {key: {"description": text, **types.get(key, {"type": "string"})} for key, text in keys.items()}
-    schema: dict[str, object] = {"type": "object", "additionalProperties": False, "properties": properties}
-    return {**schema, "required": list(required)} if required else schema
 
 
 def _without(keys: Mapping[str, str]) -> dict[str, str]:

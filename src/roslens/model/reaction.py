@@ -10,6 +10,10 @@ import msgspec
 from roslens.model.condition import Condition
 from roslens.model.entity import EntityId
 
+SETTLED_S = 2.0
+"""For how long the first cause has to have been the same, where a reaction does not say."""
+COOL_DOWN_S = 60.0
+
 
 class Mode(str, Enum):
     """What a decision leads to: a line in the journal, a question, or the action."""
@@ -73,8 +77,8 @@ class Reaction(msgspec.Struct, frozen=True, omit_defaults=True):
     steps: tuple[EscalationStep, ...]
     only_while: Condition | None = None
     unless: Condition | None = None
-    settled_s: float = 2.0
-    cool_down_s: float = 60.0
+    settled_s: float = SETTLED_S
+    cool_down_s: float = COOL_DOWN_S
     at_most: int = 0
     per_s: float = 0.0
     mode: Mode | None = None

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import tracemalloc
@@ -226,6 +227,23 @@ def test_what_plugins_print_goes_to_the_log(member, make_package, tmp_path, capf
         assert line in text
     assert "[misbehaving: pack/a.py]" in text
     assert "read ''" in messages(outcome)
+
+
+def test_a_step_that_is_heard_late_keeps_what_it_printed(member, make_package, tmp_path, monkeypatch):
+    read = os.read
+
+    def late(descriptor, size):
+        for _ in range(60):
+            if any(b"to standard error" in one.read_bytes() for one in tmp_path.glob("roslens-*/output-*")):
+                break
+            time.sleep(0.01)
+        return read(descriptor, size)
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setattr("roslens.plugins.pool.os.read", late)
+    log = tmp_path / "log"
+    run_package(member("misbehaving.py"), make_package({"a.py": "# print\n"}), log=log)
+    assert log.read_text().startswith("[misbehaving: pack/a.py]\n")
 
 
 def test_a_log_that_cannot_be_written_stops_nothing(member, make_package, tmp_path):

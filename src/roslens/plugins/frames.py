@@ -102,13 +102,18 @@ class Began(msgspec.Struct, frozen=True, tag="began"):
 
 
 class Gave(msgspec.Struct, frozen=True, tag="gave"):
-    """What a step reported, its exception included; ``over`` unless it goes on after a part of it."""
+    """What a step reported, its exception included; ``over`` unless it goes on after a part of it.
+
+    ``printed`` is how many bytes the worker's output had by then, -1 where that is unknown: what it prints before its
+    parent reads this belongs to the next step.
+    """
 
     step: Step
     findings: tuple[RawFinding, ...] = ()
     measurements: tuple[Measurement, ...] = ()
     failures: tuple[Failure, ...] = ()
     over: bool = True
+    printed: int = -1
 
 
 class Loaded(msgspec.Struct, frozen=True, tag="loaded"):

@@ -167,7 +167,7 @@ class ProcessWorkers:
             else:
                 worker.job.receive(answer)
                 if isinstance(answer, Gave) and answer.over:
-                    self._keep_output(worker, f"{answer.step.plugin}: {answer.step.name}")
+                    self._keep_output(worker, f"{answer.step.plugin}: {answer.step.name}", answer.printed)
                     told(answer.step)
 
     def _end_hangs(self, waiting: deque[Job], selector: selectors.BaseSelector) -> None:
@@ -194,9 +194,9 @@ class ProcessWorkers:
         if at is not None or len(job.deaths) == 1:
             waiting.appendleft(job)
 
-    def _keep_output(self, worker: WorkerProcess, title: str) -> str:
-        """Move what a worker printed to the log; return the end of it."""
-        text = worker.new_output()
+    def _keep_output(self, worker: WorkerProcess, title: str, until: int = -1) -> str:
+        """Move what a worker printed, up to a byte where one is known, to the log; return the end of it."""
+        text = worker.new_output(until)
         if text:
             write_log(self._log, title or "between hooks", text)
         return text[-_OUTPUT_SHOWN:]

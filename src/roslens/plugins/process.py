@@ -62,9 +62,11 @@ class WorkerProcess:
         except OSError:
             return
 
-    def new_output(self) -> str:
-        """Return what was printed since the last call."""
+    def new_output(self, until: int = -1) -> str:
+        """Return what was printed since the last call, up to the byte ``until`` unless that is negative."""
         size = self._output.stat().st_size if self._output.exists() else 0
+        if until >= 0:
+            size = min(size, until)
         if size <= self._read:
             return ""
         start = max(self._read, size - _OUTPUT_KEPT)

@@ -17,8 +17,10 @@ import threading
 from queue import SimpleQueue
 from typing import BinaryIO
 
+import msgspec
+
 from roslens.children.limits import limit_process
-from roslens.plugins.frames import LOST_CONNECTION, ORDER_DECODER, Answer, frame, read_frame
+from roslens.plugins.frames import LOST_CONNECTION, ORDER_DECODER, Answer, Gave, frame, read_frame
 from roslens.plugins.perform import Performer
 
 
@@ -87,6 +89,9 @@ def _send(answers: int, own: int, answer: Answer) -> None:
     for stream in (sys.stdout, sys.stderr):
         if stream is not None and not stream.closed:
             stream.flush()
+    if isinstance(answer, Gave):
+        with contextlib.suppress(OSError):
+            answer = msgspec.structs.replace(answer, printed=os.fstat(2).st_size)
     rest = memoryview(frame(answer))
     try:
         while rest:

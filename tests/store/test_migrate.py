@@ -4,6 +4,7 @@ import sqlite3
 from contextlib import closing
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from roslens.model.errors import StoreError
@@ -95,12 +96,18 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         assert view.header == sample.header()
         assert [package.name for package in view.packages()] == ["arm", "drive"]
         assert [finding.severity for finding in view.findings()] == [Severity.WARNING, Severity.NOTE, Severity.ERROR]
-        assert view.package("drive").entities[1:] == sample.drive().entities[1:]
+        entities = [msgspec.structs.replace(one, values={**one.values}) for one in view.package("drive").entities]
+        for one in entities:
+            one.values.pop("revisions", None)
+        assert entities[1:] == list(sample.drive().entities[1:])
         assert view.workspace.package_values == sample.workspace().package_values
         kept = [(one.name, one.configuration.nodes[0].name) for one in view.configurations()]
         assert kept == ([("robot", "/drive")] if dump.stem >= "schema_0002" else [])
         aside = [(one.state.value, one.finding.path) for one in view.set_aside()]
         assert aside == ([("suppressed", "src/drive/src/drive.cpp")] if dump.stem >= "schema_0005" else [])
+        process = [(one.head, one.files) for one in view.process]
+        told = ("c0ffee", {"src/drive/src/drive.cpp": {"revisions": 3.0}})
+        assert process == ([told] if dump.stem >= "schema_0006" else [])
         assert store.view(write_small(store, "key-2")).packages() == view.packages()
 
 

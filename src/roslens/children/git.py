@@ -12,7 +12,18 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 COMMANDS = frozenset(
-    {"cat-file", "config", "diff-tree", "for-each-ref", "log", "ls-files", "ls-tree", "rev-list", "rev-parse"}
+    {
+        "cat-file",
+        "check-mailmap",
+        "config",
+        "diff-tree",
+        "for-each-ref",
+        "log",
+        "ls-files",
+        "ls-tree",
+        "rev-list",
+        "rev-parse",
+    }
 )
 """What git may be asked: none of these runs a filter or writes."""
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.check_graph import graph_look
+from roslens.cli.process_option import process_look, with_process
 from roslens.cli.tools_option import with_tools
 from roslens.cli.workplace import CACHE, FOLDER, own_folder
 
@@ -82,6 +83,7 @@ def analysed(
                 programs=beyond is not None and kept is not None,
                 beyond=beyond,
                 unchanged=unchanged,
+                look_back=None if unchanged is not None else process_look(settings),
             )
         finally:
             progress.finish()
@@ -102,7 +104,7 @@ def settings_of(
     if options.model:
         names = [name for given in options.model for name in given.split(",") if name]
         settings = msgspec.structs.replace(settings, models=tuple(dict.fromkeys(names)))
-    settings = with_tools(options, settings)
+    settings = with_process(options, with_tools(options, settings))
     # Conditions of manifests (REP-149) see what the user sourced, unless the configuration says otherwise.
     seen = {**environment_of(environment), **settings.workspace.environment}
     workspace = msgspec.structs.replace(settings.workspace, environment=seen)

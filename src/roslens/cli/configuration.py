@@ -24,6 +24,7 @@ from roslens.source.settings import (
     GraphSettings,
     IgnoreRule,
     MacroSettings,
+    ProcessSettings,
     RuleSettings,
     SourceSettings,
     WorkspaceSettings,
@@ -68,6 +69,7 @@ _TABLES: dict[str, type[msgspec.Struct]] = {
     "macros": MacroSettings,
     "graph": GraphSettings,
     "rules": RuleSettings,
+    "process": ProcessSettings,
 }
 FAIL_ON = (*(severity.value for severity in Severity), "never")
 

@@ -16,6 +16,8 @@ def pages() -> Mapping[str, str]:
     from roslens.judge.references_page import reference_schema, references_page
     from roslens.live.signals import BY_KEY
     from roslens.report.graph_document import graph_schema
+    from roslens.source.history.describe import process_page
+    from roslens.source.history.metrics.table import PROCESS_METRICS
     from roslens.source.metrics.describe import metrics_page
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.rules.graph import plugin as graph
@@ -31,6 +33,7 @@ def pages() -> Mapping[str, str]:
     models = [load_model(name, known) for name in builtin_models()]
     return {
         "metrics/quantities.md": metrics_page(QUANTITIES.values()),
+        "metrics/process.md": process_page(PROCESS_METRICS),
         "models.md": models_page(models),
         "model.schema.json": _json(model_schema()),
         "references.md": references_page(BY_KEY),

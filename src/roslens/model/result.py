@@ -7,6 +7,7 @@ import msgspec
 from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.process import RepositoryProcess
 from roslens.model.quantity import Quantity
 from roslens.model.set_aside import SetAside
 from roslens.model.source import Package, SourceFile
@@ -98,7 +99,8 @@ class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
     ``tier``, ``cycle``), ``package_findings`` to findings that do, as those of a computation graph;
     ``findings`` and ``failures`` belong to no package; ``rules`` describe every rule that a
     finding of the run may name, ``quantities`` everything that may have been measured; ``set_aside`` are findings that
-    only all packages together show, or that belong to no package.
+    only all packages together show, or that belong to no package; ``process`` is what the histories of
+    repositories say, where it was asked for.
     """
 
     package_values: dict[str, dict[str, float]] = {}
@@ -107,4 +109,5 @@ class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
     failures: tuple[Failure, ...] = ()
     rules: tuple[RuleInfo, ...] = ()
     quantities: tuple[Quantity, ...] = ()
+    process: tuple[RepositoryProcess, ...] = ()
     set_aside: tuple[SetAside, ...] = ()

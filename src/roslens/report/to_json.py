@@ -15,6 +15,7 @@ import msgspec
 from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo
+from roslens.model.process import RepositoryProcess
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.set_aside import SetAside
@@ -79,6 +80,8 @@ def _document(view: RunView, tags: TagFilter, is_new: Callable[[Finding], bool] 
     yield from _array("failures", map(_encode, map(_failure, view.failures())))
     yield from _array("rules", map(_encode, map(_rule, view.rules())))
     yield from _array("quantities", map(_encode, map(_quantity, view.quantities())))
+    if view.process:
+        yield from _array("process", (_encode(_process(one)) for one in view.process))
     yield from _array("set_aside", (_encode(_set_aside(one)) for one in view.set_aside(tags=tags)))
     yield b"\n}\n"
 
@@ -105,6 +108,22 @@ def _run(header: RunHeader, tags: TagFilter) -> dict[str, Any]:
         "models": header.models,
         "configuration": header.configuration,
         "tags": str(tags),
+    }
+
+
+def _process(one: RepositoryProcess) -> dict[str, Any]:
+    """What a history says of its repository; packages and files have theirs among the measurements."""
+    return {
+        "repository": one.path,
+        "head": one.head,
+        "head_s": one.head_s,
+        "as_of_s": plain(one.as_of_s),
+        "skewed": one.skewed,
+        "skew_s": one.skew_s,
+        "metrics": {key: plain(value) for key, value in sorted(one.values.items())},
+        "coupled_files": [msgspec.to_builtins(pair) for pair in one.coupled_files],
+        "coupled_packages": [msgspec.to_builtins(pair) for pair in one.coupled_packages],
+        "releases": [msgspec.to_builtins(release) for release in one.releases],
     }
 
 

@@ -31,7 +31,7 @@ from roslens.source.package_task import package_task
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
 from roslens.source.set_aside_in_run import whole_run
-from roslens.source.settings import RuleSettings, SourceSettings
+from roslens.source.settings import ProcessSettings, RuleSettings, SourceSettings
 from roslens.source.tools.layout import RULE as LAYOUT
 from roslens.source.tools.used import tool_stage
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from roslens.plugins.outcome import Outcome
     from roslens.plugins.points import Manifest
     from roslens.source.analyse_package import MeasuredPackage, PackageTask
+    from roslens.source.history.process_stage import LookBack, Past
     from roslens.source.tools.tool_stage import ToolStage
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
@@ -118,6 +119,7 @@ def analyse(
     programs: bool = False,
     beyond: Beyond | None = None,
     unchanged: Mapping[str, str] | None = None,
+    look_back: LookBack | None = None,
 ) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 
@@ -134,6 +136,7 @@ def analyse(
         programs: whether files are also kept as the programs from which a graph is extracted, from the same parse.
         beyond: a look at all of it that is part of the run.
         unchanged: hashes of files by path; packages of which all files have these are left out.
+        look_back: gives the histories that process metrics are told of; None for none.
 
     Raises:
         UsageError: a path does not exist, or an option of a plug-in is wrong.
@@ -177,8 +180,9 @@ def analyse(
         )
         for found in workspace.packages
     }
-    failures = (*workspace.failures, *unread)
-    further = (*([beyond.key] if beyond else ()), *([tools.failures] if tools else ()))
+    past = look_back(workspace, cache) if look_back is not None else None
+    failures = (*workspace.failures, *unread, *(past.failures if past else ()))
+    further = (*([beyond.key] if beyond else ()), *([tools.failures] if tools else ()), *([past.key] if past else ()))
     key = key_of(units, failures, inventory.failures, plugins.failures, accepted, *further)
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
@@ -202,6 +206,7 @@ def analyse(
             beyond,
             tools,
             silence,
+            past,
         ),
         store,
         cache,
@@ -224,6 +229,7 @@ class _Run(msgspec.Struct, frozen=True):
     beyond: Beyond | None
     tools: ToolStage | None
     silence: Silence
+    past: Past | None
 
     def key_kept(self, key: str) -> str:
         """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
@@ -246,7 +252,8 @@ def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
         (member.name, member.manifest.version, member.fingerprint, _programs(member)) for member in plugins.members
     ]
     # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
-    return key_of(analyser_version(), msgspec.structs.replace(settings, plugins=(), untrusted=()), models, members)
+    own = msgspec.structs.replace(settings, plugins=(), untrusted=(), process=ProcessSettings())
+    return key_of(analyser_version(), own, models, members)
 
 
 def _packaging(found: FoundPackage) -> list[tuple[str, str]]:
@@ -335,6 +342,11 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             rest.append(msgspec.structs.replace(sight.outcome, findings=none))
             configurations = sight.configurations
         whole = _workspace_result(run, stage, models, owned, rest, seen, writer.set_aside_by())
+        if run.past is not None:
+            from roslens.source.history.process_stage import with_process
+
+            paths = {package.id: package.path for package in packages.values()}
+            whole = with_process(whole, run.past, paths, files, writer.function_sums)
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
     store.prune(KEPT_RUNS)

@@ -140,6 +140,17 @@ class IgnoreRule(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown
     rules: tuple[str, ...] = ()
 
 
+class ProcessSettings(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Whether the histories of repositories are looked at.
+
+    ``metrics`` asks for process metrics. ``as_of`` is the date or time (ISO 8601, UTC where it names no zone) that ages
+    are told at; empty for that of each repository's head, so that a commit has the same ages on every day.
+    """
+
+    metrics: bool = False
+    as_of: str = ""
+
+
 class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     """Everything that shapes the result of the source half.
 
@@ -153,6 +164,7 @@ class SourceSettings(msgspec.Struct, frozen=True, omit_defaults=True):
     graph: GraphSettings = GraphSettings()
     rules: RuleSettings = RuleSettings()
     tools: ToolSettings = ToolSettings()
+    process: ProcessSettings = ProcessSettings()
     models: tuple[str, ...] = ("ros",)
     gate_roles: tuple[str, ...] = ("own",)
     plugins: tuple[str, ...] = ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import groupby
 from operator import itemgetter
@@ -14,6 +14,7 @@ import msgspec
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.process import RepositoryProcess
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageResult, PackageSummary, RunHeader, WorkspaceResult
 from roslens.model.set_aside import SetAside
@@ -21,6 +22,7 @@ from roslens.model.source import SourceFile
 from roslens.model.tags import TagFilter, tag_filter
 from roslens.store import rows
 from roslens.store.columns import Columns, columns_of
+from roslens.store.process_values import file_values, measured_by_history, process_numbers
 from roslens.store.question import Conditions, Run
 from roslens.store.summary import with_share
 from roslens.store.values import (
@@ -82,6 +84,7 @@ class RunView:
                 findings=_unit_findings(connection, unit),
                 failures=_unit_failures(connection, unit),
                 set_aside=_unit_set_aside(connection, unit),
+                process=self.process,
                 rules=_decode_rules(rules),
                 quantities=_decode_quantities(quantities),
             )
@@ -95,7 +98,7 @@ class RunView:
         return {package: _unit_findings(connection, unit) for package, unit in found}
 
     @cached_property
-    def _package_values(self) -> dict[str, dict[str, float]]:
+    def _package_values(self) -> dict[str, Mapping[str, float]]:
         values: dict[str, dict[str, float]] = {}
         with self._run.reading() as connection:
             for package, quantity, value in connection.execute(
@@ -103,7 +106,7 @@ class RunView:
                 (self.id,),
             ):
                 values.setdefault(package, {})[quantity] = value
-        return values
+        return {**values, **file_values(self.process)}
 
     def rules(self) -> tuple[RuleInfo, ...]:
         """Return every rule that a finding of the run may name."""
@@ -272,6 +275,14 @@ class RunView:
         with self._run.reading() as connection:
             return read_configurations(connection, self.id)
 
+    @cached_property
+    def process(self) -> tuple[RepositoryProcess, ...]:
+        """What the histories of repositories say; nothing where the run did not ask them."""
+        from roslens.store.process import read_process
+
+        with self._run.reading() as connection:
+            return read_process(connection, self.id)
+
     def measured(self, kind: EntityKind | None = None) -> tuple[str, ...]:
         """Return the keys of the quantities that entities (of one kind) have, folds included, sorted."""
         where = Conditions()
@@ -279,21 +290,28 @@ class RunView:
         found = {row[0] for row in self._run.rows("DISTINCT measured.quantity", "measured", where, order="")}
         if kind in {None, EntityKind.PACKAGE}:
             found.update(quantity for values in self._package_values.values() for quantity in values)
-        return tuple(sorted(found))
+        return tuple(sorted(found | measured_by_history(self.process, kind)))
 
     def values_of(self, quantity: str, kind: EntityKind) -> list[tuple[str, str, float]]:
         """Return entity id, package id and value of every entity of the kind that has the quantity."""
-        return named_numbers(self._run, self._package_values, quantity, kind)
+        found = named_numbers(self._run, self._package_values, quantity, kind)
+        return found or process_numbers(self.process, self.files(), quantity, kind)
 
     def numbers_of(self, quantity: str, kind: EntityKind) -> list[float]:
         """Return every value of the quantity among entities of the kind: what a distribution needs, and quick."""
-        return all_numbers(self._run, self._package_values, quantity, kind)
+        found = all_numbers(self._run, self._package_values, quantity, kind)
+        return found or [value for *_, value in process_numbers(self.process, self.files(), quantity, kind)]
 
     def extremes_of(
         self, quantity: str, kind: EntityKind, count: int = 20, *, highest: bool = True
     ) -> list[tuple[Entity, str, float]]:
         """Return entity, package id and value of the ``count`` highest (or lowest) values, the most extreme first."""
-        return extreme_numbers(self._run, self._package_values, quantity, kind, count, highest=highest)
+        found = extreme_numbers(self._run, self._package_values, quantity, kind, count, highest=highest)
+        if found or not (others := process_numbers(self.process, self.files(), quantity, kind)):
+            return found
+        others.sort(key=lambda one: (-one[2] if highest else one[2], one[0]))
+        known = ((self.entity(identity), package, value) for identity, package, value in others[:count])
+        return [(entity, package, value) for entity, package, value in known if entity is not None]
 
     def _with_package_values(self, summary: PackageSummary) -> PackageSummary:
         more = self._package_values.get(summary.id)

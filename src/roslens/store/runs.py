@@ -194,6 +194,7 @@ class Store:
                 )
                 self._connection.execute("DELETE FROM vocabulary WHERE id NOT IN (SELECT vocabulary FROM run)")
                 self._connection.execute("DELETE FROM graph WHERE id NOT IN (SELECT graph FROM configuration)")
+                self._connection.execute("DELETE FROM process WHERE id NOT IN (SELECT process FROM run_process)")
                 self._connection.execute("COMMIT")
                 shrink(self._connection)
         finally:

@@ -12,7 +12,8 @@ from roslens.store.columns import Number, columns_of, numbers_of
 from roslens.store.question import Conditions, Run
 
 PackageValues = Mapping[str, Mapping[str, float]]
-"""Package id to quantity to value, of the quantities that need all packages."""
+"""Package id to quantity to value, of the quantities that need all packages; likewise by the text form of its id, of
+files, what the history of their repository says."""
 
 _Column = tuple[int, str, int, list[Number | None]]
 """Unit, package id, position of the first entity, a number for it and each one behind it."""
@@ -99,7 +100,7 @@ def _entity_at(run: Run, package_values: PackageValues, unit: int, position: int
 
 
 def with_package_values(identity: str, values: dict[str, float], package_values: PackageValues) -> dict[str, float]:
-    """Return the values of an entity; those of a package with what only the packages together show."""
+    """Return the values of an entity, with what is known of a package or file besides what it contains."""
     kind, _, name = identity.partition(":")
-    more = package_values.get(name) if kind == EntityKind.PACKAGE.value else None
+    more = package_values.get(name if kind == EntityKind.PACKAGE.value else identity)
     return {**values, **more} if more else values

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
 
+from roslens.model.entity import EntityKind
 from roslens.model.errors import StoreError
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
@@ -17,7 +18,7 @@ from roslens.model.result import PackageResult, PackageSummary, RunHeader, Works
 from roslens.model.set_aside import SetAside
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.store import rows
-from roslens.store.columns import by_kind, measured_rows
+from roslens.store.columns import by_kind, measured_rows, numbers_of
 from roslens.store.encodable import encodable, storable_values
 from roslens.store.lock import claim, release
 from roslens.store.sqlite_errors import as_store_errors
@@ -114,6 +115,10 @@ class RunWriter:
                 from roslens.store.configurations import write_configurations
 
                 write_configurations(self._connection, run, configurations)
+            if workspace.process:
+                from roslens.store.process import write_process
+
+                write_process(self._connection, run, workspace.process)
             self._connection.execute("COMMIT")
         return run
 
@@ -167,6 +172,26 @@ class RunWriter:
                     (rows.to_json(list(self._units)),),
                 )
             )
+
+    def function_sums(self, quantity: str) -> dict[str, float]:
+        """Return what the functions of each file have of a quantity together, by path, in all packages of the run."""
+        sums: dict[str, float] = {}
+        with self._open():
+            found = self._connection.execute(
+                'SELECT unit, first, "values" FROM measured WHERE kind = ? AND quantity = ? '
+                "AND unit IN (SELECT value FROM json_each(?))",
+                (EntityKind.FUNCTION.value, quantity, rows.to_json(list(self._units))),
+            ).fetchall()
+            for unit, first, text in found:
+                numbers = numbers_of(text)
+                paths = self._connection.execute(
+                    "SELECT path FROM entity WHERE unit = ? AND position >= ? AND position < ? ORDER BY position",
+                    (unit, first, first + len(numbers)),
+                )
+                for (path,), number in zip(paths, numbers, strict=True):
+                    if number is not None:
+                        sums[path] = sums.get(path, 0) + number
+        return sums
 
     def _insert_findings(self, unit: int, findings: Iterable[Finding], failures: Iterable[Failure]) -> None:
         self._connection.executemany(

@@ -13,6 +13,7 @@ from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
 from roslens.cli.check_scope import scope_of, unchanged_files
 from roslens.cli.check_watch import add_watch_argument, refuse_others, watch_files
+from roslens.cli.process_option import add_process_arguments
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.tools_option import add_tools_arguments, tell_not_run
 from roslens.cli.trust_option import add_trust_argument, admitted_by
@@ -38,6 +39,7 @@ EXAMPLES = """\
   roslens check --baseline report.json                       all, with what is new since a report
   roslens check --changed                                    findings in files that differ from HEAD
   roslens check --watch                                      each file again as it is saved
+  roslens check --process-metrics        also revisions, contributors, churn, ownership, hotspots: of git's history
   roslens check --graph                  also what does not fit together once the launch files are started"""
 
 
@@ -69,6 +71,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_trust_argument(parser)
     add_graph_argument(parser)
     add_tools_arguments(parser)
+    add_process_arguments(parser)
     add_stream_arguments(parser)
 
 

@@ -71,6 +71,12 @@ disable = []
 # Another severity for a rule: { "node.console_output" = "note" }
 severity = {}
 
+[process]
+# What git's history says, too: revisions, contributors, churn, hotspots … (docs/reference/metrics/process.md).
+metrics = false
+# Ages are told at each repository's head, or at this date: "2026-01-31"
+as_of = ""
+
 [tools]
 # Foreign tools that look at the source, too: cpplint, ruff … or all (docs/reference/tools.md).
 use = []

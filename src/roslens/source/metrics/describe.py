@@ -39,10 +39,11 @@ def metrics_page(quantities: Iterable[Quantity]) -> str:
         f"| [`{one.key}`](#{one.key}) | {one.title} | {one.unit} | {_kinds(one.kinds)} | {one.better.value} |"
         for one in quantities
     ]
-    return _HEAD + "\n".join([*overview, "", *map(_section, quantities)])
+    return _HEAD + "\n".join([*overview, "", *map(section, quantities)])
 
 
-def _section(quantity: Quantity) -> str:
+def section(quantity: Quantity) -> str:
+    """Return what the page says of one metric."""
     rows = {
         "Title": quantity.title,
         "Unit": quantity.unit or "none, a number",

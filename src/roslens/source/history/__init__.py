@@ -1,0 +1,1 @@
+"""What git tells of how source came to be: process metrics, and past revisions."""

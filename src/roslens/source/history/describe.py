@@ -1,0 +1,57 @@
+"""The reference page of process metrics, written from their declarations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import ModuleType
+
+from roslens.source.metrics.describe import section
+
+_HEAD = """\
+# Process metrics
+
+What git's history says of repositories, packages and files. This page is made from the declarations in
+`src/roslens/source/history/metrics/`; `make docs` writes it anew.
+
+`roslens check --process-metrics` measures them (or `metrics = true` below `[process]` in `roslens.toml`), for every
+repository that the workspace lies in or holds, with one `git log` each; nothing is fetched, checked out or started.
+What the log of a commit says is kept, so that a second run does not ask again. They are not measured unless asked:
+what a clone has of history differs from machine to machine, and continuous integration mostly has one commit of it.
+
+- Of a repository every commit behind its head counts; of a package or file those that are **no merge** and change
+  something of it. Merges, octopus merges among them, bring together what is counted already.
+- A package is all below its folder, but for packages inside it. Renames are not followed.
+- **Ages are told at the date of the head**, not today's: the same commit has the same ages on every day.
+  `--as-of 2026-01-31` (or `as_of` below `[process]`) tells them at another time; the time stands with the run.
+- Dates are those of the committers' clocks. Commits dated before a parent of theirs are counted as `skewed`, with the
+  worst difference, in the JSON report and on the page of history; no age is below 0.
+- In a **shallow** clone nothing is measured, in a **partial** one not what needs contents of files; a failure says so,
+  and the check ends with exit code 3 unless `--accept-partial` is given. So it does for a repository without a commit.
+- Names of people are compared and not kept: neither reports nor what roslens stores has any.
+
+Each metric has the **command** of git that answers the same, for a repository, and for a package or file as `PATH`
+(of a package with packages inside it, behind it `':(exclude)PATH/INNER'` for each). `tests/process_metrics` holds all
+of them against git:
+
+```sh
+PYTHONPATH=tests python -m process_metrics FOLDER...   # clones with all commits; ends with 1 where one differs
+```
+
+"""
+
+
+def process_page(metrics: Sequence[ModuleType]) -> str:
+    """Return the page of ``metrics``, modules with a ``QUANTITY`` and ``COMMANDS``, in Markdown."""
+    overview = ["| key | metric | unit | measured on |", "| --- | --- | --- | --- |"]
+    for metric in metrics:
+        one = metric.QUANTITY
+        kinds = ", ".join(kind.value for kind in one.kinds)
+        overview.append(f"| [`{one.key}`](#{one.key}) | {one.title} | {one.unit} | {kinds} |")
+    return _HEAD + "\n".join([*overview, "", *map(_described, metrics)])
+
+
+def _described(metric: ModuleType) -> str:
+    lines = ["", "```sh"]
+    for what, command in metric.COMMANDS.items():
+        lines += [f"# of a {'package or file' if what == 'path' else what}", command]
+    return section(metric.QUANTITY) + "\n".join([*lines, "```", ""])

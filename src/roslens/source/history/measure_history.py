@@ -1,0 +1,133 @@
+"""All process metrics of one repository, computed of its log."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from roslens.model.entity import EntityKind
+from roslens.model.process import Coupling, Release, RepositoryProcess
+from roslens.source.history.commit_log import Change, Commit, CommitLog, skewed
+from roslens.source.history.metrics import change_coupling, hotspot, releases, revisions_since_release
+from roslens.source.history.metrics.table import PROCESS_METRICS
+from roslens.source.history.touched import Touched
+
+Commits = list[tuple[Commit, list[Change]]]
+
+
+def measure_history(
+    log: CommitLog,
+    released: Sequence[Release],
+    *,
+    path: str,
+    packages: Mapping[str, str],
+    files: Mapping[str, str],
+    complexity: Mapping[str, float],
+    as_of_s: float | None = None,
+) -> RepositoryProcess:
+    """Return what the log says of a repository, its packages and their files.
+
+    Args:
+        log: with at least one commit.
+        released: releases among its commits, in any order.
+        path: of the repository below the root of the workspace.
+        packages: folder below the root of the repository by package id; a file belongs to the innermost.
+        files: path below the root of the workspace by path below that of the repository, of files to measure.
+        complexity: of all functions of a file together, by path below the root of the workspace.
+        as_of_s: the time that ages are told at, in seconds since 1970; None for the head's own.
+    """
+    head = log.commits[0]
+    at_s = head.time_s if as_of_s is None else as_of_s
+    owners = _owners(log.paths, packages)
+    of_package: dict[str, Commits] = defaultdict(list)
+    of_path: dict[int, Commits] = defaultdict(list)
+    for commit in log.commits:
+        if commit.is_merge:
+            continue
+        parts: dict[str, list[Change]] = defaultdict(list)
+        for change in commit.changes:
+            of_path[change.path].append((commit, [change]))
+            parts[owners[change.path]].append(change)
+        for owner, changes in parts.items():
+            of_package[owner].append((commit, changes))
+    whole = [(commit, list(commit.changes)) for commit in log.commits]
+    couples = [not change_coupling.RELEASE_FILES.fullmatch(name) for name in log.paths]
+    coupled_files = change_coupling.couplings(_named(log, [files.get(name, "") for name in log.paths], couples))
+    coupled_packages = change_coupling.couplings(_named(log, owners, couples))
+
+    def values(kind: EntityKind, commits: Commits) -> dict[str, float]:
+        touched = Touched(kind, commits, as_of_s=at_s, head_s=head.time_s)
+        return dict(_values(touched, lines=log.has_lines))
+
+    file_values = {
+        files[name]: values(EntityKind.FILE, of_path[place])
+        for place, name in enumerate(log.paths)
+        if name in files and place in of_path
+    }
+    for one, known in file_values.items():
+        if "churn" in known and (product := hotspot.of_file(known["churn"], complexity.get(one))) is not None:
+            known[hotspot.QUANTITY.key] = product
+    package_values = {one: values(EntityKind.PACKAGE, of_package[one]) for one in packages if one in of_package}
+    if log.has_changes:
+        _add_partners(file_values, coupled_files)
+        _add_partners(package_values, coupled_packages)
+    times = skewed(log)
+    newest = tuple(sorted(released, key=lambda one: (-one.time_s, one.name)))
+    since = revisions_since_release.of_log(log, newest)
+    return RepositoryProcess(
+        path,
+        head.id,
+        head.time_s,
+        at_s,
+        *times,
+        values={
+            **values(EntityKind.REPOSITORY, whole),
+            releases.QUANTITY.key: releases.of_releases(newest),
+            **({} if since is None else {revisions_since_release.QUANTITY.key: since}),
+        },
+        packages=package_values,
+        files=file_values,
+        coupled_files=coupled_files,
+        coupled_packages=coupled_packages,
+        releases=newest,
+    )
+
+
+def _values(touched: Touched, *, lines: bool) -> Iterator[tuple[str, float]]:
+    for metric in PROCESS_METRICS:
+        quantity = metric.QUANTITY
+        if touched.kind not in quantity.kinds or not hasattr(metric, "of_touched"):
+            continue
+        if getattr(metric, "NEEDS_LINES", False) and not lines:
+            continue
+        value = metric.of_touched(touched)
+        if value is not None:
+            yield quantity.key, float(value)
+
+
+def _named(log: CommitLog, names: Sequence[str], counts: Sequence[bool]) -> Iterator[tuple[int, frozenset[str]]]:
+    """Yield how many files each commit changes, and the names of those that count; what has none is left out."""
+    for commit in log.commits:
+        if not commit.is_merge and commit.changes:
+            found = frozenset(names[change.path] for change in commit.changes if counts[change.path])
+            yield len(commit.changes), found - {""}
+
+
+def _add_partners(values: dict[str, dict[str, float]], found: Iterable[Coupling]) -> None:
+    numbers = change_coupling.partners(found)
+    for name, known in values.items():
+        known[change_coupling.QUANTITY.key] = float(numbers[name])
+
+
+def _owners(paths: Sequence[str], packages: Mapping[str, str]) -> list[str]:
+    """Return the id of the package that each path is in; empty for none."""
+    folders = {("" if folder in ("", ".") else folder): package for package, folder in packages.items()}
+    known: dict[str, str] = {}
+
+    def owner(folder: str) -> str:
+        if folder not in known:
+            above = folder.rpartition("/")[0] if folder else ""
+            known[folder] = folders[folder] if folder in folders else owner(above) if folder else ""
+        return known[folder]
+
+    return [owner(path.rpartition("/")[0]) for path in paths]

@@ -1,0 +1,1 @@
+"""Process metrics, one a file: pure functions of commits."""

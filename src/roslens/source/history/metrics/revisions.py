@@ -1,0 +1,29 @@
+"""Number of revisions (#Rev)."""
+
+from __future__ import annotations
+
+from roslens.model.entity import EntityKind
+from roslens.model.quantity import Better, Quantity
+from roslens.source.history.touched import Touched
+
+QUANTITY = Quantity(
+    key="revisions",
+    title="Revisions",
+    unit="commits",
+    kinds=(EntityKind.REPOSITORY, EntityKind.PACKAGE, EntityKind.FILE),
+    text="How often it was changed: the commits behind the head.",
+    better=Better.NEITHER,
+    formula="number of commits; of a package or file those that are no merge and change something of it",
+    source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (#Rev)",
+    limits="Renames are not followed: a file that was moved begins anew. A history that was squashed has few.",
+)
+
+COMMANDS = {
+    "repository": "git rev-list --count HEAD",
+    "path": "git rev-list --count --no-merges --full-history HEAD -- PATH",
+}
+
+
+def of_touched(touched: Touched) -> float:
+    """Return the number of commits."""
+    return len(touched.commits)

@@ -1,0 +1,102 @@
+"""Process metrics in a run: who tells them, and what a run has to give for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Protocol
+
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.model.process import RepositoryProcess
+from roslens.model.result import WorkspaceResult
+from roslens.model.source import SourceFile
+from roslens.source.history.histories import Histories, histories_of, log_reader
+from roslens.source.workspace.find import Workspace
+from roslens.store.cache import Cache
+
+
+class Past(Protocol):
+    """The histories of a workspace's repositories."""
+
+    @property
+    def key(self) -> str:
+        """A key of all that shapes what they say."""
+
+    @property
+    def failures(self) -> tuple[Failure, ...]:
+        """What is known from the start that they cannot say."""
+
+    def tell(
+        self,
+        packages: Mapping[str, str],
+        files: Mapping[str, Sequence[SourceFile]],
+        complexity: Mapping[str, float],
+    ) -> tuple[tuple[RepositoryProcess, ...], tuple[Failure, ...]]:
+        """Return what they say of the packages, by folder, and files; and what could not be told."""
+
+
+LookBack = Callable[[Workspace, Cache], Past]
+
+
+class PastOfWorkspace(msgspec.Struct, frozen=True):
+    """The histories of the repositories that a workspace lies in or holds."""
+
+    histories: Histories
+    cache: Cache
+
+    @property
+    def key(self) -> str:
+        """A key of all that shapes what they say."""
+        return self.histories.key
+
+    @property
+    def failures(self) -> tuple[Failure, ...]:
+        """What is known from the start that they cannot say."""
+        return self.histories.failures
+
+    def tell(
+        self,
+        packages: Mapping[str, str],
+        files: Mapping[str, Sequence[SourceFile]],
+        complexity: Mapping[str, float],
+    ) -> tuple[tuple[RepositoryProcess, ...], tuple[Failure, ...]]:
+        """Return what they say, and what could not be told."""
+        return self.histories.measure(packages, files, complexity, log_reader(self.cache))
+
+
+def with_process(
+    whole: WorkspaceResult,
+    past: Past,
+    packages: Mapping[str, str],
+    files: Mapping[str, Sequence[SourceFile]],
+    sums: Callable[[str], Mapping[str, float]],
+) -> WorkspaceResult:
+    """Return the result with process metrics.
+
+    Args:
+        whole: without them.
+        past: tells them.
+        packages: folder of each package below the root of the workspace.
+        files: of each package.
+        sums: gives, of a quantity, what all functions of a file have together.
+    """
+    from roslens.source.history.metrics.table import PROCESS_QUANTITIES
+
+    found, failures = past.tell(packages, files, sums("cyclomatic_complexity"))
+    values = {package: dict(known) for package, known in whole.package_values.items()}
+    for one in found:
+        for package, known in one.packages.items():
+            values.setdefault(package, {}).update(known)
+    return msgspec.structs.replace(
+        whole,
+        package_values=values,
+        failures=(*whole.failures, *failures),
+        quantities=(*whole.quantities, *PROCESS_QUANTITIES.values()),
+        process=found,
+    )
+
+
+def look_back(as_of_s: float | None) -> LookBack:
+    """Return what looks at the histories of a workspace as it stands."""
+    return lambda workspace, cache: PastOfWorkspace(histories_of(workspace, as_of_s=as_of_s), cache)

@@ -19,6 +19,7 @@ from roslens.judge.gate import GateConditions
 from roslens.model.errors import DocumentError, UsageError
 from roslens.model.finding import Severity
 from roslens.model.source import Location, Role
+from roslens.source.fetch.settings import FetchSettings
 from roslens.source.settings import (
     CountingSettings,
     GraphSettings,
@@ -48,6 +49,7 @@ class Configuration(msgspec.Struct, frozen=True):
     gate: GateConditions | None = None
     accept_partial: bool = False
     jobs: int = 0
+    fetch: FetchSettings = FetchSettings()
     path: str = ""
     base: str = ""
 
@@ -157,7 +159,7 @@ class _Reader:
         self._prefix = prefix
 
     def read(self, document: Mapping[str, Any]) -> Configuration:
-        valid = (*_TOP, *_TABLES, "gate", "options", "tools")
+        valid = (*_TOP, *_TABLES, "fetch", "gate", "options", "tools")
         for key in document:
             if key not in valid:
                 raise self._unknown((key,), valid)
@@ -191,7 +193,9 @@ class _Reader:
             )
         if "gate_roles" in top:
             top["gate_roles"] = tuple(role.value for role in top["gate_roles"])
-        own = {key: top.pop(key) for key in ("accept_partial", "jobs") if key in top}
+        own: dict[str, Any] = {key: top.pop(key) for key in ("accept_partial", "jobs") if key in top}
+        if "fetch" in document:
+            own["fetch"] = self._table("fetch", document["fetch"], FetchSettings)
         source = SourceSettings(**top, **tables, options=self._options(document.get("options", {})))
         return Configuration(source, fail_on, gate, path=str(self._path), base=str(self._path.parent), **own)
 

@@ -18,6 +18,7 @@ from roslens.cli.commands import (
     doctor,
     env,
     explain,
+    fetch,
     graph,
     history,
     init,
@@ -34,6 +35,7 @@ from roslens.cli.commands import (
 
 COMMANDS = {
     "check": check,
+    "fetch": fetch,
     "report": report,
     "serve": serve,
     "lsp": lsp,

@@ -15,11 +15,13 @@ from threading import Lock
 import msgspec
 
 from roslens.children.safe_path import python_words, safe_environment
+from roslens.children.session import number_in_session
 
 MOST_BYTES = 64 * 1024 * 1024
 """Bytes that one process may print; one that prints more is ended and its output is not looked at."""
 
 _KEPT_IN_MESSAGE = 300
+_LOOK_S = 0.2
 
 _START = """\
 import os
@@ -62,7 +64,16 @@ class ToolRunner:
         self._lock = Lock()
         self.started = 0
 
-    def run(self, words: Sequence[str], *, folder: str, time_limit_s: float, safe_path: bool = True) -> Ended:
+    def run(
+        self,
+        words: Sequence[str],
+        *,
+        folder: str,
+        time_limit_s: float,
+        safe_path: bool = True,
+        environment: Mapping[str, str] | None = None,
+        most_processes: int = 0,
+    ) -> Ended:
         """Run a program to its end and return what it left.
 
         It hears nothing on standard input, and imports no Python module from the folder it is started in.
@@ -72,6 +83,8 @@ class ToolRunner:
             folder: the current folder of the process.
             time_limit_s: seconds after which it is ended with everything it started.
             safe_path: whether a Python that it starts leaves the folder of its script off the path, too.
+            environment: its variables, where they are not those of this process.
+            most_processes: with how many more at once it is ended; 0 for any number, as where the kernel tells none.
 
         Raises:
             ToolError: it could not be started, did not end in time, or printed too much.
@@ -84,7 +97,7 @@ class ToolRunner:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
                 start_new_session=True,
-                env=_environment(os.environ, safe_path=safe_path),
+                env=environment or _environment(os.environ, safe_path=safe_path),
             )
         except OSError as error:
             raise ToolError(f"cannot be started: {error.strerror}") from error
@@ -92,7 +105,7 @@ class ToolRunner:
             self._running.add(process)
             self.started += 1
         try:
-            return self._followed(process, time.monotonic() + time_limit_s, time_limit_s)
+            return self._followed(process, time.monotonic() + time_limit_s, time_limit_s, most_processes)
         finally:
             _end(process)
             with self._lock:
@@ -105,7 +118,9 @@ class ToolRunner:
         for process in running:
             _end_group(process)
 
-    def _followed(self, process: subprocess.Popen[bytes], deadline: float, time_limit_s: float) -> Ended:
+    def _followed(
+        self, process: subprocess.Popen[bytes], deadline: float, time_limit_s: float, most_processes: int
+    ) -> Ended:
         assert process.stdout is not None  # noqa: S101 - Popen was asked for pipes
         assert process.stderr is not None  # noqa: S101
         taken: dict[int, list[bytes]] = {process.stdout.fileno(): [], process.stderr.fileno(): []}
@@ -114,8 +129,11 @@ class ToolRunner:
             for descriptor in taken:
                 selector.register(descriptor, selectors.EVENT_READ)
             while selector.get_map():
-                ready = selector.select(max(0.0, deadline - time.monotonic()))
-                if not ready:
+                left = deadline - time.monotonic()
+                ready = selector.select(max(0.0, min(left, _LOOK_S) if most_processes else left))
+                if most_processes and (many := number_in_session(process.pid)) > most_processes:
+                    raise ToolError(f"started {many} processes, which would go on and on")
+                if not ready and deadline <= time.monotonic():
                     raise ToolHangError(f"did not end within {time_limit_s:g} s")
                 for key, _ in ready:
                     piece = os.read(key.fd, 1 << 16)

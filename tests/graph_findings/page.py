@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 from graph_findings.judgements import ROOT, Judgement, Sample
 from roslens.model.finding import Severity
@@ -14,6 +14,8 @@ RULES_PAGE = ROOT / "docs" / "accuracy_of_rules.md"
 MEASURED = ROOT / "src" / "roslens" / "source" / "rules" / "precision.toml"
 GOAL = 0.8
 """A rule of which less is true is a note."""
+BOUND = 0.9
+"""The same of coding rules."""
 _FEW = 5
 _HEAD = """# How many findings of the graph are true
 
@@ -46,9 +48,8 @@ is not true.
 A rule that is on by default and a warning or an error has at least 90 % of them true; one that has not is mended, a
 note, or off. Where fewer than 5 were found, the share says little.
 
-Each table is of the rules as they were when it was drawn, and stays. What the first showed was mended before the second
-was drawn, on other repositories. After the second, rules below the bound of which five or more were read became notes,
-where they were not mended; that is not measured again.
+Each table is of the rules as they were when it was drawn, and stays; what one showed was mended before the next was
+drawn, on other repositories. What was read before a rule was mended still counts in its share here and on its own page.
 
 To measure on other repositories: `PYTHONPATH=tests python -m graph_findings sample FOLDER --native --seed N -o FILE`
 draws the sample of the clones below a folder, `verdict` and `why` are filled in by hand, the file goes to the tables,
@@ -58,21 +59,58 @@ and `make graph-findings` writes this page and what the pages of rules say of it
 
 def rules_page(found: Mapping[str, Sample]) -> str:
     """Return the page on coding rules."""
-    on = [rule.id for rule in native_rules().values() if rule.profiles and rule.severity is not Severity.NOTE]
-    return _page(_NATIVE_HEAD, on, found)
+    rules = native_rules()
+    on = [rule.id for rule in rules.values() if rule.profiles and rule.severity is not Severity.NOTE]
+    errors = {rule.id for rule in rules.values() if rule.profiles and rule.severity is Severity.ERROR}
+    by_default = {rule.id for rule in rules.values() if {"ros1", "ros2"} & set(rule.profiles)}
+    together = _together(found, [one for one in on if one in by_default], errors)
+    return _page("\n".join((_NATIVE_HEAD, *together)), on, found)
+
+
+def _together(found: Mapping[str, Sample], on: Sequence[str], errors: Container[str]) -> list[str]:
+    """Return what all tables say of the rules that are on by default."""
+    sums = totals(found)
+    drawn_in = sorted(found.items(), key=lambda item: item[1].seed)
+    latest = {rule: name for name, sample in drawn_in for rule in sample.population}
+    known, least = [one for one in on if sums.get(one, (0, 0))[1]], 100 * BOUND
+    below = [one for one in known if sums[one][1] >= _FEW and 100 * sums[one][0] < least * sums[one][1]]
+    lines = ["## All tables together", ""]
+    lines.append(
+        f"Of {len(on)} rules that are on by default as warnings or errors, {len(known)} were found in the field; of "
+        f"{sum(sums[one][1] >= _FEW for one in known)} five or more findings were read."
+    )
+    lines += ["", f"Below {least:.0f} % over all tables, with five or more read, and mended because of it:", ""]
+    for rule in below:
+        true, read = sums[rule]
+        last = shares(found[latest[rule]])[rule]
+        lines.append(f"- `{rule}`: {true} of {read}; in the last table that has it {last[0]} of {last[1]}")
+    few = [one for one in on if one in errors and sums.get(one, (0, 0))[1] < _FEW]
+    lines += [
+        "",
+        "Errors of which fewer than five findings were read, so that their severity rests on what they say:",
+        "",
+    ]
+    lines += [f"- `{one}`: {'{} of {} true'.format(*sums[one]) if one in known else 'none read'}" for one in few]
+    silent = [f"`{one}`" for one in on if one not in known]
+    lines += ["", f"Never found in the field ({len(silent)}): {', '.join(silent)}.", ""]
+    return lines
+
+
+def totals(found: Mapping[str, Sample]) -> dict[str, tuple[int, int]]:
+    """Return of each rule how many findings were true and read, over the samples to which nothing was tuned."""
+    sums: dict[str, tuple[int, int]] = {}
+    for sample in found.values():
+        if sample.developed_on:
+            continue
+        for rule, (true, read) in shares(sample).items():
+            held = sums.get(rule, (0, 0))
+            sums[rule] = held[0] + true, held[1] + read
+    return sums
 
 
 def measured(found: Mapping[str, Sample]) -> str:
     """Return the data of rules: how many findings were true of how many read, where nothing was tuned to them."""
-    sums: dict[str, list[int]] = {}
-    for sample in found.values():
-        if sample.developed_on:
-            continue
-        for rule, pair in shares(sample).items():
-            held = sums.setdefault(rule, [0, 0])
-            held[0] += pair[0]
-            held[1] += pair[1]
-    lines = [f'"{rule}" = [{true}, {read}]' for rule, (true, read) in sorted(sums.items()) if read]
+    lines = [f'"{rule}" = [{true}, {read}]' for rule, (true, read) in sorted(totals(found).items()) if read]
     return "\n".join(("# Findings that were true, and that were read: `make graph-findings` writes it.", *lines)) + "\n"
 
 
@@ -83,7 +121,7 @@ def page(found: Mapping[str, Sample]) -> str:
 
 def _page(head: str, on: Sequence[str], found: Mapping[str, Sample]) -> str:
     lines = [head]
-    for name, one in sorted(found.items(), key=lambda item: (item[1].developed_on, item[0])):
+    for name, one in sorted(found.items(), key=lambda item: (item[1].developed_on, item[1].seed, item[0])):
         lines += _section(name, one, on)
     return "\n".join(lines).rstrip("\n") + "\n"
 

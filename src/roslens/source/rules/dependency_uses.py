@@ -109,7 +109,9 @@ def _of_sources(view: PackageView) -> Iterator[Use]:
 
 def _of_launch(view: PackageView) -> Iterator[Use]:
     for file in view.launch:
-        if file.is_test or _AROUND.search(view.inside(dirname(file.path))):
+        # A launch file of ROS 1 that was left in a package for ROS 2 is not used.
+        left = view.ros == {2} and any(one.tag == "node" and "type" in one.attributes for one, _ in file.elements)
+        if left or file.is_test or _AROUND.search(view.inside(dirname(file.path))):
             continue
         for element, _ in file.elements:
             names = [name for value in element.attributes.values() for name in _FOUND.findall(value)]

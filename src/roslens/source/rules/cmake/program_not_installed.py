@@ -31,6 +31,8 @@ def found(view: PackageView) -> Iterator[Hit]:
         name = one.words[0]
         if name in names or {"EXCLUDE_FROM_ALL", "IMPORTED", "ALIAS"} & set(one.words) or _is_aside(one.path, name):
             continue
+        if any(_is_aside(word, "") for word in one.words[1:]):
+            continue  # an example or a tool of the developers, run from where it is built
         used = [each for each in cmake.commands if each is not one and name in each.words]
         if any(each.name in ("add_test", "add_custom_command", "ament_add_test", "add_rostest") for each in used):
             continue
@@ -48,8 +50,8 @@ def _is_aside(path: str, name: str) -> bool:
 RULE = PackageRule(
     id="cmake.program_not_installed",
     title="Program that is not installed",
-    finds="An executable, built outside of conditions and tests, that no `install(TARGETS …)` names. In ROS 1 it "
-    "is a note: the devel space finds it.",
+    finds="An executable, built outside of conditions, tests and examples, that no `install(TARGETS …)` names. In "
+    "ROS 1 it is a note: the devel space finds it.",
     why='`ros2 run` and launch files look into the installation: "executable not found" on the robot.',
     profiles=("ros2", "ros1"),
     tags=("build", "install"),

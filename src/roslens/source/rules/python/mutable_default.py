@@ -28,11 +28,22 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if re.search(rf"^\s*{word}\s*=[^=]", text, re.MULTILINE):
         return
     changed = rf"\b{word}\.(?:{_CHANGES})\(|\b{word}\[[^\]]*\]\s*[+-]?=[^=]|\b{word}\s*\+="
-    if re.search(rf"(?<![\w.]){changed}|[\w.]+\.\w+\s*=\s*{word}\s*$|return {word}\s*$", text, re.MULTILINE):
+    kept = re.search(rf"([\w.]+\.\w+)\s*=\s*{word}\s*$", text, re.MULTILINE)
+    is_shared = kept is not None and _is_changed(kept[1], view)
+    if is_shared or re.search(rf"(?<![\w.]){changed}|return {word}\s*$", text, re.MULTILINE):
         message = (
             f"all calls share the default {view.text(value)!r} of {view.text(name)!r}; expected None, replaced inside"
         )
         yield view.hit("python.mutable_default", node, message)
+
+
+def _is_changed(attribute: str, view: FileView) -> bool:
+    """Return whether an attribute that keeps a default may be changed: of the object itself only what the file does."""
+    owner, _, name = attribute.rpartition(".")
+    if owner != "self":
+        return True
+    changed = rf"\.{name}\.(?:{_CHANGES})\(|\.{name}\[[^\]]*\]\s*[+-]?=[^=]|\.{name}\s*\+="
+    return re.search(changed.encode(), view.source) is not None
 
 
 def _is_mutable(value: Node, view: FileView) -> bool:
@@ -45,7 +56,7 @@ RULE = FileRule(
     id="python.mutable_default",
     title="Default that calls share and change",
     finds="A list, dictionary or set as the default of a parameter, where the function changes it, keeps it in an "
-    "attribute or returns it. Use `None`, and make a new one inside.",
+    "attribute that is changed later, or returns it. Use `None`, and make a new one inside.",
     why="The default is made once: what one node, or one callback, adds to it is there for all others.",
     profiles=("ros2", "ros1"),
     tags=(),

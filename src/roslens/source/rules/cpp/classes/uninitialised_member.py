@@ -61,13 +61,23 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             fields.extend(_scalars(member.node, view))
     for field, place in fields if bodies else ():
         if not any(True for start, end in bodies for _ in word_places(field.encode(), view, start, end)):
-            is_read = is_whole and not bases_of(node, view) and _is_only_read(field, functions, view)
+            is_read = (
+                is_whole
+                and not bases_of(node, view)
+                and not _is_base(name, view)
+                and _is_only_read(field, functions, view)
+            )
             yield view.hit(
                 "cpp.uninitialised_member",
                 place,
                 f"`{field}` has no value after construction; expected one where it is declared",
                 severity=None if is_read else Severity.NOTE,
             )
+
+
+def _is_base(name: str, view: FileView) -> bool:
+    """Return whether another class of the file is derived from it: its constructor may give the values."""
+    return re.search(rb"(?:public|protected|private|:)\s+%s\b" % re.escape(name.encode()), view.code) is not None
 
 
 def _is_only_read(field: str, functions: list[Node], view: FileView) -> bool:

@@ -14,6 +14,8 @@ from roslens.source.rules.rule import FileRule
 
 _MEANT = re.compile(rb"fall|FALL|thr(?:ough|u)|intentional|no break|deliberate|continue", re.IGNORECASE)
 
+_CHANGES = re.compile(r"^[\w.>-]+\s*[-+*/|&]=")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a case whose last statement runs on into another case."""
@@ -25,6 +27,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if any(one is not None and _runs_on(one, view) for one in (following, preceding)):
         return
     if last is None or ends_flow(last, view) or last.type in ("attributed_statement", "switch_statement"):
+        return
+    if _prepares(node, view):
         return
     between = view.content[last.start_byte : following.start_byte]
     tail = view.lines[view.place(max(last.end_byte - 1, 0))[0] - 1]
@@ -42,6 +46,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         node.children[0],
         f"`{label[:60]}` falls through to the next case; expected `break` or `[[fallthrough]]`",
     )
+
+
+def _prepares(case: Node, view: FileView) -> bool:
+    """Return whether all that a case does is to change a value for the next one, or nothing."""
+    value = case.child_by_field_name("value")
+    inside = [one for one in case.named_children if one.type != "comment" and one != value]
+    if len(inside) != 1 or inside[0].type != "expression_statement":
+        return False
+    return inside[0].named_child_count == 0 or _CHANGES.search(view.text(inside[0])) is not None
 
 
 def _runs_on(case: Node, view: FileView) -> bool:
@@ -65,7 +78,8 @@ RULE = FileRule(
     id="cpp.fallthrough",
     title="Case that falls through",
     finds="A `case` with statements that neither ends in `break`, `return`, `throw`, `continue` or `goto`, nor "
-    "says `[[fallthrough]]` or, in a comment, that it falls through.",
+    "says `[[fallthrough]]` or, in a comment, that it falls through. "
+    "One that only changes a value which the next case uses (`low -= step;`) is let be.",
     why="A command of one mode also does what the next mode does.",
     profiles=(
         "ros2",

@@ -43,6 +43,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if block.type not in ("compound_statement", "case_statement") or block.has_error:
         return
+    if node.type == "return_statement" and following.type == "return_statement":
+        return
     # Compilers ask for a value behind what they do not know to throw.
     if node.type == "throw_statement" and following.type == "return_statement":
         return
@@ -56,7 +58,7 @@ RULE = FileRule(
     id="cpp.unreachable",
     title="Unreachable statement",
     finds="A statement behind `return`, `throw`, `break`, `continue` or `goto` in the same block. A `break` "
-    "behind a `return` is let be. Remove it, or mend the order.",
+    "or a second `return` behind a `return` is let be. Remove it, or mend the order.",
     why="What is meant to happen last, such as stopping a motor or closing a port, never does.",
     profiles=(
         "ros2",

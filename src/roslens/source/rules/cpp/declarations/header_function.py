@@ -34,6 +34,8 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         # A piece that is read inside of a class of others, as the plug-ins of Eigen are.
         if "::" not in name and any(one.type == "type_qualifier" for one in function.children):
             continue
+        if "::" in name and _is_inline_inside(name, view):
+            continue
         body = node.child_by_field_name("body")
         start = max(view.code.rfind(b";", 0, node.start_byte), view.code.rfind(b"}", 0, node.start_byte)) + 1
         head = view.code[max(start, node.start_byte - 200) : body.start_byte if body is not None else node.end_byte]
@@ -45,6 +47,12 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             f"`{name}` is defined in every file that includes this header; expected `inline`",
             only=GUARDED,
         )
+
+
+def _is_inline_inside(name: str, view: FileView) -> bool:
+    """Return whether the class, in this file, declares a member function ``inline`` or ``constexpr``."""
+    last = re.escape(name.rpartition("::")[2].encode())
+    return re.search(rb"\b(?:inline|constexpr)\b[^;{}()]*\b" + last + rb"\s*\([^;{}]*;", view.code) is not None
 
 
 RULE = FileRule(

@@ -14,7 +14,7 @@ from roslens.source.rules.rule import FileRule
 
 _OPERATORS = frozenset({"&&", "||", "<", ">", "<=", ">=", "-", "/", "%", "|", "&", "^", "and", "or"})
 
-
+_CONSTANT = re.compile(r"[A-Z][A-Z0-9_]+")
 _ASKS = re.compile(r"!?(?:[\w.]|->|::)*\b(?:is|has|empty|size|count|contains|abs|fabs)\w*\([^()]*\)")
 
 
@@ -27,8 +27,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     operator = view.text(node.child_by_field_name("operator"))
     text = view.text(left)
-    if text in ("INFINITY", "NAN"):
-        return
+    if text in ("INFINITY", "NAN") or (operator == "-" and _CONSTANT.fullmatch(text)):
+        return  # an offset from the first of several constants, written as the others are
     if operator not in _OPERATORS or "++" in text or "--" in text or is_declaration(node) or not text:
         return
     # What is called twice may give two values.

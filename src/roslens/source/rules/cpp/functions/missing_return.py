@@ -18,6 +18,8 @@ _ENDS = re.compile(
 )
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 
+_CALLED = re.compile(r"([A-Za-z_]\w*)\s*\(")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a function that has a type of result and a body, and never returns one."""
@@ -52,11 +54,18 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if declarator.type == "function_declarator" and "->" in view.text(declarator) and "void" in view.text(declarator):
         return
-    if all(one.type == "comment" for one in body.named_children):
+    if all(one.type == "comment" for one in body.named_children) or _ends_in_macro(body, view):
         return
     yield view.hit(
         "cpp.missing_return", function, f"`{name}` returns {text} but has no `return`; expected one, or `void`"
     )
+
+
+def _ends_in_macro(body: Node, view: FileView) -> bool:
+    """Return whether the last statement is a macro, which may return: ``PYBIND11_OVERRIDE(bool, Base, apply);``."""
+    last = [one for one in body.named_children if one.type != "comment"][-1]
+    called = _CALLED.match(view.text(last))
+    return called is not None and _MACRO.fullmatch(called[1]) is not None
 
 
 RULE = FileRule(

@@ -7,10 +7,14 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.cpp_class import has_token, name_node
+from roslens.source.rules.cpp_class import function_declarator, has_token, name_node
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+
+_MACRO = re.compile(r"[A-Z][A-Z0-9_]*")
+_PLAIN = ("primitive_type", "sized_type_specifier")
+"""Types of numbers, which have no constructor to call: this declares a function on purpose."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -34,7 +38,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         or has_token(node, "storage_class_specifier")
     ):
         return
-    if above(node, "function_definition", "lambda_expression") is None:
+    function = above(node, "function_definition", "lambda_expression")
+    # A class behind a macro looks like a function, and so may a macro on a line of its own like a type.
+    if function is None or _MACRO.fullmatch(text) or (kind is not None and kind.type in _PLAIN):
+        return
+    if function.type == "function_definition" and function_declarator(function) is None:
         return
     # What is called later in the block is a function.
     if re.search(rb"\b%s\s*\(" % name.encode(), view.code[node.end_byte : block.end_byte]):

@@ -44,6 +44,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     match = re.search(published, view.code[start : body.end_byte])
     if match is None or _TIME_PASSES.search(view.code[body.start_byte : start + match.end()]):
         return
+    if re.search(published, view.code[start + match.end() : body.end_byte]):
+        return  # it is said again, later or by a timer
     place = view.node_at(start + match.start(2), start + match.end(2))
     if place is not None and function_around(place) == function and loop_around(place) == loop_around(call):
         yield view.hit(
@@ -57,7 +59,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.publish_too_early",
     title="Message published right after its publisher was made",
-    finds="A publisher and its first `publish` in one function, with no wait between. Publish later, wait for "
+    finds="A publisher and its first `publish` in one function, with no wait between; one that publishes "
+    "again is let be. "
+    "Publish later, wait for "
     "subscriptions, or make it transient local (ROS 2) or latched (ROS 1).",
     why="Subscriptions are matched over the network after the call that makes the publisher: what is published at once "
     "reaches nobody, on most days.",

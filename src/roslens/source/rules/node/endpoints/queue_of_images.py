@@ -13,6 +13,8 @@ from roslens.source.rules.node.messages.stamped import LARGE
 from roslens.source.rules.rule import ROSPY, FileRule
 
 _MOST_POSITIONAL = 4
+_SELDOM = frozenset(("PoseArray", "Path", "MarkerArray"))
+"""Large, but sent now and then."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -24,7 +26,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if view.text(call.child_by_field_name("function")) not in ("rospy.Subscriber", "Subscriber"):
         return
     named, kind = keywords(call, view), view.text(given[1]).rpartition(".")[2]
-    if kind in LARGE and "queue_size" not in named and "**" not in named and b"message_filters" not in view.content:
+    if (
+        kind in LARGE - _SELDOM
+        and "queue_size" not in named
+        and "**" not in named
+        and b"message_filters" not in view.content
+    ):
         yield view.hit(
             "node.queue_of_images",
             call,
@@ -36,7 +43,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 RULE = FileRule(
     id="node.queue_of_images",
     title="Images or clouds without a limit (rospy)",
-    finds="`rospy.Subscriber` of an image, cloud, scan, map or path without `queue_size`. Name one, and a `buff_size` "
+    finds="`rospy.Subscriber` of an image, cloud, scan or map without `queue_size`. Name one, and a `buff_size` "
     "larger "
     "than a message.",
     why="rospy then hands over every message in its order: a detector that is slower than the camera works on what the "

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callee_name
 from roslens.source.rules.calls import arguments, call_at, constructed, number_of
 from roslens.source.rules.file_view import FileView, above
@@ -36,7 +37,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if not is_ros2 and given[0].type not in ("string_literal", "identifier", "binary_expression", "call_expression"):
         return
     meaning = _ROS_2 if is_ros2 else _ROS_1
-    yield view.hit("node.queue_size_zero", given[1], f"queue of length 0 in `{name}`: {meaning}; expected 1 or more")
+    # What is published now and then never piles up; what a subscription gets it does not decide.
+    severity = Severity.NOTE if name == "advertise" else None
+    message = f"queue of length 0 in `{name}`: {meaning}; expected 1 or more"
+    yield view.hit("node.queue_size_zero", given[1], message, severity=severity)
 
 
 RULE = FileRule(
@@ -44,7 +48,8 @@ RULE = FileRule(
     title="Queue of length 0",
     finds="A publisher or subscription whose queue, history depth or `QoS` is 0. Name how many messages may wait: 1 "
     "where "
-    "only the newest counts.",
+    "only the newest counts. "
+    "Of a publisher of roscpp it is a note.",
     why="In ROS 1 it means without end: a slow subscriber works on ever older messages until the memory is gone. In "
     "ROS 2 "
     "it means none, which no middleware does as written.",

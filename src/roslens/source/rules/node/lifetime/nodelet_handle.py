@@ -25,6 +25,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if declarator is None or declarator.type in ("pointer_declarator", "reference_declarator"):
         return
     value = declarator.child_by_field_name("value")
+    if "NodeHandle" in view.text(declarator):
+        return  # a copy of one that the nodelet gives
     if value is None or view.text(value).startswith('("'):
         yield view.hit(
             "node.nodelet_handle",

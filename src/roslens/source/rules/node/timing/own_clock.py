@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
+from roslens.source.rules.callbacks import function_name
 from roslens.source.rules.calls import body_of, constructed, function_around, whole_name
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -23,13 +24,33 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if view.text(around.child_by_field_name("field")) != "now" or "STEADY" in view.text(made):
         return
+    call = around.parent
+    if call is None or _is_measured(call):
+        return
     yield view.hit(
         "node.own_clock",
         around,
         f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says; expected the node's "
         "`now()`",
-        severity=Severity.NOTE if _is_told_only(around, view) else None,
+        severity=Severity.NOTE if _is_told_only(around, view) or _is_initial(call, view) else None,
     )
+
+
+def _is_measured(call: Node) -> bool:
+    """Return whether the time is only compared with another one, to limit or measure a computation."""
+    return call.parent is not None and call.parent.type == "binary_expression"
+
+
+def _is_initial(call: Node, view: FileView) -> bool:
+    """Return whether it is the first value of a member, which something better replaces."""
+    if above(call, "field_declaration", "field_initializer") is not None and above(call, "compound_statement") is None:
+        return True
+    function = function_around(call)
+    if function is None or function.type != "function_definition":
+        return False
+    scope, _, last = function_name(function, view).rpartition("::")
+    assigned = above(call, "assignment_expression", "compound_statement")
+    return bool(scope) and scope == last and assigned is not None and assigned.type == "assignment_expression"
 
 
 def _is_told_only(now: Node, view: FileView) -> bool:
@@ -54,7 +75,8 @@ RULE = FileRule(
     title="Clock that belongs to no node",
     finds="`rclcpp::Clock().now()`: the time of a clock that was made on the spot. Use `now()` or `get_clock()` of "
     "the node. "
-    "A time that is kept in a variable, and that the function neither compares nor puts into a stamp, is a note.",
+    "A time that is kept in a variable, and that the function neither compares nor puts into a stamp, and the "
+    "first value of a member, are notes; differences of times are let be.",
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",

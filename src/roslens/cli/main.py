@@ -29,6 +29,7 @@ from roslens.cli.commands import (
     report,
     run,
     serve,
+    study,
     trust,
     watch,
 )
@@ -41,6 +42,7 @@ COMMANDS = {
     "lsp": lsp,
     "graph": graph,
     "explain": explain,
+    "study": study,
     "accept": accept,
     "plugins": plugins,
     "trust": trust,

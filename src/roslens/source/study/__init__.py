@@ -1,0 +1,1 @@
+"""What many packages together say: distributions, correlations, roles."""

@@ -1,0 +1,71 @@
+"""The command as a user gives it."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.main import main
+
+FIXTURES = Path(__file__).parents[2] / "fixtures" / "study"
+PAPER = ["--csv", str(FIXTURES / "package_repo_metrics.csv"), "--csv", str(FIXTURES / "package_compliance.csv")]
+
+
+def test_the_paper_as_text(capsys):
+    assert main(["study", *PAPER]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("180 packages of 45 repositories; commits, contributors")
+    assert "LOC       180     461  1454.15  3779.17" in out
+    assert "does not hold  Findings of MAC are below a dozen.\n               12 in 8 packages" in out
+
+
+def test_the_paper_as_latex_and_csv(capsys):
+    assert main(["study", *PAPER, "--format", "latex"]) == 0
+    out = capsys.readouterr().out
+    assert r"\#RQV & 180 & 3 & 8.03 & 26.80 & 0 & 1 & 7 & 333 &  &  \\" in out
+    assert r"MIN\_COM\_RATIO & metric & 639 & 91 & 13 & 131 & 495 \\" in out
+    assert main(["study", *PAPER, "--format", "csv"]) == 0
+    out = capsys.readouterr().out
+    assert "figures,LOC,180,461,1454.15,3779.17,20,243.25,1247.25,36353,,\n" in out.replace("\r", "")
+    assert out.count("correlations,") == 55
+
+
+def test_the_paper_as_a_page(tmp_path):
+    page = tmp_path / "study.html"
+    assert main(["study", *PAPER, "--by", "role", "--format", "html", "-o", str(page)]) == 0
+    text = page.read_text()
+    assert "✗ does not hold" in text
+    assert text.count("<g><title>driver: n 99") == 11
+    assert str(FIXTURES) not in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--csv", "a.csv", "."], "--csv and runs; expected one of them"),
+        (["--format", "html"], "--format html; expected -o FILE"),
+        (PAPER[2:], "expected one table with a column `package`, or the tables"),
+        (["--csv", "missing.csv"], "No such file"),
+    ],
+)
+def test_what_makes_no_sense_is_told(capsys, arguments, message):
+    assert main(["study", *arguments]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_runs_of_a_workspace(tmp_path, capsys, monkeypatch):
+    for name, lines in (("one", 3), ("two", 9), ("three", 5)):
+        package = tmp_path / name
+        package.mkdir()
+        (package / "package.xml").write_text(f"<package><name>{name}</name></package>")
+        (package / "node.py").write_text("".join(f"x{n} = {n}\n" for n in range(lines)))
+    monkeypatch.chdir(tmp_path)
+    main(["check", "-q", "--fail-on", "never", "-o", "out.json"])
+    capsys.readouterr()
+    assert main(["study", "--by", "language"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("3 packages of 0 repositories")
+    assert re.search(r"^Lines of code +python +3 +5 ", out, re.MULTILINE)
+    assert main(["study", "--quantity", "beauty"]) == 2
+    assert 'no quantity "beauty" in these runs' in capsys.readouterr().err
+    assert main(["study", "99"]) == 2

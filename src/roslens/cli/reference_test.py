@@ -1,4 +1,4 @@
-"""``roslens reference test``: what references would have said of a recording, held against what is expected."""
+"""``roslens reference test``: what references would have said and done, held against what is expected."""
 
 from __future__ import annotations
 
@@ -13,8 +13,13 @@ if TYPE_CHECKING:
     from roslens.live.alarms import Alarm
     from roslens.live.expected_alarms import ExpectedAlarm
 
-TEXT = "Say what references would have raised on a recording; with --expect, whether that is right."
+TEXT = (
+    "Say what references would have raised on a recording, with --expect whether that is right; and whether reactions "
+    "decide what time lines (robot.test.yaml beside robot.yaml) expect."
+)
 EXAMPLES = """\
+  roslens reference test robot.yaml                                        the time lines in robot.test.yaml
+  roslens reference test robot.yaml --timeline night.yaml                  other ones
   roslens reference test robot.yaml --bag drive.bag                        what it would have raised, and when
   roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml   exit code 1 where it is not that"""
 
@@ -22,18 +27,39 @@ EXAMPLES = """\
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the references, the recording and what is expected of it."""
     parser.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
-    parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", required=True, help="a recording")
+    parser.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="a recording")
+    parser.add_argument(
+        "--timeline", type=Path, nargs="+", metavar="FILE", help="time lines (default: FILE.test.yaml beside FILE.yaml)"
+    )
     parser.add_argument("--expect", type=Path, metavar="FILE", help="the alarms that have to be raised (YAML)")
     parser.set_defaults(act=test)
 
 
 def test(options: argparse.Namespace) -> int:
-    """Write the alarms and return the exit code: 1 where they are not as expected.
+    """Write what came of it and return the exit code: 1 where that is not as expected.
 
     Raises:
         DocumentError: a document is wrong.
-        UsageError: there is no recording.
+        UsageError: there is nothing to test with.
     """
+    from roslens.cli.reference_time_lines import ENDING, beside, run_time_lines
+    from roslens.model.errors import UsageError
+
+    if options.expect and not options.bag:
+        raise UsageError("--expect without --bag", expected="the recording that it is about")
+    lines = options.timeline or ([] if options.bag else beside(options.files))
+    if not lines and not options.bag:
+        stem = Path(options.files[0]).with_suffix("")
+        raise UsageError(
+            "neither a recording nor a time line",
+            expected=f"--bag, --timeline, or a file {str(stem.with_suffix(ENDING))!r}",
+        )
+    passed = run_time_lines(options.files, lines) if lines else True
+    code = _test_bag(options) if options.bag else CLEAN
+    return code if passed else FINDINGS
+
+
+def _test_bag(options: argparse.Namespace) -> int:
     from roslens.cli.about_nothing import RECORDED, about_nothing
     from roslens.judge.read_reference import load_reference
     from roslens.live.adapters.bag.open_bag import open_bag

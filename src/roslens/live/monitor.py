@@ -49,6 +49,7 @@ class Monitor:
     Attributes:
         shed: records that observers dropped before they reached the monitor.
         failures: the latest things that observers could not do.
+        reacts: whether the reference has reactions.
     """
 
     def __init__(self, reference: Reference, *, start: float) -> None:
@@ -62,6 +63,7 @@ class Monitor:
         self._began = start
         self._held = self._settling = False
         self._rules = Rulebook(reference)
+        self.reacts = bool(reference.reactions)
         self._presences = Presences(self._rules, start)
         self._existence = Existence(self._world, self._presences)
         self._fields = FieldChecks(reference.field_checks, start)
@@ -257,6 +259,7 @@ class Monitor:
         now = self._clock.now
         before = self._asked()
         self._rules = rules
+        self.reacts = bool(reference.reactions)
         self._presences = self._existence.presences = Presences(rules, now, self._presences)
         self._fields = FieldChecks(reference.field_checks, now, self._fields)
         self._chains = AgeChains(reference.chains, now, self._chains)

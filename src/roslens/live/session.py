@@ -12,6 +12,7 @@ from roslens.judge.unmatched import Subject
 from roslens.live.counted_once import CountedOnce
 from roslens.live.gid_names import GidNames
 from roslens.live.graph_union import GraphUnion
+from roslens.live.halted import Halted
 from roslens.live.host_clocks import HostClocks
 from roslens.live.monitor import Monitor
 from roslens.live.node_processes import NodeProcesses
@@ -75,6 +76,10 @@ class Step(msgspec.Struct, frozen=True):
         notes: what the watch tells of itself.
         events: changes of the graph.
         failures: what observers could not do.
+        graph: what is there, where that changed; None where it did not.
+        halted: nodes that are stopped or hang, where the reference has reactions; None where nobody asks.
+        shed: records that observers dropped so far, before the monitor had them.
+        begun: whether all observers see.
     """
 
     time: float
@@ -83,6 +88,10 @@ class Step(msgspec.Struct, frozen=True):
     failures: tuple[Failure, ...] = ()
     causes: tuple[Verdict, ...] = ()
     notes: tuple[Note, ...] = ()
+    graph: Graph | None = None
+    halted: tuple[Halted, ...] | None = None
+    shed: int = 0
+    begun: bool = True
 
 
 class Session:
@@ -158,8 +167,8 @@ class Session:
     def look(self, now: float) -> Step:
         """Rate what came and return what is new."""
         self._now = now
-        if self._graph_changed:
-            whole = self._graphs.whole()
+        whole = self._graphs.whole() if self._graph_changed else None
+        if whole is not None:
             self._names.take_graph(whole, now)
             self._hosts = {node.name: node.host for node in whole.nodes if node.host}
             self._processes.add_graph("", whole)
@@ -171,7 +180,17 @@ class Session:
             if self._names.has(sample.entity.name):
                 self.monitor.add_sample(sample)
         changes, causes = self._parted(self.monitor.tick(now))
-        step = Step(now, changes, tuple(self._events), tuple(self._failures), causes)
+        step = Step(
+            now,
+            changes,
+            tuple(self._events),
+            tuple(self._failures),
+            causes,
+            graph=whole,
+            halted=tuple(sorted(self.monitor.world.halted(now))) if self.monitor.reacts else None,
+            shed=self.monitor.shed,
+            begun=self.begun,
+        )
         self._events.clear()
         self._failures.clear()
         return step

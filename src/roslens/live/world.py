@@ -7,6 +7,7 @@ from itertools import chain
 
 from roslens.live.connection import Connection
 from roslens.live.connection_name import connection_ends
+from roslens.live.halted import Halted
 from roslens.live.measured import Measured
 from roslens.live.misfit import misfits_by_topic
 from roslens.live.presence import Key
@@ -250,6 +251,14 @@ class World:
                 seconds = sampled.newest("stopped")
                 if seconds:
                     yield sampled.id, sampled.noticed - seconds
+
+    def halted(self, now: float) -> Iterator[Halted]:
+        """Yield the nodes whose process is stopped or hangs, as it was sampled lately."""
+        for sampled in self.sampled.values():
+            if sampled.id.kind is EntityKind.NODE and sampled.unheard is None and sampled.fresh(now):
+                for key in ("stopped", "hung"):
+                    if seconds := sampled.newest(key):
+                        yield Halted(sampled.id, key == "hung", sampled.noticed - seconds)
 
     def upstream(self, entity: EntityId) -> list[EntityId]:
         """Return what an entity depends on."""

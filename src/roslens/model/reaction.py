@@ -93,7 +93,7 @@ class Because(msgspec.Struct, frozen=True, omit_defaults=True):
         entity: text form of the id of what it is about.
         statement: the condition's statement in words.
         state: that was held of it.
-        since: seconds on the monitor's clock since which it was.
+        since: seconds on the monitor's clock since which it was; the instant itself where that is not known.
         value: that was judged; None where there is none.
         quantity: key of the signal; empty where none was judged.
         expectation: id of the sentence; empty where none was judged.

@@ -26,6 +26,7 @@ EXAMPLES = """\
   roslens reference draft --live 60s -o robot.yaml           from what runs here now
   roslens reference draft --graph graph.yaml                 what is there, as `watch --graph-out` writes it
   roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml
+  roslens reference test robot.yaml                         the time lines beside it
   roslens reference import arni.yaml -o robot.yaml"""
 
 _CHECK = "Say what is wrong with references, and what they expect together."

@@ -1,0 +1,1 @@
+"""What is done about faults: conditions, gates, actions and what is told of them."""

@@ -1,0 +1,133 @@
+"""Who is there, who is gone, and what befell them: by the graph and its events."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Change, Event, Graph, Role
+
+BEFELL_S = 10.0
+"""So long it counts that something was restarted, or that it flaps."""
+TOGETHER_S = 10.0
+"""Nodes of a host that go within this time go together: their host went, or somebody ended them all."""
+MOST_GONE = 10_000
+"""Of what is gone so many are remembered, the latest."""
+_ENDS = {
+    Role.PUBLISHER: EntityKind.TOPIC,
+    Role.SUBSCRIPTION: EntityKind.TOPIC,
+    Role.SERVICE_SERVER: EntityKind.SERVICE,
+}
+_BEFELL = (Change.RESTARTED, Change.FLAPPING)
+
+
+class Presences:
+    """What was ever there, and since when it is or is not; times are seconds on the monitor's clock."""
+
+    def __init__(self) -> None:
+        """Know of nobody."""
+        self._there: dict[EntityId, float] = {}
+        self._gone: dict[EntityId, float] = {}
+        self._crashed: dict[EntityId, float] = {}
+        self._befell: dict[tuple[EntityId, Change], float] = {}
+        self._hosts: dict[str, str] = {}
+        self._lifecycles: dict[str, str] = {}
+        self._pids: dict[str, set[str]] = {}
+
+    def there(self, entity: EntityId) -> float | None:
+        """Return since when something is there; None where it is not, or never was."""
+        return self._there.get(entity)
+
+    def gone(self, entity: EntityId) -> float | None:
+        """Return since when something is gone; None where it is there, or never was."""
+        return self._gone.get(entity)
+
+    def crashed(self, node: EntityId) -> float | None:
+        """Return when a node went with its process, and without taking its leave before."""
+        return self._crashed.get(node) if node in self._gone else None
+
+    def befell(self, entity: EntityId, change: Change, now: float) -> float | None:
+        """Return when something was restarted, or found to flap, in the latest ``BEFELL_S``."""
+        at = self._befell.get((entity, change))
+        return at if at is not None and now - at <= BEFELL_S else None
+
+    def went_with_host(self, node: EntityId) -> bool:
+        """Whether all nodes of the host went with a node: its host is off, or somebody ended them all."""
+        at, host = self._gone.get(node), self._hosts.get(node.name, "")
+        if at is None or not host:
+            return False
+        others = [EntityId(EntityKind.NODE, name) for name, where in self._hosts.items() if where == host]
+        return len(others) > 1 and all(abs(self._gone.get(one, float("inf")) - at) <= TOGETHER_S for one in others)
+
+    def host_of(self, node: str) -> str:
+        """Return where a node is or was; empty where that is unknown."""
+        return self._hosts.get(node, "")
+
+    def lifecycle(self, node: str) -> str:
+        """Return the state of a managed node that is there; empty where that is unknown."""
+        return self._lifecycles.get(node, "")
+
+    def ever(self, kind: EntityKind) -> Iterator[EntityId]:
+        """Yield what of a kind was ever there."""
+        for part in (self._there, self._gone):
+            yield from (one for one in part if one.kind is kind)
+
+    def happened(self, event: Event) -> bool:
+        """Take a change of the graph; return whether it tells of something new."""
+        try:
+            entity = EntityId.parse(event.entity)
+        except ValueError:
+            return False
+        if event.change in _BEFELL:
+            self._befell[entity, event.change] = event.time
+        if event.change is Change.VANISHED:
+            if entity.kind is EntityKind.PROCESS:
+                self._ended(entity, event.time)
+            if self._there.pop(entity, None) is not None:
+                self._gone[entity] = event.time
+        elif event.change in (Change.APPEARED, Change.RESTARTED):
+            return self._appear(entity, event.time)
+        return False
+
+    def take_graph(self, graph: Graph, now: float) -> None:
+        """Take the whole graph as it is at ``now``."""
+        for node in graph.nodes:
+            if node.host:
+                self._hosts[node.name] = node.host
+        self._lifecycles = {node.name: node.lifecycle for node in graph.nodes if node.lifecycle}
+        self._pids = {}
+        for node in graph.nodes:
+            if node.pid:
+                self._pids.setdefault(f"{node.host}/{node.pid}", set()).add(node.name)
+        existing = {EntityId(EntityKind.NODE, node.name) for node in graph.nodes}
+        existing |= {EntityId(EntityKind.HOST, host) for host in (*graph.hosts, *self._hosts_of(graph))}
+        existing |= {EntityId(EntityKind.PROCESS, f"{one.host}/{one.pid}") for one in graph.processes}
+        existing |= {EntityId(_ENDS[end.role], end.name) for end in graph.endpoints if end.role in _ENDS}
+        for entity in existing:
+            self._appear(entity, now)
+        for entity in sorted(self._there.keys() - existing):
+            del self._there[entity]
+            self._gone[entity] = now
+        while len(self._gone) > MOST_GONE:
+            self._forget(next(iter(self._gone)))
+
+    def _forget(self, entity: EntityId) -> None:
+        del self._gone[entity]
+        self._crashed.pop(entity, None)
+        if entity.kind is EntityKind.NODE:
+            self._hosts.pop(entity.name, None)
+
+    def _hosts_of(self, graph: Graph) -> set[str]:
+        return {node.host for node in graph.nodes if node.host}
+
+    def _appear(self, entity: EntityId, at: float) -> bool:
+        if entity in self._there:
+            return False
+        self._there[entity] = at
+        self._crashed.pop(entity, None)
+        return self._gone.pop(entity, None) is None
+
+    def _ended(self, process: EntityId, at: float) -> None:
+        """Note that a process ended while its nodes were still in the graph."""
+        for name in self._pids.get(process.name, ()):
+            self._crashed[EntityId(EntityKind.NODE, name)] = at

@@ -75,6 +75,8 @@ class ActionKind(msgspec.Struct, frozen=True):
         targets: kinds of entities that it is done to; empty where it has no target.
         arguments: that it is told.
         ros: generations of ROS that it exists for.
+        touches: whether it changes anything on the robot; what only tells is not asked for, and nothing that touches
+            has to wait for it.
         details: how it does it and where its limits are; paragraphs for its page.
     """
 
@@ -85,6 +87,7 @@ class ActionKind(msgspec.Struct, frozen=True):
     arguments: tuple[Argument, ...] = ()
     ros: tuple[int, ...] = (1, 2)
     details: str = ""
+    touches: bool = True
 
     @property
     def needs_target(self) -> bool:
@@ -132,6 +135,7 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
             ),
         ),
         details="Mail and paging are Alertmanager's: `roslens watch --prometheus` gives it the same verdicts.",
+        touches=False,
     ),
     ActionKind(
         "webhook",
@@ -144,6 +148,7 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
         ),
         details="The JSON has `text`, `reaction`, `entity`, `time` (seconds since the epoch) and `because`. "
         "Redirections are not followed. An answer that is not 2xx is a failure.",
+        touches=False,
     ),
     ActionKind(
         "publish",
@@ -313,12 +318,14 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
         ),
         details="One MCAP file for each time, below the folder of the journal. What was said before is held in "
         "memory, at most 64 MB; of more, the oldest is given up, and the result says how long the recording is.",
+        touches=False,
     ),
     ActionKind(
         "snapshot",
         "Keep how things stand for the post-mortem: graph, verdicts, values, processes, last log lines.",
         By.MONITOR,
         details="A folder for each time, below the folder of the journal, with JSON files and a page of text.",
+        touches=False,
     ),
 )
 

@@ -1,0 +1,173 @@
+"""Whether a decision may be carried out: off unless enabled, and not too often.
+
+Pure: clocks are arguments. In this order: a hold, the mode, a maintenance window, what was given up, the cool-down
+of the same action on the same entity, the limit for all. What touches the robot and what only tells
+(``ActionKind.touches``) have a limit each, so that notices never keep an emergency stop from being done.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable
+from enum import Enum
+
+import msgspec
+
+from roslens.live.react.maintenance import Window, window_now
+from roslens.model.action_kind import action_kind
+from roslens.model.reaction import Decision, Mode
+
+_CAREFUL = (Mode.DRY_RUN, Mode.ASK, Mode.ACT)
+"""From the most careful mode on."""
+
+_RESTARTS = frozenset({"restart", "start"})
+_MOST_KEYS = 10_000
+
+
+class Answer(str, Enum):
+    """What a gate says of a decision."""
+
+    ALLOW = "allow"
+    ASK = "ask"
+    DRY_RUN = "dry-run"
+    REFUSE = "refuse"
+    HELD = "held"
+    GIVE_UP = "give up"
+
+
+class GateAnswer(msgspec.Struct, frozen=True):
+    """What a gate says, and why, in words."""
+
+    answer: Answer
+    text: str
+
+
+class Limits(msgspec.Struct, frozen=True):
+    """How careful a gate is.
+
+    Attributes:
+        mode: what decisions lead to at most; None: reactions are off.
+        cool_down_s: between the same action on the same entity.
+        at_most: actions that touch the robot in ``per_s``, of all together; and as many that only tell.
+        per_s: seconds that ``at_most`` is about.
+        most_restarts: of one entity within ``restarts_per_s``, after which it is given up until somebody releases it.
+        restarts_per_s: seconds that ``most_restarts`` is about.
+        windows: in which nothing that touches the robot is done.
+    """
+
+    mode: Mode | None = None
+    cool_down_s: float = 10.0
+    at_most: int = 10
+    per_s: float = 60.0
+    most_restarts: int = 3
+    restarts_per_s: float = 600.0
+    windows: tuple[Window, ...] = ()
+
+
+class Gate:
+    """Says of each decision whether it is carried out, and remembers what was.
+
+    Times are seconds on a clock that never jumps, but for ``wall_s``, which is that of the host.
+    """
+
+    def __init__(self, limits: Limits) -> None:
+        """Begin with nothing done."""
+        self._limits = limits
+        self._last: dict[tuple[str, str], float] = {}
+        self._done: dict[bool, deque[float]] = {True: deque(), False: deque()}
+        self._restarts: dict[str, deque[float]] = {}
+        self._given_up: dict[str, str] = {}
+
+    @property
+    def given_up(self) -> tuple[str, ...]:
+        """Entities that are restarted no more, sorted."""
+        return tuple(sorted(self._given_up))
+
+    def judge(self, decision: Decision, now_s: float, *, wall_s: float, held: str = "") -> GateAnswer:
+        """Say what becomes of a decision; ``held`` is who holds everything and why, empty where nobody does."""
+        if held:
+            return GateAnswer(Answer.HELD, f"everything is held: {held}")
+        if self._limits.mode is None:
+            return GateAnswer(Answer.REFUSE, "reactions are off: enable them with --mode")
+        touches = _touches(decision)
+        if touches and (window := window_now(self._limits.windows, wall_s)):
+            return GateAnswer(Answer.REFUSE, f"maintenance: {window.text}")
+        target = target_of(decision)
+        kind = decision.action.kind
+        if kind in _RESTARTS and (why := self._given_up.get(target)):
+            return GateAnswer(Answer.GIVE_UP, why)
+        cool = self._limits.cool_down_s - (now_s - self._last.get((kind, target), float("-inf")))
+        if cool > 0:
+            return GateAnswer(Answer.REFUSE, f"cool-down: {kind} {target} was done less than "
+                              f"{self._limits.cool_down_s:g} s ago, {cool:.1f} s are left")  # fmt: skip
+        if kind in _RESTARTS and (why := self._too_many_restarts(target, now_s)):
+            self._given_up[target] = why
+            return GateAnswer(Answer.GIVE_UP, why)
+        if self._count(self._done[touches], now_s, self._limits.per_s) >= self._limits.at_most:
+            what = "actions" if touches else "notices"
+            limit = f"{self._limits.at_most} {what} in {self._limits.per_s:g} s"
+            return GateAnswer(Answer.REFUSE, f"limit for all: {limit} were done already")
+        return self._by_mode(decision, touches=touches)
+
+    def done(self, decision: Decision, now_s: float) -> None:
+        """Remember that an action is begun, or would have been in a dry run."""
+        kind, target = decision.action.kind, target_of(decision)
+        if len(self._last) >= _MOST_KEYS:
+            self._last.pop(next(iter(self._last)))
+        self._last[(kind, target)] = now_s
+        self._done[_touches(decision)].append(now_s)
+        if kind in _RESTARTS:
+            self._restarts.setdefault(target, deque(maxlen=self._limits.most_restarts + 1)).append(now_s)
+
+    def release(self) -> tuple[str, ...]:
+        """Forget what was given up and how often it was restarted; return what was."""
+        freed = self.given_up
+        self._given_up.clear()
+        self._restarts.clear()
+        return freed
+
+    def _too_many_restarts(self, target: str, now_s: float) -> str:
+        found = self._restarts.get(target)
+        if found is None or self._count(found, now_s, self._limits.restarts_per_s) < self._limits.most_restarts:
+            return ""
+        return (
+            f"{target} was restarted {self._limits.most_restarts} times in {self._limits.restarts_per_s:g} s and is "
+            f"given up: look at it, then `roslens react --release`"
+        )
+
+    def _by_mode(self, decision: Decision, *, touches: bool) -> GateAnswer:
+        asked = [mode for mode in (self._limits.mode, decision.mode) if mode is not None]
+        mode = min(asked, key=_CAREFUL.index)
+        if mode is Mode.DRY_RUN:
+            return GateAnswer(Answer.DRY_RUN, "dry run: nothing is done")
+        if mode is Mode.ASK and touches:
+            return GateAnswer(Answer.ASK, "somebody has to allow it")
+        return GateAnswer(Answer.ALLOW, f"mode {mode.value}")
+
+    @staticmethod
+    def _count(times: deque[float], now_s: float, within_s: float) -> int:
+        while times and now_s - times[0] >= within_s:
+            times.popleft()
+        return len(times)
+
+
+def target_of(decision: Decision) -> str:
+    """Return the text form of what an action is done to: its target, or what it names in place of one."""
+    action = decision.action
+    if action.target is not None:
+        return str(action.target)
+    for name in ("topic", "service", "container", "url"):
+        if isinstance(found := action.arguments.get(name), str):
+            return found
+    return decision.entity
+
+
+def recalled(gate: Gate, done: Iterable[tuple[Decision, float]], now_s: float) -> None:
+    """Let a gate remember what was done before this process began: decisions and how many seconds ago."""
+    for decision, ago_s in sorted(done, key=lambda one: -one[1]):
+        gate.done(decision, now_s - max(ago_s, 0.0))
+
+
+def _touches(decision: Decision) -> bool:
+    kind = action_kind(decision.action.kind)
+    return kind is None or kind.touches

@@ -1,0 +1,158 @@
+"""Acts in ROS 2 with rclpy: publishers and clients are made before they are needed."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from roslens.live.adapters.ros2.fields import filled, interface, plain
+from roslens.live.react.parameter_value import parameter_fields
+from roslens.live.react.ros import ActionError
+
+_DEPTH = 10
+_MEET_S = 1.0
+"""How long a message waits for the first subscriber where none is known yet: that of a publisher just made."""
+_LOOK_S = 0.02
+_YOUNG_S = 3.0
+"""So long after its start a node may not have met everybody; that nobody is known says nothing then."""
+_SET = "rcl_interfaces/srv/SetParameters"
+
+
+class Ros2Hand:
+    """One node that publishes and calls for the monitor; for many threads.
+
+    Attributes:
+        generation: 2.
+    """
+
+    generation = 2
+
+    def __init__(self, node: Any, wall: Callable[[], float] = time.time) -> None:
+        """Act as ``node``, which another thread spins."""
+        self._node = node
+        self._wall = wall
+        self._lock = threading.Lock()
+        self._grown = time.monotonic() + _YOUNG_S
+        self._publishers: dict[tuple[str, str, bool], Any] = {}
+        self._clients: dict[tuple[str, str], Any] = {}
+
+    def advertise(self, topic: str, type_: str, fields: Mapping[str, Any], *, latched: bool) -> None:
+        """Make a publisher.
+
+        Raises:
+            ActionError: the type is not known here, or a field does not fit.
+        """
+        filled(interface(type_, "msg"), fields, self._now())
+        self._publisher(topic, type_, latched=latched)
+
+    def publish(self, topic: str, type_: str, fields: Mapping[str, Any], *, latched: bool) -> int:
+        """Publish, and return how many subscriptions there are.
+
+        Raises:
+            ActionError: the type is not known here, or a field does not fit.
+        """
+        message = filled(interface(type_, "msg"), fields, self._now())
+        publisher = self._publisher(topic, type_, latched=latched)
+        now = time.monotonic()
+        end = now if latched else max(now + _MEET_S, self._grown)
+        while not (count := publisher.get_subscription_count()) and (now := time.monotonic()) < end:
+            if now > self._grown and not self._node.get_subscriptions_info_by_topic(topic):
+                break
+            time.sleep(_LOOK_S)
+        publisher.publish(message)
+        return int(count)
+
+    def meet(self, service: str, type_: str, fields: Mapping[str, Any]) -> None:
+        """Make a client.
+
+        Raises:
+            ActionError: the type is not known here, or a field does not fit.
+        """
+        filled(interface(type_, "srv").Request, fields, self._now())
+        self._client(service, type_)
+
+    def call(self, service: str, type_: str, fields: Mapping[str, Any], timeout_s: float) -> Mapping[str, Any]:
+        """Call a service.
+
+        Raises:
+            ActionError: nobody offers it, or answers in time.
+        """
+        request = filled(interface(type_, "srv").Request, fields, self._now())
+        client = self._client(service, type_)
+        end = time.monotonic() + timeout_s
+        if not client.wait_for_service(timeout_sec=timeout_s):
+            raise ActionError(
+                f"nobody offers {service} of the type {type_}", expected=f"a server within {timeout_s:g} s"
+            )
+        answered = threading.Event()
+        future = client.call_async(request)
+        future.add_done_callback(lambda _: answered.set())
+        if not answered.wait(max(end - time.monotonic(), 0.1)):
+            client.remove_pending_request(future)
+            raise ActionError(f"{service} did not answer", expected=f"an answer within {timeout_s:g} s")
+        found: Mapping[str, Any] = plain(future.result())
+        return found
+
+    def set_parameter(self, node: str, name: str, value: Any, timeout_s: float) -> None:
+        """Set a parameter of a node.
+
+        Raises:
+            ActionError: it refuses, or does not answer.
+        """
+        fields = {"parameters": [parameter_fields(name, value)]}
+        (result,) = self.call(f"{node}/set_parameters", _SET, fields, timeout_s)["results"]
+        if not result["successful"]:
+            raise ActionError(f"{node} does not take {name}: {value!r}: {result['reason'] or 'no reason given'}")
+
+    def log(self, level: str, text: str) -> None:
+        """Say something on /rosout."""
+        logger = self._node.get_logger()
+        # One call site each: rclpy keeps the level of a site.
+        if level == "error":
+            logger.error(text)
+        elif level == "warning":
+            logger.warning(text)
+        else:
+            logger.info(text)
+
+    def record(self, key: str, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
+        """Record topics; see :class:`~roslens.live.react.ros.Ros`."""
+        raise ActionError(f"{key}: nothing is kept of {', '.join(patterns)}: {before_s:g} s, {path}, {after_s:g} s")
+
+    def _publisher(self, topic: str, type_: str, *, latched: bool) -> Any:
+        from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+        durability = DurabilityPolicy.TRANSIENT_LOCAL if latched else DurabilityPolicy.VOLATILE
+        profile = QoSProfile(
+            depth=1 if latched else _DEPTH, reliability=ReliabilityPolicy.RELIABLE, durability=durability
+        )
+        with self._lock:
+            key = (topic, type_, latched)
+            if key not in self._publishers:
+                self._publishers[key] = self._made(
+                    lambda: self._node.create_publisher(interface(type_, "msg"), topic, profile), topic
+                )
+            return self._publishers[key]
+
+    def _client(self, service: str, type_: str) -> Any:
+        with self._lock:
+            key = (service, type_)
+            if key not in self._clients:
+                self._clients[key] = self._made(
+                    lambda: self._node.create_client(interface(type_, "srv"), service), service
+                )
+            return self._clients[key]
+
+    def _made(self, make: Callable[[], Any], name: str) -> Any:
+        try:
+            return make()
+        except ActionError:
+            raise
+        except Exception as error:  # noqa: BLE001 - of names and types that rclpy refuses there are many
+            raise ActionError(f"{name!r}: {error}", expected="a name that ROS takes, and a type that fits it") from None
+
+    def _now(self) -> tuple[int, int]:
+        whole, part = divmod(round(self._wall() * 1e9), 1_000_000_000)
+        return whole, part

@@ -1,4 +1,4 @@
-"""The publishing side of TCPROS: subscribers that connect get the last message at once, and every one that follows."""
+"""The publishing side of TCPROS: subscribers get every message, and of a latched topic the last one at once."""
 
 from __future__ import annotations
 
@@ -24,11 +24,15 @@ _WILDCARD = "*"
 
 
 class Published(msgspec.Struct, frozen=True):
-    """What is told of a topic: the type of its messages, its sum, and the text of its definition."""
+    """What is told of a topic: the type of its messages, its sum, and the text of its definition.
+
+    Who subscribes to a ``latched`` one later gets its last message.
+    """
 
     type: str
     md5: str
     definition: str
+    latched: bool = True
 
 
 class _Line:
@@ -112,6 +116,10 @@ class TopicServer:
         self._asked.append((topic, len(body).to_bytes(4, "little") + body))
         self._ring()
 
+    def subscribers(self, topic: str) -> int:
+        """Return how many are connected to a topic."""
+        return sum(line.topic == topic for line in list(self._lines.values()))
+
     def close(self) -> None:
         """Hang up and listen no more."""
         self._closed = True
@@ -188,7 +196,7 @@ class TopicServer:
             encode_header(
                 {
                     "callerid": self._caller,
-                    "latching": "1",
+                    "latching": "1" if published.latched else "0",
                     "md5sum": published.md5,
                     "message_definition": published.definition,
                     "topic": topic,
@@ -196,7 +204,7 @@ class TopicServer:
                 }
             )
         )
-        if topic in self._last:
+        if published.latched and topic in self._last:
             line.add(self._last[topic])
 
     def _problem(self, topic: str, told: Mapping[str, str]) -> str:

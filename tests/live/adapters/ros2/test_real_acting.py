@@ -12,7 +12,7 @@ from roslens.live.react.ros_line import RosLine
 from roslens.model.action_kind import action_kind
 from roslens.model.order import Verb
 
-pytestmark = pytest.mark.real
+pytestmark = [pytest.mark.real, pytest.mark.timed]
 
 NODE = """
 import rclpy, sys

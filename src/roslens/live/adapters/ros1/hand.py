@@ -65,13 +65,14 @@ class Ros1Hand:
     def follow(self) -> None:
         """Register again whenever the master is another one, until :meth:`close`."""
         master = self._master(FOLLOW_S)
-        while not self._ended.wait(FOLLOW_S):
+        while not self._ended.is_set():
             with suppress(CallError):
                 pid = master.pid()
                 if self._master_pid and pid != self._master_pid:
                     for topic, published in list(self._topics.items()):
                         master.publish(topic, published.type, self.api)
                 self._master_pid = pid
+            self._ended.wait(FOLLOW_S)
         master.close()
 
     def advertise(self, topic: str, type_: str, fields: Mapping[str, Any], *, latched: bool) -> None:

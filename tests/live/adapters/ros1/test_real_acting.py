@@ -186,6 +186,8 @@ def test_services_are_called(line):
 
 def test_a_master_that_was_started_again_knows_the_publishers(line):
     rover = line.rover
+    assert asked(line, "publish", topic="/stop", type="std_msgs/Bool", fields={"data": True}).done
+    assert rover.heard() == "stop True"
     rover.master.kill()
     rover.master.wait()
     rover.start_master()

@@ -1,0 +1,66 @@
+import pytest
+
+from roslens.live.agent.allow_list import EXAMPLE, AllowList, read_allow_list
+from roslens.model.errors import DocumentError
+from roslens.model.host_request import HostRequest
+
+
+def request(kind, node="/camera/left", **arguments):
+    return HostRequest("r/1.1", kind, node, 7, (), arguments)
+
+
+@pytest.fixture
+def written(tmp_path):
+    def write(text, mode=0o600):
+        path = tmp_path / "allow.yaml"
+        path.write_text(text)
+        path.chmod(mode)
+        return path
+
+    return write
+
+
+def test_nothing_is_allowed_that_is_not_written():
+    assert "not on the allow-list" in AllowList().refusal(request("restart"), "")
+    assert "not on the allow-list" in AllowList().refusal(request("command", name="x"), "")
+
+
+def test_the_example_means_what_it_says(written):
+    allow = read_allow_list(written(EXAMPLE))
+    command = "/opt/ros/lib/camera/camera_node --ros-args"
+    for node, kind, line, allowed in (
+        ("/camera_left", "restart", command, True),
+        ("/camera_left", "kill", command, False),
+        ("/camera_left", "restart", "/usr/bin/other", False),
+        ("/arm", "restart", command, False),
+    ):
+        assert (allow.refusal(request(kind, node), line) == "") is allowed
+    assert allow.refusal(request("command", "", name="power_cycle"), "") == ""
+    assert allow.commands["power_cycle"].words == ("/usr/bin/uhubctl", "-a", "cycle")
+    assert allow.commands["power_cycle"].timeout_s == 20.0
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("nodes:\n- name: /a\n  actions: [reboot]\n", "allow.yaml:3:12: the action 'reboot'"),
+        ("nodes:\n- actions: [stop]\n", "without a name"),
+        ("nodes:\n- name: /a\n", "no actions"),
+        ("commands:\n- name: a\n  run: [reboot]\n", "begins with 'reboot'"),
+        ("commands:\n- name: a\n  run: [/bin/x]\n  timeout: 20\n", "no unit"),
+        ("commands:\n- name: a\n  run: [/bin/x]\n  timeout: 1 h\n", "3600 s"),
+        ("commands:\n- {name: a, run: [/b]}\n- {name: a, run: [/b]}\n", "second time"),
+        ("node: []\n", "unknown key 'node'"),
+    ],
+)
+def test_what_is_wrong_is_told_with_its_place(written, text, why):
+    with pytest.raises(DocumentError) as caught:
+        read_allow_list(written(text))
+    assert why in str(caught.value)
+
+
+def test_a_list_that_others_can_write_is_none(written, tmp_path):
+    with pytest.raises(DocumentError, match="chmod go-w"):
+        read_allow_list(written(EXAMPLE, 0o666))
+    with pytest.raises(DocumentError, match="--enrol"):
+        read_allow_list(tmp_path / "none")

@@ -20,6 +20,7 @@ OWN = {
     "live/adapters/ros1/place.py": "of the kernel",
     "live/adapters/ros2/local_process.py": "of the kernel",
     "live/agent/key_file.py": "the user's own key",
+    "live/agent/process_record.py": "of the kernel, up to a bound",
     "live/agent/processes.py": "of the kernel",
     "live/inside/host_counters.py": "of the kernel",
     "live/inside/path/sitecustomize.py": "the module of that name that the user has",

@@ -43,6 +43,7 @@ def test_packages(view):
         "id": "drive",
         "name": "drive",
         "path": "src/drive",
+        "repository": "",
         "version": "1.2.3",
         "build_type": "catkin",
         "dependencies": "arm roscpp",

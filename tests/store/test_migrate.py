@@ -93,7 +93,9 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         connection.executescript(dump.read_text("utf-8"))
     with Store.open(path) as store:
         view = store.view()
-        assert view.header == sample.header()
+        told = [one.packages for one in view.header.repositories]
+        assert told == ([("arm", "drive")] if dump.stem >= "schema_0007" else [])
+        assert msgspec.structs.replace(view.header, repositories=()) == sample.header()
         assert [package.name for package in view.packages()] == ["arm", "drive"]
         assert [finding.severity for finding in view.findings()] == [Severity.WARNING, Severity.NOTE, Severity.ERROR]
         entities = [msgspec.structs.replace(one, values={**one.values}) for one in view.package("drive").entities]

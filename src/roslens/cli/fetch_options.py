@@ -67,7 +67,7 @@ def refuse_without_fetch(options: argparse.Namespace) -> None:
         UsageError: one is given.
     """
     for name in (*_OWN, "offline"):
-        if getattr(options, name):
+        if getattr(options, name, None):
             raise UsageError(f"--{name} says how to fetch", expected="--fetch beside it")
 
 

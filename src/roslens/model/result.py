@@ -9,6 +9,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.process import RepositoryProcess
 from roslens.model.quantity import Quantity
+from roslens.model.repository import FoundRepository
 from roslens.model.set_aside import SetAside
 from roslens.model.source import Package, SourceFile
 
@@ -78,7 +79,8 @@ class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):
     ``started`` is UTC in ISO 8601; ``key`` is a hash of all inputs (contents, options, versions of
     analysers): two runs of the same key have the same result. ``commit`` is the commit of the
     workspace's repository, with ``+`` where its tree differs. ``tools`` maps names to versions;
-    ``configuration`` holds the options that shape the result, ``models`` and ``plugins`` included.
+    ``configuration`` holds the options that shape the result, ``models`` and ``plugins`` included. ``repositories``
+    are those that the packages are in, by path.
     """
 
     key: str
@@ -90,6 +92,7 @@ class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):
     tools: dict[str, str] = {}
     configuration: dict[str, object] = {}
     models: tuple[str, ...] = ()
+    repositories: tuple[FoundRepository, ...] = ()
 
 
 class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):

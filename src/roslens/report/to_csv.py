@@ -91,7 +91,18 @@ def _cell(value: Cell) -> str:
 def _packages(view: RunView, tags: TagFilter) -> Table:
     packages = view.packages()
     quantities = sorted({quantity for package in packages for quantity in package.values})
-    head = ("id", "name", "path", "version", "build_type", "dependencies", "files", "classes", "functions")
+    head = (
+        "id",
+        "name",
+        "path",
+        "repository",
+        "version",
+        "build_type",
+        "dependencies",
+        "files",
+        "classes",
+        "functions",
+    )
     counts = (*(f"{severity.value}s" for severity in Severity), "failures")
     return (
         (*head, *counts, *quantities),
@@ -100,6 +111,7 @@ def _packages(view: RunView, tags: TagFilter) -> Table:
                 package.id,
                 package.name,
                 package.path,
+                package.repository,
                 package.version,
                 package.build_type,
                 " ".join(package.dependencies),
@@ -113,6 +125,20 @@ def _packages(view: RunView, tags: TagFilter) -> Table:
             for package in packages
         ),
     )
+
+
+def _repositories(view: RunView, tags: TagFilter) -> Table:
+    packages = {package.id: package for package in view.packages()}
+
+    def rows() -> Iterator[tuple[Cell, ...]]:
+        for one in view.header.repositories:
+            inside = [packages[key] for key in one.packages if key in packages]
+            found = (sum(_found(package, severity, tags) for package in inside) for severity in Severity)
+            loc = sum(package.values.get("loc", 0) for package in inside)
+            yield (one.name, one.path, one.url, one.version, one.commit, len(inside), loc, *found)
+
+    head = ("name", "path", "url", "version", "commit", "packages", "loc")
+    return ((*head, *(f"{severity.value}s" for severity in Severity)), rows())
 
 
 def _found(package: PackageSummary, severity: Severity, tags: TagFilter) -> int:
@@ -263,6 +289,7 @@ def _rules(view: RunView, _tags: TagFilter) -> Table:
 
 
 TABLES: dict[str, Callable[[RunView, TagFilter], Table]] = {
+    "repositories": _repositories,
     "packages": _packages,
     "files": _files,
     "entities": _entities,

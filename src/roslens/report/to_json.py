@@ -17,6 +17,7 @@ from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo
 from roslens.model.process import RepositoryProcess
 from roslens.model.quantity import Quantity
+from roslens.model.repository import FoundRepository
 from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.set_aside import SetAside
 from roslens.model.source import SourceFile
@@ -80,6 +81,8 @@ def _document(view: RunView, tags: TagFilter, is_new: Callable[[Finding], bool] 
     yield from _array("failures", map(_encode, map(_failure, view.failures())))
     yield from _array("rules", map(_encode, map(_rule, view.rules())))
     yield from _array("quantities", map(_encode, map(_quantity, view.quantities())))
+    if view.header.repositories:
+        yield from _array("repositories", (_encode(_repository(one)) for one in view.header.repositories))
     if view.process:
         yield from _array("process", (_encode(_process(one)) for one in view.process))
     yield from _array("set_aside", (_encode(_set_aside(one)) for one in view.set_aside(tags=tags)))
@@ -127,11 +130,23 @@ def _process(one: RepositoryProcess) -> dict[str, Any]:
     }
 
 
+def _repository(one: FoundRepository) -> dict[str, Any]:
+    return {
+        "name": one.name,
+        "path": one.path,
+        "url": one.url,
+        "version": one.version,
+        "commit": one.commit,
+        "packages": one.packages,
+    }
+
+
 def _package(package: PackageSummary) -> dict[str, Any]:
     return {
         "id": package.id,
         "name": package.name,
         "path": package.path,
+        **({"repository": package.repository} if package.repository else {}),
         "version": package.version,
         "build_type": package.build_type,
         "dependencies": package.dependencies,

@@ -22,6 +22,7 @@ from roslens.plugins.options import check_options
 from roslens.source.changed_packages import with_changes
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
+from roslens.source.fetch.fetched_set import FetchedSet, read_fetched_set
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, content_hash, key_of
 from roslens.source.known_manifests import KnownManifests
@@ -30,6 +31,7 @@ from roslens.source.owned_findings import owned_findings
 from roslens.source.package_task import package_task
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
+from roslens.source.repositories import repositories_of
 from roslens.source.set_aside_in_run import whole_run
 from roslens.source.settings import ProcessSettings, RuleSettings, SourceSettings
 from roslens.source.tools.layout import RULE as LAYOUT
@@ -148,6 +150,8 @@ def analyse(
     manifests = KnownManifests(cache)
     workspace = find_workspace(paths, settings.workspace, read=manifests.read)
     manifests.keep()
+    fetched = read_fetched_set(workspace.root)
+    workspace = fetched.narrowed(workspace)
     accepted, unread = read_acceptances(base / ACCEPTED)
     known = cache.stats(now_s=clock.epoch_s)
     inventory = take_inventory(workspace, settings.workspace, known)
@@ -183,6 +187,8 @@ def analyse(
     past = look_back(workspace, cache) if look_back is not None else None
     failures = (*workspace.failures, *unread, *(past.failures if past else ()))
     further = (*([beyond.key] if beyond else ()), *([tools.failures] if tools else ()), *([past.key] if past else ()))
+    if fetched.taken:
+        further = (*further, fetched)
     key = key_of(units, failures, inventory.failures, plugins.failures, accepted, *further)
     if inventory.learned:
         cache.put_stats(inventory.learned, now_s=clock.epoch_s)
@@ -207,6 +213,7 @@ def analyse(
             tools,
             silence,
             past,
+            fetched,
         ),
         store,
         cache,
@@ -230,6 +237,7 @@ class _Run(msgspec.Struct, frozen=True):
     tools: ToolStage | None
     silence: Silence
     past: Past | None
+    fetched: FetchedSet
 
     def key_kept(self, key: str) -> str:
         """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
@@ -475,4 +483,5 @@ def _header(run: _Run) -> RunHeader:
         tools=tool_versions(run.plugins.members) | (run.tools.versions if run.tools else {}),
         configuration=msgspec.to_builtins(run.settings),
         models=run.settings.models,
+        repositories=repositories_of(run.workspace, run.inventory.files, run.fetched),
     )

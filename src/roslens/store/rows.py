@@ -10,6 +10,7 @@ import msgspec
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
+from roslens.model.repository import FoundRepository
 from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.set_aside import Disposition, SetAside
 from roslens.model.source import Language, Location, Package, Role, SourceFile
@@ -25,7 +26,7 @@ FINDING = (
 )
 SET_ASIDE = "path, state, reason, said_by, package, finding"
 FAILURE = "tool, what, expected, advice, location, entity, package, partial, detail"
-RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models'
+RUN = 'key, root, paths, started, seconds, "commit", tools, configuration, models, repositories'
 
 _encode = msgspec.json.Encoder().encode
 _decode = msgspec.json.decode
@@ -33,6 +34,7 @@ _decode_summary = msgspec.json.Decoder(PackageSummary).decode
 _decode_package = msgspec.json.Decoder(Package).decode
 _decode_finding = msgspec.json.Decoder(Finding).decode
 _decode_location = msgspec.json.Decoder(Location).decode
+_decode_repositories = msgspec.json.Decoder(tuple[FoundRepository, ...]).decode
 _decode_texts = msgspec.json.Decoder(tuple[str, ...]).decode
 
 _NONE = "[]"
@@ -205,12 +207,13 @@ def run_row(header: RunHeader) -> Row:
         to_json(header.tools),
         to_json(header.configuration),
         to_json(header.models),
+        to_json(header.repositories),
     )
 
 
 def to_header(row: Row) -> RunHeader:
     """Read ``RUN``."""
-    key, root, paths, started, seconds, commit, tools, configuration, models = row
+    key, root, paths, started, seconds, commit, tools, configuration, models, repositories = row
     return RunHeader(
         key,
         root,
@@ -221,4 +224,5 @@ def to_header(row: Row) -> RunHeader:
         _decode(tools),
         _decode(configuration),
         to_texts(models),
+        _decode_repositories(repositories),
     )

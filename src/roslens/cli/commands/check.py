@@ -13,6 +13,8 @@ from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
 from roslens.cli.check_scope import scope_of, unchanged_files
 from roslens.cli.check_watch import add_watch_argument, refuse_others, watch_files
+from roslens.cli.fetch_first import fetch_first
+from roslens.cli.fetch_options import add_fetch_arguments, refuse_without_fetch
 from roslens.cli.process_option import add_process_arguments
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.tools_option import add_tools_arguments, tell_not_run
@@ -38,6 +40,7 @@ EXAMPLES = """\
   roslens check --baseline origin/main --new-only            what this branch brings
   roslens check --baseline report.json                       all, with what is new since a report
   roslens check --changed                                    findings in files that differ from HEAD
+  roslens check --fetch --distro jazzy --repository navigation2 --into nav2
   roslens check --watch                                      each file again as it is saved
   roslens check --process-metrics        also revisions, contributors, churn, ownership, hotspots: of git's history
   roslens check --graph                  also what does not fit together once the launch files are started"""
@@ -73,6 +76,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_tools_arguments(parser)
     add_process_arguments(parser)
     add_stream_arguments(parser)
+    parser.add_argument("--fetch", action="store_true", help="first `roslens fetch`, then check what is there")
+    add_fetch_arguments(parser, "with --fetch")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -97,6 +102,11 @@ def run(options: argparse.Namespace) -> int:
     chosen = outputs(options.format or (), options.output or ())
     if options.jobs is not None and options.jobs < 0:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
+    missing = 0
+    if options.fetch:
+        missing = fetch_first(options)
+    else:
+        refuse_without_fetch(options)
     root = root_of(options.paths)
     configuration = admitted_by(options, find_configuration(root, options.config))
     refuse_others(options)
@@ -130,7 +140,7 @@ def run(options: argparse.Namespace) -> int:
             took = time.monotonic() - begun
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)
-        code = _exit_code(scope.judged, scope.wanted)
+        code = _exit_code(scope.judged, scope.wanted) or (NOT_ANALYSED if missing else CLEAN)
     if options.watch:
         watch_files(options, root, configuration)
     return code

@@ -38,6 +38,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.configuration import find_configuration
     from roslens.model.errors import UsageError
     from roslens.report.fetch_text import fetch_text
+    from roslens.source.fetch.fetch_row import fetch_row
 
     if options.jobs < 0:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (as configured) or a positive number")
@@ -47,6 +48,6 @@ def run(options: argparse.Namespace) -> int:
         taken, failures = fetched(options, configuration, jobs=options.jobs, progress=progress)
     finally:
         progress.finish()
-    rows = [(one.how.value, one.wanted.name, one.commit, one.commits, one.day, one.failure, one.notes) for one in taken]
+    rows = list(map(fetch_row, taken))
     sys.stdout.write(fetch_text(rows, failures, verbose=options.verbose, quiet=options.quiet))
     return NOT_ANALYSED if failures or any(one.failure for one in taken) else CLEAN

@@ -39,7 +39,7 @@ def build(site: Site, request: Request) -> View | None:
         ref=PageRef("packages", query=query.pairs),
         title="Packages",
         facts={"include": list(include), "exclude": list(exclude), "text": query.get("text")},
-        tables=(table,),
+        tables=(table, *_repositories(site, tag_filter(include, exclude), request)),
         shown={"tags": site.tag_counts, "every_value": _every_value(request), "of_all": number_of_packages(site.by_id)},
     )
 
@@ -53,6 +53,7 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
     measured = measured_on(site.quantities, EntityKind.PACKAGE)
     present = {key for package in site.packages for key in package.values}
     tiers = tiers_of_packages(site)
+    several = len(site.view.header.repositories) > 1
     keys = [key for key in measured if key in present and key not in _OWN_COLUMNS]
     if not every_value:
         keys = [key for key in TELLING if key in keys]
@@ -88,6 +89,7 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
         Column("files", "Files", "number", optional=True),
         Column("functions", "Functions", "number", optional=True),
         Column("failures", "Not analysed", "number", optional=True),
+        *((Column("repository", "Repository"),) if several else ()),
         *((Column("version", "Version"), Column("path", "Path")) if every_value else ()),
     )
     needle = text.strip().casefold()
@@ -109,6 +111,7 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
             Cell(package.files),
             Cell(package.functions),
             Cell(package.failures or None, ref=PageRef("failures", query=(("package", package.id),))),
+            *((Cell(package.repository),) if several else ()),
             *((Cell(package.version), Cell(package.path)) if every_value else ()),
         )
         for package in packages
@@ -123,6 +126,48 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
         empty="No package matches.",
         identities=tuple(package.id for package in packages),
     )
+
+
+def _repositories(site: Site, tags: TagFilter, request: Request) -> tuple[Table, ...]:
+    """Return the repositories as a table, where there is more than one."""
+    found = site.view.header.repositories
+    if len(found) < 2:
+        return ()
+    columns = (
+        Column("repository", "Repository"),
+        Column("packages", "Packages", "number"),
+        Column("findings", "Findings", "number", bar=True),
+        Column(
+            "per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines of code of all its packages", decimals=1
+        ),
+        Column("loc", "Code lines", "number", bar=True, hint="Lines with code"),
+        Column("version", "Version", hint="Branch, tag or commit that was fetched", optional=True),
+        Column("commit", "Commit", "code", hint="With + where files differ from it"),
+        Column("url", "From", optional=True),
+    )
+    rows = []
+    for one in found:
+        inside = [site.by_id[key] for key in one.packages if key in site.by_id]
+        findings = sum(sum(site.severity_counts_of(package, tags).values()) for package in inside)
+        loc = sum(package.values.get("loc", 0) for package in inside)
+        rows.append(
+            (
+                Cell(one.name, hint=one.path),
+                Cell(len(inside)),
+                Cell(findings),
+                Cell(1000 * findings / loc if loc else None),
+                Cell(loc),
+                Cell(one.version),
+                Cell(one.commit[:12] + one.commit[40:]),
+                Cell(one.url),
+            )
+        )
+    table = Table(
+        "repositories", "Repositories", columns, tuple(rows), total=len(rows), sort="-findings",
+        empty="No repository.", identities=tuple(one.path for one in found),
+    )  # fmt: skip
+    limit = None if request.complete else request.limits.rows
+    return (sort_rows(table, request.query.get("sort_repositories"), limit),)
 
 
 _OWN_COLUMNS = frozenset({"loc", "tier", "dependents", "dependencies"})

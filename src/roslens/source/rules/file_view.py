@@ -117,8 +117,14 @@ class FileView:
         severity: Severity | None = None,
     ) -> Hit:
         """Return a hit at a node; see :class:`Hit` for the rest."""
-        line, column = self.place(node.start_byte)
-        end_line, end_column = self.place(max(node.end_byte - 1, node.start_byte))
+        row, offset = node.start_point
+        line, column = row + 1, offset + 1
+        end_row, end_column = node.end_point
+        end_line = end_row + 1
+        if (
+            not end_column or node.end_byte == node.start_byte
+        ):  # its last byte stands in the line before, or is its first
+            end_line, end_column = self.place(max(node.end_byte - 1, node.start_byte))
         context = self._context(node)
         return Hit(
             rule,

@@ -12,7 +12,7 @@ from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
-_INTEGERS = tuple(re.compile(rb"%s(?!\w)" % word) for word in (b"int", b"unsigned", b"signed", b"short", b"long"))
+_INTEGERS = {word: re.compile(rb"%s(?!\w)" % word) for word in (b"int", b"unsigned", b"signed", b"short", b"long")}
 
 _MAIN = re.compile(rb"\s*(?:main\s*\(|argc\b|\))")
 
@@ -20,7 +20,9 @@ _MAIN = re.compile(rb"\s*(?:main\s*\(|argc\b|\))")
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield each integer type that does not say its size."""
     seen = set()
-    for match in (one for pattern in _INTEGERS for one in pattern.finditer(view.code)):
+    for match in (
+        one for word, pattern in _INTEGERS.items() if word in view.words for one in pattern.finditer(view.code)
+    ):
         before = view.code[max(match.start() - 1, 0) : match.start()]
         if before.isalnum() or before == b"_" or (node := view.node_at(match.start(), match.end())) is None:
             continue

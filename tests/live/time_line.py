@@ -33,6 +33,7 @@ from roslens.judge.expectation import (
 )
 from roslens.judge.range import Range
 from roslens.live.monitor import Monitor
+from roslens.live.session import Step
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Endpoint, Event, Graph, Node, Role
@@ -206,6 +207,9 @@ class Played:
 
     def __init__(self, line: dict[str, Any]) -> None:
         self.monitor = Monitor(reference(line), start=0.0)
+        self.steps: list[Step] = []
+        self._events: list[Event] = []
+        self._graph: Graph | None = None
         self.changes: list[tuple[float, Verdict]] = []
         self.standing: list[tuple[float, dict[tuple[str, str], Verdict]]] = []
         actions: list[tuple[float, Any]] = []
@@ -227,10 +231,10 @@ class Played:
                 actions.append((arrives, lambda s=sample, v=voice: self.monitor.add_sample(s, self._heard(v))))
                 at += row.get("every", 1.0)
         for row in line.get("graphs", ()):
-            actions.append((row["at"], lambda r=row: self.monitor.add_graph(graph(r), r["at"])))
+            actions.append((row["at"], lambda r=row: self._take_graph(graph(r), r["at"])))
         for row in line.get("events", ()):
             event = Event(row["at"], Change(row["change"]), row["entity"])
-            actions.append((row["at"], lambda e=event: self.monitor.add_event(e)))
+            actions.append((row["at"], lambda e=event: self._take_event(e)))
         for row in line.get("values", ()):
             values = {key: float(value) for key, value in row["values"].items()}
             actions.append((row["at"], lambda r=row, v=values: self.monitor.add_field(r["topic"], r["at"], v)))
@@ -239,6 +243,14 @@ class Played:
         actions.sort(key=lambda action: action[0])
         self._away = line.get("away", {})
         self._run(actions, line.get("clock", []), line["until"])
+
+    def _take_graph(self, whole: Graph, at: float) -> None:
+        self._graph = whole
+        self.monitor.add_graph(whole, at)
+
+    def _take_event(self, event: Event) -> None:
+        self._events.append(event)
+        self.monitor.add_event(event)
 
     def _heard(self, voice: Voice | None, looked: float = 0.0) -> Any:
         return voice and self.monitor.hear(voice.name, looked, of_graph=voice.of_graph)
@@ -258,7 +270,11 @@ class Played:
             for row in clock:
                 if now >= row["at"]:
                     shown = row["at"] if now < row.get("until", 0) else now + row.get("shift", 0)
-            self.changes += [(now, verdict) for verdict in self.monitor.tick(shown)]
+            verdicts = self.monitor.tick(shown)
+            self.changes += [(now, verdict) for verdict in verdicts]
+            halted = tuple(sorted(self.monitor.world.halted(shown)))
+            self.steps.append(Step(shown, verdicts, tuple(self._events), graph=self._graph, halted=halted))
+            self._events, self._graph = [], None
             found = {(str(v.entity), v.expectation): v for v in self.monitor.standing()}
             self.standing.append((now, found))
 

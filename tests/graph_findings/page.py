@@ -57,6 +57,10 @@ and `make graph-findings` writes this page and what the pages of rules say of it
 """
 
 
+_BELOW = """Below {:.0f} % over all tables, with five or more read. Each was mended by the causes below, or became
+a note in part; what was read before still counts here, and the last table is of the rule before its last mending:"""
+
+
 def rules_page(found: Mapping[str, Sample]) -> str:
     """Return the page on coding rules."""
     rules = native_rules()
@@ -79,7 +83,7 @@ def _together(found: Mapping[str, Sample], on: Sequence[str], errors: Container[
         f"Of {len(on)} rules that are on by default as warnings or errors, {len(known)} were found in the field; of "
         f"{sum(sums[one][1] >= _FEW for one in known)} five or more findings were read."
     )
-    lines += ["", f"Below {least:.0f} % over all tables, with five or more read, and mended because of it:", ""]
+    lines += ["", _BELOW.format(least), ""]
     for rule in below:
         true, read = sums[rule]
         last = shares(found[latest[rule]])[rule]

@@ -42,7 +42,9 @@ def found(view: PackageView) -> Iterator[Hit]:
 
 def _is_brought(name: str, kinds: dict[str, set[str]]) -> bool:
     """Return whether a system package that the build needs is that of the name: ``libgazebo11-dev`` of ``gazebo``."""
-    own = re.compile(rf"(?:lib)?{re.escape(name.replace('_', '-').removesuffix('-ros'))}[\d.]*(?:-dev)?", re.IGNORECASE)
+    own = re.compile(
+        rf"(?:lib)?{re.escape(name.replace('_', '-').removesuffix('-ros'))}[\d.]*(?:[-_]dev)?", re.IGNORECASE
+    )
     return any(own.fullmatch(one) and one != name and kind & _FOR_BUILD for one, kind in kinds.items())
 
 

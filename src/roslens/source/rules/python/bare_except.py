@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView, below
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -23,7 +24,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if next(below(node, "raise_statement"), None) is None and not _ends(node, view):
         message = "except without a type catches SystemExit, KeyboardInterrupt and misspelt names; expected a type"
-        yield view.hit("python.bare_except", node.children[0], message)
+        severity = None if b"rospy" in view.code or b"rclpy" in view.code else Severity.NOTE
+        yield view.hit("python.bare_except", node.children[0], message, severity=severity)
 
 
 def _tried(node: Node, view: FileView) -> str:
@@ -40,7 +42,8 @@ RULE = FileRule(
     id="python.bare_except",
     title="Except that catches everything",
     finds="An `except:` without a type that neither raises again, ends the program nor prints the trace. Name the "
-    "exceptions, or write `except Exception`.",
+    "exceptions, or write `except Exception`. "
+    "In a file without rospy and rclpy it is a note.",
     why="It also catches KeyboardInterrupt, SystemExit and the exception by which rospy and rclpy end a wait: the "
     "node cannot be stopped, and a misspelt name is never noticed.",
     profiles=("ros2", "ros1"),
@@ -48,8 +51,8 @@ RULE = FileRule(
     syntax="python",
     kinds=("except_clause",),
     clauses=("pylint W0702", "ruff E722"),
-    bad="try:\n    pose = listener.lookup()\nexcept:\n    pose = None",
-    good="try:\n    pose = listener.lookup()\nexcept LookupError:\n    pose = None",
+    bad="import rospy\ntry:\n    pose = listener.lookup()\nexcept:\n    pose = None",
+    good="import rospy\ntry:\n    pose = listener.lookup()\nexcept LookupError:\n    pose = None",
     spares_tests=True,
     found=found,
 )

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -32,6 +33,7 @@ RULE = FileRule(
     "type that is meant.",
     why="A sensor that stopped, a parameter of the wrong type, a misspelt attribute: the robot goes on with old "
     "values and no log tells.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

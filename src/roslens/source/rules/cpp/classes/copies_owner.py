@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import Member, bases_of, class_name, is_static, members_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView, above, below
 from roslens.source.rules.hit import Hit
@@ -58,6 +59,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.copies_owner",
             at,
             f"`~{name}` deletes `{freed}`, which copies share; expected a std::unique_ptr, or copying deleted",
+            severity=None if view.may_be_header else Severity.NOTE,
         )
 
 

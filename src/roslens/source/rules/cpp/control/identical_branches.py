@@ -21,6 +21,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         if len(inside) != 1:
             return
         other = inside[0]
+    # The end of a chain may be written out although what is left does the same.
+    if node.parent is not None and node.parent.type == "else_clause":
+        return
     if then.type == "compound_statement" and not then.named_child_count:
         return
     if _written(then, view) == _written(other, view):

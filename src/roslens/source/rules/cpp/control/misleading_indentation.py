@@ -34,6 +34,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     opening = view.code[node.start_byte : body.start_byte]
     if b"\n" not in opening or b"#" in view.code[body.start_byte : following.start_byte] or following.text == b";":
         return
+    if b"\n\n" in view.content[body.end_byte : following.start_byte].replace(b"\r", b""):
+        return  # a paragraph of its own
     lead = _lead(node, view)
     inner, after = _lead(body, view), _lead(following, view)
     if inner is None or lead is None or inner != after or len(inner) <= len(lead):

@@ -39,7 +39,11 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
         body = node.child_by_field_name("body")
         start = max(view.code.rfind(b";", 0, node.start_byte), view.code.rfind(b"}", 0, node.start_byte)) + 1
         head = view.code[max(start, node.start_byte - 200) : body.start_byte if body is not None else node.end_byte]
-        if _FREE.search(head) or (node.child_by_field_name("type") is None and "::" not in name):
+        if (
+            _FREE.search(head)
+            or _behind_macro(node, function, view)
+            or (node.child_by_field_name("type") is None and "::" not in name)
+        ):
             continue
         yield view.hit(
             "cpp.header_function",
@@ -47,6 +51,14 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             f"`{name}` is defined in every file that includes this header; expected `inline`",
             only=GUARDED,
         )
+
+
+def _behind_macro(node: Node, function: Node, view: FileView) -> bool:
+    """Return whether a macro stands before the type, which may say ``inline``: ``CUDAH int offset()``."""
+    # Macros are blanked in what was parsed, the file has them.
+    start = view.content.rfind(b"\n", 0, node.start_byte) + 1
+    before = view.content[start : function.start_byte].split()
+    return len(before) > 1 and re.fullmatch(rb"[A-Z][A-Z0-9_]{2,}", before[0]) is not None
 
 
 def _is_inline_inside(name: str, view: FileView) -> bool:

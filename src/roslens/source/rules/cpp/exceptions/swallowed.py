@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.source.rules.cpp_class import function_declarator, has_token, name_node
+from roslens.source.rules.cpp_statement import next_statement
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -21,6 +22,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     line = view.lines[view.place(body.end_byte - 1)[0] - 1]
     around = above(node, "function_definition")
     is_last_act = around is not None and "~" in view.text(name_node(function_declarator(around)))
+    # Whether it went well is asked right behind it.
+    whole = next_statement(node.parent) if node.parent is not None else None
+    if whole is not None and whole.type == "if_statement":
+        return
     if not is_last_act and b"//" not in line and b"/*" not in line:
         yield view.hit(
             "cpp.swallowed", node, "`catch (...)` swallows every exception; expected a log, a reason or a narrower type"

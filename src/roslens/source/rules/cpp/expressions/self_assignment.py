@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.cpp_statement import same_text
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -21,7 +22,18 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     text = view.text(left)
     if "++" not in text and "--" not in text and text:
-        yield view.hit("cpp.self_assignment", node, f"`{view.text(node)[:60]}` does nothing; expected another side")
+        message = f"`{view.text(node)[:60]}` does nothing; expected another side"
+        severity = Severity.NOTE if _is_all_of_else(node) else None
+        yield view.hit("cpp.self_assignment", node, message, severity=severity)
+
+
+def _is_all_of_else(node: Node) -> bool:
+    """Return whether it is all that an ``else`` does: it says that nothing is to be done."""
+    statement = node.parent
+    block = statement.parent if statement is not None else None
+    if block is not None and block.type == "compound_statement" and block.named_child_count == 1:
+        block = block.parent
+    return block is not None and block.type == "else_clause"
 
 
 RULE = FileRule(

@@ -12,6 +12,8 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_KEYWORD = re.compile(r"\b(?:class|new|this|template|namespace|typename)\b")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each local array whose length is a parameter, a call of ``size`` or a local variable that may change."""
@@ -24,6 +26,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if function is None or function.type != "function_definition":
         return
     text = view.text(size)
+    if _KEYWORD.search(text):  # a name that only C allows: what stands here is no declaration
+        return
     if not _varies(text, function, view):
         return
     name = view.text(name_node(node))

@@ -14,6 +14,9 @@ from roslens.source.rules.rule import RCLPY, FileRule
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a name of the table."""
+    # A stub, or a type of one's own, declares a member of that name.
+    if node.parent is not None and node.parent.type == "assignment" and node.parent.child_by_field_name("left") == node:
+        return iter(())
     return find(node, view, "node.deprecated_ros2_python", _ROWS)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.source.rules.calls import LOOPS, body_of
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FIRMWARE, ROS_CPP, FileRule
 
@@ -28,6 +28,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
         return
+    # A thread that is let go ends with the process, and so does what a handler of the signal ends.
+    if b"signal(SIGINT" in view.code or (b"detach" in view.code and b"main" not in _function(node, view)):
+        return
     head = " ".join(view.code[loop.start_byte : body.start_byte].decode("utf-8", "replace").split())
     expected = "rclcpp::ok()" if b"rclcpp" in view.content else "ros::ok()"
     yield view.hit(
@@ -35,6 +38,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         node,
         f"`{head}` never ends: nothing in it leaves it or asks `{expected}`; expected `while ({expected})`",
     )
+
+
+def _function(node: Node, view: FileView) -> bytes:
+    """Return the name of the function around a loop."""
+    around = above(node, "function_definition", "lambda_expression")
+    declarator = around.child_by_field_name("declarator") if around is not None else None
+    return view.code[declarator.start_byte : declarator.end_byte] if declarator is not None else b""
 
 
 RULE = FileRule(

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.source.rules.calls import function_around
+from roslens.source.rules.cpp_class import name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
@@ -23,6 +25,10 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     declarator = around.child_by_field_name("declarator") if around is not None else None
     if declarator is None or declarator.type != "pointer_declarator":
         return
+    name, function = view.text(name_node(declarator)), function_around(made)
+    after = view.code[made.end_byte : function.end_byte].decode("utf-8", "replace") if function is not None else ""
+    if name and re.search(rf"\.reset\(\s*{name}\b|[pP]tr\w*(?:<[^;()]*>)?[({{]\s*{name}\b|publish\(\s*{name}\b", after):
+        return  # an owner takes it
     kind = view.text(made.child_by_field_name("type"))
     yield view.hit(
         "node.message_by_new",

@@ -9,10 +9,13 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import function_name
-from roslens.source.rules.calls import body_of, constructed, function_around, whole_name
+from roslens.source.rules.calls import constructed, function_around, whole_name
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import RCLCPP, FileRule
+
+_STAMP = re.compile(r"stamp|header|lookup_?transform|can_?transform|ransform\(", re.IGNORECASE)
+"""Where a time of the computer does harm: what others compare with theirs."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -32,7 +35,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         around,
         f"`{view.text(around)}()` reads the computer's clock, whatever `use_sim_time` says; expected the node's "
         "`now()`",
-        severity=Severity.NOTE if _is_told_only(around, view) or _is_initial(call, view) else None,
+        severity=None if _is_stamp(call, view) and not _is_initial(call, view) else Severity.NOTE,
     )
 
 
@@ -53,21 +56,12 @@ def _is_initial(call: Node, view: FileView) -> bool:
     return bool(scope) and scope == last and assigned is not None and assigned.type == "assignment_expression"
 
 
-def _is_told_only(now: Node, view: FileView) -> bool:
-    """Return whether the time goes to a variable that no message, look-up or comparison of the function takes."""
-    declared = above(now, "init_declarator", "return_statement", "field_initializer")
-    function = function_around(now)
-    body = body_of(function) if function is not None else None
-    if declared is None or declared.type != "init_declarator" or body is None:
-        return False
-    name = view.text(declared.child_by_field_name("declarator"))
-    if not name.isidentifier():
-        return False
-    uses = view.code[declared.end_byte : body.end_byte].decode("utf-8", "replace")
-    return not re.search(
-        rf"(?:stamp|time|lookup\w*|transform\w*|compare\w*)\b[^;]*\b{name}\b|\b{name}\b\s*[-<>+=]|[-<>+]\s*{name}\b",
-        uses,
-    )
+def _is_stamp(call: Node, view: FileView) -> bool:
+    """Return whether the time goes into a stamp, or is the default of a parameter that is one of ROS."""
+    if above(call, "optional_parameter_declaration") is not None:
+        return True
+    statement = above(call, "expression_statement", "declaration", "return_statement", "field_declaration")
+    return statement is not None and _STAMP.search(view.text(statement)) is not None
 
 
 RULE = FileRule(
@@ -75,8 +69,8 @@ RULE = FileRule(
     title="Clock that belongs to no node",
     finds="`rclcpp::Clock().now()`: the time of a clock that was made on the spot. Use `now()` or `get_clock()` of "
     "the node. "
-    "A time that is kept in a variable, and that the function neither compares nor puts into a stamp, and the "
-    "first value of a member, are notes; differences of times are let be.",
+    "What goes into no stamp or look-up is a note, and so is the first value of a member; differences of times are let "
+    "be.",
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",

@@ -97,7 +97,8 @@ def panel_value(pair: Pair, folder: Path) -> str:
 
 def read_graph(folder: Path, launch: Path, *options: str) -> Any:
     """Return the graph of a launch file as JSON."""
-    (graph,) = _run(folder, launch, *options)["configurations"]
+    shown = _run(folder, launch, *options)["configurations"]
+    (graph,) = [one for one in shown if not one.get("unstarted")]
     return graph
 
 

@@ -77,7 +77,7 @@ def test_pages_are_complete_without_scripts(visit: Visit, fetch: Callable[[str],
     expect(page.locator(".finding .more").first).to_be_visible()
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.nightly)])
 def test_every_page_of_a_real_run_opens(visit_example: Visit, scheme: str) -> None:
     page = visit_example("/", color_scheme=scheme)
     base = page.url.rstrip("/")

@@ -87,6 +87,7 @@ def judged(found, besides):
         assert told == []
 
 
+@pytest.mark.nightly
 @pytest.mark.timeout(150)
 @pytest.mark.skipif(not shutil.which("roscore"), reason="roscore is not installed")
 def test_two_monitors_of_ros1(tmp_path):

@@ -355,7 +355,7 @@ def test_a_tap_reads_rate_age_and_loss_and_is_no_part_of_the_system(ros, observe
     assert not [t for frame in observer.frames for t in frame.tallies if "roslens" in t.subscriber]
 
 
-@pytest.mark.parametrize("light", [True, False])
+@pytest.mark.parametrize("light", [True, pytest.param(False, marks=pytest.mark.nightly)])
 def test_statistics_of_subscribers_are_read(ros, observe, light):
     if light:
         environment = {"PYTHONPATH": str(Path(inside.__file__).parent / "path")}

@@ -8,6 +8,8 @@ from math import inf, isnan
 
 import msgspec
 
+from roslens.model.edit import Edit
+
 MOST_EXCESS = 1e9
 """What is further beyond its bound is not told apart, so that infinite values have a number too."""
 
@@ -28,7 +30,8 @@ class Severity(str, Enum):
 class RuleInfo(msgspec.Struct, frozen=True, omit_defaults=True):
     """What a rule is about; everything ``roslens explain`` and the rules page show.
 
-    ``precision`` is the share of its findings that were true when a sample was read; 0 where nobody did.
+    ``precision`` is the share of its findings that were true when a sample was read; 0 where nobody did. ``fix`` says
+    what ``roslens check --fix`` does about them; empty where it does nothing.
     """
 
     id: str
@@ -42,6 +45,7 @@ class RuleInfo(msgspec.Struct, frozen=True, omit_defaults=True):
     scope: str = "file"
     url: str = ""
     precision: float = 0.0
+    fix: str = ""
 
 
 class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -52,6 +56,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     ``quantity``, the broken ``bound`` and the ``model``. One that stands for several of one cause
     names the ``others``, each with its place; one that holds for several entities alike has the rest in ``also``.
     ``witnesses`` are the ids of the other rules, of whichever tool, that reported the same at the same place.
+    ``edits`` mend it without a change of what the code does otherwise; none where that takes a person.
     """
 
     rule: str
@@ -74,6 +79,7 @@ class Finding(msgspec.Struct, frozen=True, omit_defaults=True):
     others: tuple[str, ...] = ()
     also: tuple[str, ...] = ()
     witnesses: tuple[str, ...] = ()
+    edits: tuple[Edit, ...] = ()
 
     @property
     def excess(self) -> float:

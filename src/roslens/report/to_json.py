@@ -221,6 +221,11 @@ def _finding(package: str, finding: Finding, is_new: Callable[[Finding], bool] |
         shown["witnesses"] = finding.witnesses
     if finding.others:
         shown["others"] = finding.others
+    if finding.edits:
+        shown["fix"] = [
+            {"path": one.path, "start": one.start, "end": one.end, "text": one.text, "made_for": one.made_for}
+            for one in finding.edits
+        ]
     if is_new is not None:
         shown["new"] = is_new(finding)
     if finding.model:

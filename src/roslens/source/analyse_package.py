@@ -39,6 +39,7 @@ class PackageTask(msgspec.Struct, frozen=True):
     ``facts_keys`` names the cached analysis of each file that has a syntax; ``cache`` is the path
     of the cache, empty for none. ``program_keys`` names the cached programs likewise, where they are wanted:
     those that are missing are taken from the same parse. ``others`` are paths of files that have no language.
+    ``texts`` are contents that count instead of what files hold, by path.
     """
 
     package: Package
@@ -52,6 +53,7 @@ class PackageTask(msgspec.Struct, frozen=True):
     rules: RuleSettings = RuleSettings()
     wanted: frozenset[str] | None = None
     others: tuple[str, ...] = ()
+    texts: dict[str, bytes] = {}
 
 
 class MeasuredPackage(msgspec.Struct, frozen=True):
@@ -123,7 +125,7 @@ def _measure(task: PackageTask) -> MeasuredPackage:
         measured.append((file, analysis.facts, measure_file(file.path, analysis.facts, task.counting)))
     entities = measure_package(task.package, measured, task.counting)
     of_files = {file.path: facts for file, facts, _ in measured}
-    view = PackageView(task.package, task.root, task.files, of_files, others=task.others)
+    view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others)
     findings = rule_findings(view, task.rules, hits, callbacks, entities, failures)
     suppressions.update(_of_other_files(task, findings))
     return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new, findings)
@@ -145,7 +147,9 @@ def _of_other_files(task: PackageTask, findings: Iterable[Finding]) -> Iterator[
         if file.language in _COMMENTED or file.path in found:
             # A file that is gone meanwhile has none; who reads it for its own sake says so.
             with suppress(OSError):
-                if known := suppressions(read_bounded(Path(task.root, file.path), _LARGEST_BYTES)):
+                text = task.texts.get(file.path)
+                content = read_bounded(Path(task.root, file.path), _LARGEST_BYTES) if text is None else text
+                if known := suppressions(content):
                     yield file.path, known
 
 
@@ -177,7 +181,8 @@ def _analyses(
             yield file, decoder.decode(blob)
             continue
         try:
-            content = read_bounded(f"{task.root}/{file.path}")
+            text = task.texts.get(file.path)
+            content = read_bounded(f"{task.root}/{file.path}") if text is None else text
             with time_budget(SOURCE_FILE_S):
                 parsed = parse_file(content, file.language, task.macros)
                 analysis = analyse_parsed(content, parsed, task.wanted) if blob is None else decoder.decode(blob)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 import msgspec
@@ -10,6 +10,7 @@ import msgspec
 from roslens.intake.bounded_file import read_bounded
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
+from roslens.model.result import PackageResult
 from roslens.model.set_aside import SetAside
 from roslens.model.source import SourceFile
 from roslens.plugins.outcome import Outcome
@@ -25,6 +26,7 @@ from roslens.source.settings import SourceSettings
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import acceptances_of, read_acceptances
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
+from roslens.source.workspace.manifest import read_manifest
 from roslens.source.workspace.silence import Silence
 from roslens.store.cache import Cache
 
@@ -103,11 +105,38 @@ class FreshPackages:
         files[place] = msgspec.structs.replace(files[place], size=len(content), content_hash=content_hash(content))
         return self._judged(self._found[package], tuple(files), path)
 
-    def _judged(self, found: FoundPackage, files: tuple[SourceFile, ...], path: str) -> Fresh:
+    def judged(self, package: str, texts: Mapping[str, bytes]) -> PackageResult:
+        """Return what is known of a package whose files have these contents, by path, instead of those on the disk.
+
+        Raises:
+            KeyError: there is no such package.
+        """
+        files = tuple(
+            msgspec.structs.replace(file, size=len(text), content_hash=content_hash(text))
+            if (text := texts.get(file.path)) is not None
+            else file
+            for file in self._files[package]
+        )
+        return self._result(self._with_manifest(self._found[package], texts), files, texts)
+
+    def _with_manifest(self, found: FoundPackage, texts: Mapping[str, bytes]) -> FoundPackage:
+        before = found.package
+        text = texts.get(before.manifest.path)
+        if text is None:
+            return found
+        package, _ = read_manifest(text, before.manifest.path, self._settings.workspace.environment)
+        if package is None:
+            return found
+        named = msgspec.structs.replace(package, id=before.id, repository=before.repository)
+        return msgspec.structs.replace(found, package=named)
+
+    def _result(self, found: FoundPackage, files: tuple[SourceFile, ...], texts: Mapping[str, bytes]) -> PackageResult:
         package = found.package.id
         kept = str(self._cache.path) if self._cache.path else ""
         others = self._inventory.others.get(package, ())
-        task = package_task(found, files, others, root=self._workspace.root, settings=self._settings, kept=kept)
+        task = package_task(
+            found, files, others, root=self._workspace.root, settings=self._settings, kept=kept, texts=texts
+        )
         measured = measure_task(task)
         self._cache.put(measured.analyses)
         finisher = Finisher(
@@ -119,7 +148,11 @@ class FreshPackages:
             self._silence,
             nameable_rules(self._settings, self._models, ()),
         )
-        result = finisher.finish(measured, Outcome())
+        return finisher.finish(measured, Outcome())
+
+    def _judged(self, found: FoundPackage, files: tuple[SourceFile, ...], path: str) -> Fresh:
+        package = found.package.id
+        result = self._result(found, files, {})
         return Fresh(
             package,
             tuple(one for one in result.findings if one.path == path),

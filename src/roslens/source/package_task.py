@@ -24,6 +24,7 @@ def package_task(
     settings: SourceSettings,
     kept: str,
     program_keys: Mapping[str, str] | None = None,
+    texts: Mapping[str, bytes] | None = None,
 ) -> PackageTask:
     """Return the task of measuring a package.
 
@@ -35,6 +36,7 @@ def package_task(
         settings: of the run.
         kept: path of the cache; empty for none.
         program_keys: names of cached programs, where they are wanted.
+        texts: contents that count instead of what files hold, by path.
     """
     from roslens.source.analyse_package import PackageTask
 
@@ -56,6 +58,7 @@ def package_task(
         others=tuple(others),
         cache=kept,
         program_keys=dict(program_keys or {}),
+        texts=dict(texts or {}),
     )
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import msgspec
 
+from roslens.model.edit import Edit
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
@@ -22,7 +23,7 @@ FILE = "path, language, role, size, content_hash"
 ENTITY = "id, kind, name, path, line, end_line, parent, approximate"
 FINDING = (
     'rule, severity, message, path, line, "column", end_line, end_column, entity, tag_set, tool, fingerprint, '
-    "quantity, value, bound, model, gated, witnesses, others"
+    "quantity, value, bound, model, gated, witnesses, others, edits"
 )
 SET_ASIDE = "path, state, reason, said_by, package, finding"
 FAILURE = "tool, what, expected, advice, location, entity, package, partial, detail"
@@ -35,6 +36,7 @@ _decode_package = msgspec.json.Decoder(Package).decode
 _decode_finding = msgspec.json.Decoder(Finding).decode
 _decode_location = msgspec.json.Decoder(Location).decode
 _decode_repositories = msgspec.json.Decoder(tuple[FoundRepository, ...]).decode
+_decode_edits = msgspec.json.Decoder(tuple[Edit, ...]).decode
 _decode_texts = msgspec.json.Decoder(tuple[str, ...]).decode
 
 _NONE = "[]"
@@ -125,12 +127,14 @@ def finding_rows(unit: int, findings: Iterable[Finding], tags_of: Callable[[tupl
             finding.gated,
             to_json(finding.witnesses) if finding.witnesses else _NONE,
             to_json(finding.others) if finding.others else _NONE,
+            to_json(finding.edits) if finding.edits else _NONE,
         )
 
 
 def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
     """Read ``FINDING``; ``tags`` maps numbers to sets of tags."""
-    rule, severity, *middle, tag_set, tool, fingerprint, quantity, value, bound, model, gated, witnesses, others = row
+    rule, severity, *middle, tag_set, tool, fingerprint, quantity, value, bound, model, gated = row[:-3]
+    witnesses, others, edits = row[-3:]
     message, path, line, column, end_line, end_column, entity = middle
     return Finding(
         rule,
@@ -152,6 +156,7 @@ def to_finding(row: Row, tags: Mapping[int, tuple[str, ...]]) -> Finding:
         bool(gated),
         others=() if others == _NONE else to_texts(others),
         witnesses=() if witnesses == _NONE else to_texts(witnesses),
+        edits=() if edits == _NONE else _decode_edits(edits),
     )
 
 

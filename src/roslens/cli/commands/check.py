@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.baseline import add_baseline_arguments
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
+from roslens.cli.check_fix import fixed_scope, show_diff, take_back
 from roslens.cli.check_gate import gated
 from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
@@ -15,6 +16,7 @@ from roslens.cli.check_scope import scope_of, unchanged_files
 from roslens.cli.check_watch import add_watch_argument, refuse_others, watch_files
 from roslens.cli.fetch_first import fetch_first
 from roslens.cli.fetch_options import add_fetch_arguments, refuse_without_fetch
+from roslens.cli.fix_option import add_fix_arguments, refuse_contradictions
 from roslens.cli.process_option import add_process_arguments
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.tools_option import add_tools_arguments, tell_not_run
@@ -22,10 +24,12 @@ from roslens.cli.trust_option import add_trust_argument, admitted_by
 from roslens.cli.workplace import STORE, own_folder
 
 if TYPE_CHECKING:
+    from roslens.cli.check_scope import Scope
     from roslens.model.finding import Finding
     from roslens.model.result import RuleCount
     from roslens.model.tags import TagFilter
     from roslens.report.reported import Wanted
+    from roslens.source.pipeline import Answer
     from roslens.store.read import RunView
 
 TEXT = "Measure and judge the packages below the given folders."
@@ -41,6 +45,9 @@ EXAMPLES = """\
   roslens check --baseline report.json                       all, with what is new since a report
   roslens check --changed                                    findings in files that differ from HEAD
   roslens check --fetch --distro jazzy --repository navigation2 --into nav2
+  roslens check --diff                                       what can be mended safely, as a diff
+  roslens check --fix                                        mend it; --undo-fix takes it back
+  roslens check --changed --fix --fix-rule 'cpp.*'           of what is being worked on, these rules only
   roslens check --watch                                      each file again as it is saved
   roslens check --process-metrics        also revisions, contributors, churn, ownership, hotspots: of git's history
   roslens check --graph                  also what does not fit together once the launch files are started"""
@@ -71,6 +78,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")
     add_baseline_arguments(parser)
     add_watch_argument(parser)
+    add_fix_arguments(parser)
     add_trust_argument(parser)
     add_graph_argument(parser)
     add_tools_arguments(parser)
@@ -110,33 +118,49 @@ def run(options: argparse.Namespace) -> int:
     root = root_of(options.paths)
     configuration = admitted_by(options, find_configuration(root, options.config))
     refuse_others(options)
+    refuse_contradictions(options)
+    if options.undo_fix:
+        return take_back(options, root)
     unchanged = unchanged_files(options, root)
     kept = None if options.no_store or unchanged is not None else own_folder(root) / STORE
     with Store.open(kept) as store:
-        outcome = analysed(
-            options,
-            root,
-            configuration,
-            environment=dict(os.environ),
-            store=store,
-            progress=progress_for(options),
-            begun=begun,
-            unchanged=unchanged,
-        )
-        view = store.view(outcome.run)
+
+        def look() -> tuple[Answer, Scope]:
+            answer = analysed(
+                options,
+                root,
+                configuration,
+                environment=dict(os.environ),
+                store=store,
+                progress=progress_for(options),
+                begun=begun,
+                unchanged=unchanged,
+            )
+            return answer, scope_of(
+                options,
+                store.view(answer.run),
+                wanted,
+                root=root,
+                store=store,
+                configuration=configuration,
+                unchanged=unchanged,
+            )
+
         wanted = Wanted(
             tags,
             below_repository(root),
             options.fail_on or configuration.fail_on,
             configuration.accept_partial if options.accept_partial is None else options.accept_partial,
         )
-        scope = scope_of(
-            options, view, wanted, root=root, store=store, configuration=configuration, unchanged=unchanged
-        )
+        outcome, scope = look()
+        if options.diff:
+            return show_diff(options, root, configuration, scope)
+        if options.fix:
+            scope = fixed_scope(options, root, configuration, scope, lambda: look()[1])
         scope = gated(scope, configuration.gate)
         write_outputs(chosen, options, scope.shown, scope.wanted)
         if not options.quiet:
-            tell_not_run(view.header)
+            tell_not_run(scope.whole.header)
             took = time.monotonic() - begun
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)

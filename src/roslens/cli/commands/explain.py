@@ -108,6 +108,7 @@ def _of_rule(rule: RuleInfo) -> str:
             ("", rule.title),
             ("", rule.description),
             ("Why", rule.rationale),
+            ("Fix, by `roslens check --fix`", rule.fix),
             ("Tags", ", ".join(rule.tags)),
             ("Found by", rule.tool),
             ("More", rule.url),

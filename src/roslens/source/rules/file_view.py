@@ -10,12 +10,14 @@ from itertools import accumulate
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 
 _LONGEST_CONTEXT = 200
 _LARGE = 1000
 _WORD = re.compile(rb"\w+")
+_CPP_ALONE = re.compile(rb"\b(?:namespace|class|template|typename|virtual|nullptr|operator)\b|::")
 _OPEN = frozenset(
     (
         *("namespace_definition", "declaration_list", "linkage_specification"),
@@ -77,6 +79,11 @@ class FileView:
         return b"#pragma once" in self.code or b"#ifndef" in self.code or b"!defined" in self.code
 
     @cached_property
+    def is_cpp_alone(self) -> bool:
+        """Whether no compiler of C can read the file."""
+        return b"__cplusplus" not in self.code and _CPP_ALONE.search(self.code) is not None
+
+    @cached_property
     def kept(self) -> dict[object, object]:
         """What rules worked out and ask again, by keys of their own."""
         return {}
@@ -115,6 +122,7 @@ class FileView:
         only: str = "",
         callback: str = "",
         severity: Severity | None = None,
+        edits: tuple[Edit, ...] = (),
     ) -> Hit:
         """Return a hit at a node; see :class:`Hit` for the rest."""
         row, offset = node.start_point
@@ -137,13 +145,34 @@ class FileView:
             only=only,
             callback=callback,
             severity=severity,
+            edits=edits,
         )
 
-    def hit_at(self, rule: str, line: int, message: str, *, column: int = 0, only: str = "") -> Hit:
+    def hit_at(
+        self, rule: str, line: int, message: str, *, column: int = 0, only: str = "", edits: tuple[Edit, ...] = ()
+    ) -> Hit:
         """Return a hit at a line."""
         text = self.lines[line - 1] if 0 < line <= len(self.lines) else b""
         context = " ".join(text.decode("utf-8", "replace").split())[:_LONGEST_CONTEXT]
-        return Hit(rule, message, line, column, context=context, only=only)
+        return Hit(rule, message, line, column, context=context, only=only, edits=edits)
+
+    def edits(self, *changes: tuple[int, int, str]) -> tuple[Edit, ...]:
+        """Return edits that put texts into the place of bytes, each change ``(start, end, text)``.
+
+        None where what was parsed is not what the file holds there: a macro that was blanked, a place that was
+        repaired. Then nobody knows what the change would mean.
+        """
+        found = []
+        for start, end, text in changes:
+            if self.source[start:end] != self.content[start:end]:
+                return ()
+            found.append(Edit("", start, end, text, *self.place(start), *self.place(end)))
+        return tuple(found)
+
+    def is_as_written(self, node: Node) -> bool:
+        """Return whether a node was parsed without a fault, and as the file holds it."""
+        start, end = node.start_byte, node.end_byte
+        return not node.has_error and self.source[start:end] == self.content[start:end]
 
 
 def above(node: Node, *types: str) -> Node | None:

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import msgspec
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 
 HEADER, SOURCE, GUARDED = "header", "source", "guarded"
 """Values of ``only``: for files that are included by others, for those that are compiled, and for headers that must be
 guarded: pieces of headers such as ``.ipp`` and ``.inl``, which one header includes at its end, need not be."""
+
+
+GUARD_NAME = "\0GUARD\0"
+"""In the text of an edit: the name of the header guard, which the path of the file tells."""
 
 
 class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
@@ -25,6 +30,8 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
         callback: it counts where this function, as qualified in the file, is a callback of some file of the package.
         severity: where it differs from the rule's.
         entity: text form of the id it is about, where that is not the innermost one around the line.
+        edits: what mends it; those without a path are of the file itself. :data:`GUARD_NAME` in their text stands for
+            the name that a header guard of the file has.
     """
 
     rule: str
@@ -39,3 +46,4 @@ class Hit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
     callback: str = ""
     severity: Severity | None = None
     entity: str = ""
+    edits: tuple[Edit, ...] = ()

@@ -9,10 +9,12 @@ from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding
 from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.source.rules.guard_style import guard_style
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.match_file import MOST_HITS
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.place_hits import place_hits
+from roslens.source.rules.placed_edits import with_placed_edits
 from roslens.source.rules.rule import TOOL, PackageRule
 from roslens.source.rules.selection import selected
 from roslens.source.rules.table import native_rules, package_rules
@@ -49,6 +51,8 @@ def rule_findings(
                     placed.setdefault(hit.path, []).append(hit)
             except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
                 failures.append(_broken(rule, view, error))
+    style = guard_style(settings.profiles, view.ros)
+    placed = {path: list(with_placed_edits(found, path, view, style)) for path, found in placed.items()}
     return place_hits(placed, callbacks, selection, rules, entities)
 
 

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from roslens.source.rules.cmake_view import CmakeView
     from roslens.source.rules.dependency_uses import Use
     from roslens.source.rules.launch_view import LaunchXml
+    from roslens.source.rules.manifest_edits import ManifestEdits
     from roslens.source.rules.registered_classes import Registered
     from roslens.source.workspace.mistakes import Mistake
 
@@ -35,7 +36,7 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
         root: absolute folder of the workspace.
         files: all of the package.
         facts: of those that have a syntax, by path.
-        texts: contents by path that tests give instead of files.
+        texts: contents by path that count instead of what files hold.
         others: paths of the files that have no language of interest: licences, meshes, ``setup.cfg``.
     """
 
@@ -119,6 +120,14 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
 
         path = self.package.manifest.path
         return mistakes_of(self.read(path), path) if path else ()
+
+    @cached_property
+    def manifest_edits(self) -> ManifestEdits:
+        """What can be done about its package.xml."""
+        from roslens.source.rules.manifest_edits import ManifestEdits
+
+        path = self.package.manifest.path
+        return ManifestEdits(self.read(path) if path else b"", path)
 
     @cached_property
     def cmake(self) -> CmakeView:

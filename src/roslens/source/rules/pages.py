@@ -46,7 +46,14 @@ def _index(rules: Sequence[Rule]) -> str:
     for rule in rules:
         profiles = ", ".join(rule.profiles)
         text += f"| [`{rule.id}`](rules/{rule.id}.md) | {rule.severity.value} | {rule.title} | {profiles} |\n"
-    return text
+    return text + _fixes([rule for rule in rules if rule.fix])
+
+
+def _fixes(rules: Sequence[Rule]) -> str:
+    text = "\n## Rules with a fix\n\n"
+    text += f"What [`roslens check --fix`](fixes.md) mends: findings of {len(rules)} rules, where it is certain.\n\n"
+    text += "| rule | fix |\n| --- | --- |\n"
+    return text + "".join(f"| [`{rule.id}`](rules/{rule.id}.md) | {rule.fix} |\n" for rule in rules)
 
 
 def _fence(rule: Rule) -> str:
@@ -63,6 +70,8 @@ def _page(rule: Rule) -> str:
         f"In order:\n\n```{fence}\n{rule.good.strip(chr(10))}\n```",
         f"Severity: {rule.severity.value}. Reads {reads}. On in: {', '.join(rule.profiles) or 'no profile'}.",
     ]
+    if rule.fix:
+        parts.append(f"Fix: safe, by [`roslens check --fix`](../fixes.md). {rule.fix}")
     if rule.clauses:
         parts.append("Covers: " + ", ".join(f"`{clause}`" for clause in rule.clauses))
     if rule.unlike:

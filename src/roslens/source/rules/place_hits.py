@@ -86,6 +86,7 @@ def _finding(hit: Hit, path: str, entity: str, ordinal: int, selection: Selectio
         tags=rule.info.tags,
         tool=TOOL,
         fingerprint=fingerprint(hit.rule, entity, hit.context, ordinal),
+        edits=hit.edits,
     )
 
 

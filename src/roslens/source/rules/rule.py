@@ -58,6 +58,8 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
         bad: an example that it reports.
         good: the same, as it should be.
         unlike: ids of rules that require the opposite: no profile may have both.
+        fix: what its edits do, and where it has none, in sentences; empty for a rule whose findings take a person.
+            Edits keep what the code does, but for what the rule is about.
     """
 
     id: str
@@ -71,6 +73,7 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
     bad: str = ""
     good: str = ""
     unlike: tuple[str, ...] = ()
+    fix: str = ""
 
     @property
     def family(self) -> str:
@@ -96,6 +99,7 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
             languages=self.languages,
             scope="file" if self.languages else "package",
             precision=precision_of(self.id),
+            fix=self.fix,
         )
 
 

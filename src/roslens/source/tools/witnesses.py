@@ -13,6 +13,7 @@ from typing import Literal
 
 import msgspec
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Finding
 from roslens.source.tools.tool_checks import checks_of, rule_id
 from roslens.source.tools.used import TOOLS, plain
@@ -82,14 +83,20 @@ def joined(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     if not any(rule.partition(".")[0] in TOOLS for rule in by_rule):
         return all_of_them
     witnesses: dict[int, tuple[str, ...]] = {}
+    edits: dict[int, tuple[Edit, ...]] = {}
     gone: set[int] = set()
     for row in all_equivalents():
         present = [rule for rule in row.rules if rule in by_rule]
         if len(present) > 1:
             for by_rank in _places(row, present, by_rule, all_of_them, gone):
-                _join(present, by_rank, all_of_them, witnesses, gone)
+                for first, others in _join(present, by_rank, all_of_them, witnesses, gone):
+                    edits[first] = next((one.edits for one in others if one.edits), edits.get(first, ()))
     return tuple(
-        msgspec.structs.replace(finding, witnesses=(*finding.witnesses, *witnesses[index]))
+        msgspec.structs.replace(
+            finding,
+            witnesses=(*finding.witnesses, *witnesses[index]),
+            edits=finding.edits or edits.get(index, ()),
+        )
         if index in witnesses
         else finding
         for index, finding in enumerate(all_of_them)
@@ -121,8 +128,11 @@ def _join(
     findings: Sequence[Finding],
     witnesses: dict[int, tuple[str, ...]],
     gone: set[int],
-) -> None:
-    """Join the findings of one place, of each rule the first with the first, the second with the second."""
+) -> Iterator[tuple[int, tuple[Finding, ...]]]:
+    """Join the findings of one place, of each rule the first with the first, the second with the second.
+
+    Yields each that stays with those that it stands for.
+    """
     ordered = {
         rank: sorted(indexes, key=lambda index: (findings[index].line, findings[index].column))
         for rank, indexes in sorted(by_rank.items())
@@ -134,3 +144,4 @@ def _join(
             told = [rule for rank, index in others for rule in (rules[rank], *witnesses.get(index, ()))]
             witnesses[first] = (*witnesses.get(first, ()), *told)
             gone.update(index for _, index in others)
+            yield first, tuple(findings[index] for _, index in others)

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
+import msgspec
+
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.mistaken import mistaken
@@ -15,7 +19,25 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield each dependency that is empty, on the package itself, or there twice."""
     from roslens.source.workspace.validity import DEPENDENCY
 
-    yield from mistaken(view, "package.dependency_form", DEPENDENCY)
+    for hit in mistaken(view, "package.dependency_form", DEPENDENCY):
+        yield msgspec.structs.replace(hit, edits=_removed(hit, view))
+
+
+def _removed(hit: Hit, view: PackageView) -> tuple[Edit, ...]:
+    """Return what takes away an element that says nothing new, or names the package itself."""
+    manifest = view.manifest_edits
+    element = manifest.element_at(hit.line)
+    if element is None or not element.text():
+        return ()
+    if "depends on itself" in hit.message:
+        return manifest.removed(element)
+    said = re.search(r"says the same as <(\w+)>", hit.message)
+    if said is None:
+        return ()
+    if manifest.format == 1 or said[1] == element.tag:
+        return manifest.removed(element)
+    others = [one for one in manifest.elements(said[1], element.text()) if one.attributes == element.attributes]
+    return manifest.removed(others[0]) if len(others) == 1 else ()
 
 
 RULE = PackageRule(
@@ -28,6 +50,8 @@ RULE = PackageRule(
     severity=Severity.ERROR,
     profiles=("ros2", "ros1"),
     tags=("manifest",),
+    fix="Takes away what is said twice, and a dependency on the package itself. An empty tag is left: "
+    "somebody meant a name.",
     bad="<depend>rclcpp</depend>\n<exec_depend>rclcpp</exec_depend>",
     good="<depend>rclcpp</depend>",
     found=found,

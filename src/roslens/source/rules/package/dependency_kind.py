@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslens.model.edit import Edit
 from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -37,7 +38,24 @@ def found(view: PackageView) -> Iterator[Hit]:
         place = next(one for one in view.package.dependencies if one.name == use.name).location
         at = f"{use.path}:{use.line}"
         message = f"{use.name!r} is declared by {has}, and {at} uses it: {use.how}; expected {expected}"
-        yield Hit("package.dependency_kind", message, place.line, place.column, context=use.name, path=place.path)
+        yield Hit(
+            "package.dependency_kind",
+            message,
+            place.line,
+            place.column,
+            context=use.name,
+            path=place.path,
+            edits=_widened(use.name, declared, view),
+        )
+
+
+def _widened(name: str, declared: set[str], view: PackageView) -> tuple[Edit, ...]:
+    """Return what makes the only declaration of a package one for the build and for running."""
+    manifest = view.manifest_edits
+    elements = list(manifest.elements(text=name))
+    if manifest.format < 2 or len(declared) != 1 or declared & {"doc", "buildtool"} or len(elements) != 1:
+        return ()
+    return manifest.renamed(elements[0], "depend") if elements[0].tag.endswith("_depend") else ()
 
 
 def _is_brought(name: str, kinds: dict[str, set[str]]) -> bool:
@@ -64,6 +82,7 @@ RULE = PackageRule(
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_build_depend",),
+    fix="Makes `<depend>` of the only declaration, which is for the build and for running.",
     bad="<test_depend>sensor_msgs</test_depend>  <!-- #include <sensor_msgs/msg/imu.hpp> in src/driver.cpp -->",
     good="<depend>sensor_msgs</depend>",
     found=found,

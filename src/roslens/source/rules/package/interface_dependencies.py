@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.cmake_view import Written
 from roslens.source.rules.hit import Hit
@@ -13,6 +14,7 @@ from roslens.source.rules.rule import PackageRule
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield what the manifest of a package that generates interfaces lacks."""
+    manifest = view.manifest_edits
     kinds: dict[str, set[str]] = {}
     for one in view.package.dependencies:
         kinds.setdefault(one.name, set()).add(one.kind)
@@ -20,25 +22,32 @@ def found(view: PackageView) -> Iterator[Hit]:
     made = view.cmake.first("rosidl_generate_interfaces")
     if made is not None and not _is_aside(made) and "rosidl_interface_packages" not in groups:
         message = "the package generates interfaces; expected <member_of_group>rosidl_interface_packages"
-        yield _hit(view, message, "rosidl_interface_packages", Severity.ERROR)
+        edits = manifest.added("member_of_group", "rosidl_interface_packages") if manifest.format == 3 else ()
+        yield _hit(view, message, "rosidl_interface_packages", Severity.ERROR, edits)
     made = view.cmake.first("generate_messages")
     if made is not None and not made.defined and 1 in view.ros and "genmsg" not in view.cmake.text:
         if "message_generation" not in kinds:
             message = "the package generates messages; expected <build_depend>message_generation"
-            yield _hit(view, message, "message_generation", Severity.WARNING)
+            edits = manifest.added("build_depend", "message_generation")
+            yield _hit(view, message, "message_generation", Severity.WARNING, edits)
         if not kinds.get("message_runtime", set()) & {"exec", "run", "depend", "build_export"}:
             message = "the package generates messages; expected <exec_depend>message_runtime"
-            yield _hit(view, message, "message_runtime", Severity.WARNING)
+            edits = manifest.added("run_depend" if manifest.format == 1 else "exec_depend", "message_runtime")
+            yield _hit(view, message, "message_runtime", Severity.WARNING, edits)
 
 
 def _is_aside(command: Written) -> bool:
     return command.for_tests or command.defined or "SKIP_INSTALL" in command.words
 
 
-def _hit(view: PackageView, message: str, context: str, severity: Severity) -> Hit:
+def _hit(view: PackageView, message: str, context: str, severity: Severity, edits: tuple[Edit, ...]) -> Hit:
     where = view.package.manifest
     rule = "package.interface_dependencies"
-    return Hit(rule, message, where.line, where.column, context=context, path=where.path, severity=severity)
+    if len(view.ros) > 1:
+        edits = ()
+    return Hit(
+        rule, message, where.line, where.column, context=context, path=where.path, severity=severity, edits=edits
+    )
 
 
 RULE = PackageRule(
@@ -52,6 +61,8 @@ RULE = PackageRule(
     severity=Severity.ERROR,
     profiles=("ros2", "ros1"),
     tags=("manifest", "interface"),
+    fix="Adds the element. A manifest of an older format has no groups: it is left, and so is one for both "
+    "versions of ROS.",
     bad='<package format="3">  <!-- CMakeLists.txt: rosidl_generate_interfaces(…) -->',
     good="<member_of_group>rosidl_interface_packages</member_of_group>",
     found=found,

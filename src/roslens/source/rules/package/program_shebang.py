@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from roslens.model.edit import Edit, edit_at
 from roslens.model.source import Language
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -35,10 +36,19 @@ def found(view: PackageView) -> Iterator[Hit]:
                 continue
             if not first.startswith("#!"):
                 message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {_EXPECTED}"
-                yield Hit("package.program_shebang", message, 1, context="#!", path=path)
+                edits = _begun(view.read(path), b"", path)
+                yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
             elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
                 message = f"distributions of ROS 2 have no program for {first!r}; expected {_EXPECTED}"
-                yield Hit("package.program_shebang", message, 1, context="#!", path=path)
+                edits = _begun(view.read(path), first.encode(), path)
+                yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
+
+
+def _begun(content: bytes, line: bytes, path: str) -> tuple[Edit, ...]:
+    """Return what puts the expected line into the place of the first one, or before it."""
+    if not content.startswith(line) or content.startswith(b"\xef\xbb\xbf"):
+        return ()
+    return (edit_at(content, 0, len(line), _EXPECTED + ("" if line else "\n"), path),)
 
 
 RULE = PackageRule(
@@ -50,6 +60,7 @@ RULE = PackageRule(
     "not start.",
     profiles=("ros2", "ros1"),
     tags=("python", "install"),
+    fix="Writes the first line.",
     bad="import rclpy\n\n# CMakeLists.txt: install(PROGRAMS scripts/teleop.py DESTINATION lib/${PROJECT_NAME})",
     good="#!/usr/bin/env python3\nimport rclpy",
     found=found,

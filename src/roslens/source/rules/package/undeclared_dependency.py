@@ -2,20 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.dependency_uses import BUILD, RUN, TEST, Use
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.manifest_edits import joined
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
-from roslens.source.rules.system_packages import KEYS, NEEDS_NO_KEY, brings, looks_like_ros_package, stands_for
+from roslens.source.rules.system_packages import (
+    KEYS,
+    NEEDS_NO_KEY,
+    brings,
+    is_ros_package,
+    looks_like_ros_package,
+    stands_for,
+)
 
 _WHAT = {
     "#include": "headers are included of packages",
     "import": "modules are imported of packages",
     "launch": "launch files need packages",
 }
+_TAGS_OF_FORMAT_1 = {BUILD: ("build_depend", "run_depend"), RUN: ("run_depend",), TEST: ("test_depend",)}
+_TAGS_OF_FORMAT_2 = {BUILD: ("depend",), RUN: ("exec_depend",), TEST: ("test_depend",)}
 _TAGS = {BUILD: "<depend>", RUN: "<exec_depend>", TEST: "<test_depend>"}
 
 
@@ -33,20 +44,38 @@ def found(view: PackageView) -> Iterator[Hit]:
             gathered[how][use.name] = use
             continue
         message = f"{use.how}: package.xml does not declare {use.name!r}; expected {_TAGS[use.when]}"
-        yield Hit("package.undeclared_dependency", message, use.line, context=use.name, path=use.path)
+        edits = _declared((use,), view)
+        yield Hit("package.undeclared_dependency", message, use.line, context=use.name, path=use.path, edits=edits)
     for how, uses in gathered.items():
         if uses:
-            yield _together(how, list(uses.values()))
+            yield _together(how, list(uses.values()), view)
 
 
-def _together(how: str, uses: list[Use]) -> Hit:
+def _together(how: str, uses: list[Use], view: PackageView) -> Hit:
     first = uses[0]
     names = ", ".join(repr(use.name) for use in uses)
     tags = " and ".join(dict.fromkeys(_TAGS[use.when] for use in uses))
     message = f"{_WHAT[how]} that package.xml does not declare: {names}; expected {tags}"
     # What is included was found in the build: another dependency brings it.
     severity = Severity.NOTE if how == "#include" else None
-    return Hit("package.undeclared_dependency", message, first.line, context=how, path=first.path, severity=severity)
+    return Hit(
+        "package.undeclared_dependency",
+        message,
+        first.line,
+        context=how,
+        path=first.path,
+        severity=severity,
+        edits=_declared(uses, view),
+    )
+
+
+def _declared(uses: Sequence[Use], view: PackageView) -> tuple[Edit, ...]:
+    """Return what declares all of some packages; nothing where the key of one, or its condition, is not certain."""
+    manifest = view.manifest_edits
+    if not manifest.format or len(view.ros) > 1 or not all(is_ros_package(use.name) for use in uses):
+        return ()
+    tags = _TAGS_OF_FORMAT_1 if manifest.format == 1 else _TAGS_OF_FORMAT_2
+    return joined([manifest.added(tag, use.name) for use in uses for tag in tags[use.when]])
 
 
 def _is_said(key: str, use: Use) -> bool:
@@ -77,6 +106,8 @@ RULE = PackageRule(
     profiles=("ros2", "ros1"),
     tags=("manifest", "dependency"),
     clauses=("catkin_lint missing_depend",),
+    fix="Declares packages of ROS in package.xml, behind dependencies of the same kind. Libraries, whose key "
+    "of rosdep is not certain, and packages for both versions of ROS are left.",
     bad="find_package(tf2_ros REQUIRED)  # package.xml: nothing of tf2_ros",
     good="<depend>tf2_ros</depend>",
     found=found,

@@ -25,7 +25,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             if _LITERALS & set(sides):
                 expected = "==" if sign.type == "is" else "!="
                 message = f"{view.text(node)[:60]!r} asks for the same object; expected {expected!r}"
-                yield view.hit("python.is_literal", node, message)
+                edits = view.edits((sign.start_byte, sign.end_byte, "==" if sign.type == "is" else "!="))
+                yield view.hit("python.is_literal", node, message, edits=edits)
                 return
 
 
@@ -40,6 +41,7 @@ RULE = FileRule(
     syntax="python",
     kinds=("comparison_operator",),
     clauses=("ruff F632", "pylint R0123"),
+    fix="Writes `==` or `!=`.",
     bad='if mode is "auto":\n    start()',
     good='if mode == "auto":\n    start()',
     found=found,

@@ -33,6 +33,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.explicit_constructor",
             member.declarator,
             f"constructor `{view.text(member.declarator)[:60]}` converts; expected `explicit`",
+            edits=view.edits((member.declarator.start_byte, member.declarator.start_byte, "explicit ")),
         )
 
 
@@ -62,6 +63,7 @@ RULE = FileRule(
         "paper2016 explicit_constructors",
         "clang-tidy google-explicit-constructor",
     ),
+    fix="Adds `explicit`.",
     bad="struct Speed {\n  Speed(double v);\n};\n",
     good="struct Speed {\n  explicit Speed(double v);\n};\n",
     syntax="cpp",

@@ -24,7 +24,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         and not has_token(around, "virtual")
     ):
         yield view.hit(
-            "cpp.missing_virtual", declarator, f"`{view.text(declarator)[:60]}` overrides; expected `virtual` in front"
+            "cpp.missing_virtual",
+            declarator,
+            f"`{view.text(declarator)[:60]}` overrides; expected `virtual` in front",
+            edits=()
+            if "attribute" in around.children[0].type
+            else view.edits((around.start_byte, around.start_byte, "virtual ")),
         )
 
 
@@ -38,6 +43,7 @@ RULE = FileRule(
     profiles=("misra-cpp-2008",),
     clauses=("misra-cpp-2008 10-3-2",),
     unlike=("cpp.redundant_virtual",),
+    fix="Adds `virtual`.",
     bad="struct B : A { void stop() override; };\n",
     good="struct B : A { virtual void stop() override; };\n",
     syntax="cpp",

@@ -11,6 +11,7 @@ from roslens.source.rules.cpp_class import class_name, has_token, members_of, pa
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+from roslens.source.rules.spans import with_space
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -30,6 +31,13 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 "cpp.needless_explicit",
                 member.declarator,
                 f"`explicit {view.text(member.declarator)}` takes nothing; expected no `explicit`",
+                edits=view.edits(
+                    *(
+                        (*with_space(view.content, one.start_byte, one.end_byte), "")
+                        for one in member.node.children
+                        if one.type == "explicit_function_specifier" and view.text(one) == "explicit"
+                    )
+                ),
             )
 
 
@@ -47,6 +55,7 @@ RULE = FileRule(
         "cpplint runtime/explicit",
         "paper2016 non_explicit_constructors",
     ),
+    fix="Takes `explicit` away.",
     bad="struct A { explicit A(); };\n",
     good="struct A { A(); };\n",
     syntax="cpp",

@@ -10,6 +10,7 @@ from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import bases_of, class_name, is_static, members_of, name_node, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.override_edits import override_edits
 from roslens.source.rules.rule import FileRule
 
 
@@ -32,6 +33,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
                 "cpp.override",
                 member.declarator,
                 f"`{view.text(member.declarator)[:60]}` overrides; expected `override`",
+                edits=override_edits(member.node, member.declarator, view),
             )
 
 
@@ -77,6 +79,7 @@ RULE = FileRule(
         "autosar-cpp14 A10-3-2",
         "clang-tidy modernize-use-override",
     ),
+    fix="Adds `override`, and takes away `virtual`, which it says too.",
     bad="struct A { virtual void stop(); };\nstruct B : A { void stop(); };\n",
     good="struct A { virtual void stop(); };\nstruct B : A { void stop() override; };\n",
     syntax="cpp",

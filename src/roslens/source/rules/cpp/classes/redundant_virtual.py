@@ -6,11 +6,13 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import has_token, name_node
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+from roslens.source.rules.spans import with_space
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -31,7 +33,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.redundant_virtual",
             declarator,
             f"`{'` and `'.join(both)}` of `{view.text(name_node(declarator))}`; expected one of them",
+            edits=_edits(around, declarator, view) if "override" in words else (),
         )
+
+
+def _edits(declaration: Node, declarator: Node, view: FileView) -> tuple[Edit, ...]:
+    gone = [one for one in declaration.children if one.type == "virtual"]
+    specifiers = [one for one in declarator.children if one.type == "virtual_specifier"]
+    if len(specifiers) > 1:
+        gone += [one for one in specifiers if view.text(one) == "override"]
+    return view.edits(*((*with_space(view.content, one.start_byte, one.end_byte), "") for one in gone))
 
 
 RULE = FileRule(
@@ -55,6 +66,8 @@ RULE = FileRule(
         "clang-tidy modernize-use-override",
     ),
     unlike=("cpp.missing_virtual",),
+    fix="Keeps the word that says most, `final` or `override`. `virtual` beside `final` alone is left: it may "
+    "begin something.",
     bad="struct B : A { virtual void stop() override; };\n",
     good="struct B : A { void stop() override; };\n",
     syntax="cpp",

@@ -6,10 +6,12 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+from roslens.source.rules.spans import line_around
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -24,7 +26,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.namespace_end",
             last,
             f"end of namespace {name or 'without a name'}; expected `// namespace {name}`".rstrip(),
+            edits=_edits(node, name, view),
         )
+
+
+def _edits(node: Node, name: str, view: FileView) -> tuple[Edit, ...]:
+    end = node.end_byte
+    _, behind = line_around(view.content, end - 1)
+    if node.has_error or view.content[end - 1 : end] != b"}" or view.content[end:behind].strip():
+        return ()
+    return view.edits((end, end, f"  // namespace {name}".rstrip()))
 
 
 RULE = FileRule(
@@ -43,6 +54,7 @@ RULE = FileRule(
         "paper2016 namespace_end_comment",
         "clang-tidy google-readability-namespace-comments",
     ),
+    fix="Adds the comment. Where the line has another comment, it is left.",
     bad="namespace a {\n\n\n\n\n\n\n\n\n\n\n\n}\n",
     good="namespace a {\n\n\n\n\n\n\n\n\n\n\n\n}  // namespace a\n",
     syntax="cpp",

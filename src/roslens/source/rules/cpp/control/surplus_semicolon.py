@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import places
 from roslens.source.rules.file_view import FileView
@@ -32,14 +33,21 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             one = one.parent
         around = one.parent
         if around is not None and _is_function(around, one):
-            yield view.hit("cpp.surplus_semicolon", one, "`;` behind this function; expected nothing")
+            yield view.hit(
+                "cpp.surplus_semicolon", one, "`;` behind this function; expected nothing", edits=_edits(match, view)
+            )
             continue
         before = one.prev_named_sibling
         while before is not None and before.type == "comment":
             before = before.prev_named_sibling
         if before is not None and before.type in _NEEDLESS and before.end_byte <= match.start(1):
             what = before.type.rpartition("_")[0].replace("_", " ")
-            yield view.hit("cpp.surplus_semicolon", one, f"`;` behind this {what}; expected nothing")
+            edits = _edits(match, view) if view.is_as_written(before) else ()
+            yield view.hit("cpp.surplus_semicolon", one, f"`;` behind this {what}; expected nothing", edits=edits)
+
+
+def _edits(match: re.Match[bytes], view: FileView) -> tuple[Edit, ...]:
+    return view.edits((match.start() + 1, match.end(), ""))
 
 
 def _is_function(declaration: Node, semicolon: Node) -> bool:
@@ -69,6 +77,7 @@ RULE = FileRule(
         "paper2016 redundant_empty_statement",
         "clang-tidy clang-diagnostic-extra-semi",
     ),
+    fix="Takes the semicolon away.",
     bad="void f() {};\n",
     good="void f() {}\n",
     syntax="cpp",

@@ -23,6 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             node,
             f"`{text[:60]}` is no C++ any more; expected {instead}",
             severity=Severity.NOTE if is_empty else None,
+            edits=view.edits((node.start_byte, node.end_byte, "noexcept")) if is_empty else (),
         )
 
 
@@ -47,6 +48,7 @@ RULE = FileRule(
         "paper2016 harosThrowSpecification",
         "clang-tidy modernize-use-noexcept",
     ),
+    fix="Writes `noexcept` for `throw()`. A list of exceptions is left: what is to become of others takes a person.",
     bad="void f() throw(Error);\n",
     good="void f();\n",
     syntax="cpp",

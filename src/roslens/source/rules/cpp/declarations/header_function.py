@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.source.rules.cpp_class import function_declarator, name_node
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import GUARDED, Hit
@@ -50,6 +51,7 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             function,
             f"`{name}` is defined in every file that includes this header; expected `inline`",
             only=GUARDED,
+            edits=_edits(node, view),
         )
 
 
@@ -65,6 +67,13 @@ def _is_inline_inside(name: str, view: FileView) -> bool:
     """Return whether the class, in this file, declares a member function ``inline`` or ``constexpr``."""
     last = re.escape(name.rpartition("::")[2].encode())
     return re.search(rb"\b(?:inline|constexpr)\b[^;{}()]*\b" + last + rb"\s*\([^;{}]*;", view.code) is not None
+
+
+def _edits(definition: Node, view: FileView) -> tuple[Edit, ...]:
+    # In C `inline` means another thing.
+    if view.root.has_error or not view.is_cpp_alone or "attribute" in definition.children[0].type:
+        return ()
+    return view.edits((definition.start_byte, definition.start_byte, "inline "))
 
 
 RULE = FileRule(
@@ -90,6 +99,7 @@ RULE = FileRule(
         "jsf-av 39",
         "clang-tidy misc-definitions-in-headers",
     ),
+    fix="Adds `inline`, in headers that C cannot read.",
     bad="#pragma once\nint twice(int x) { return 2 * x; }\n",
     good="#pragma once\ninline int twice(int x) { return 2 * x; }\n",
     syntax="cpp",

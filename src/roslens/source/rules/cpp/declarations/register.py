@@ -10,6 +10,7 @@ from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+from roslens.source.rules.spans import with_space
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -17,7 +18,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if node.type == "storage_class_specifier" or (
         node.parent is not None and node.parent.type == "storage_class_specifier"
     ):
-        yield view.hit("cpp.register", node, "`register` was removed in C++17; expected nothing")
+        yield view.hit(
+            "cpp.register",
+            node,
+            "`register` was removed in C++17; expected nothing",
+            edits=view.edits((*with_space(view.content, node.start_byte, node.end_byte), "")),
+        )
 
 
 RULE = FileRule(
@@ -42,6 +48,7 @@ RULE = FileRule(
         "paper2016 harosRegisterKeyword",
         "clang-tidy clang-diagnostic-register",
     ),
+    fix="Takes the word away, which compilers have ignored.",
     bad="void f() { register int i = 0; g(i); }\n",
     good="void f() { int i = 0; g(i); }\n",
     syntax="cpp",

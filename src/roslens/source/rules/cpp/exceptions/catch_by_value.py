@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+
+_KNOWN = re.compile(
+    r"std::(?:\w+_error|exception|bad_\w+|out_of_range|invalid_argument|future_error|runtime_error)$"
+    r"|(?:tf2?|ros|rclcpp|rclcpp::exceptions|image_transport|cv_bridge|pluginlib|class_loader|YAML|rosbag|cv)::\w+$"
+)
+"""Classes whose `what()` is const, as that of `std::exception` is."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -21,8 +29,28 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         if declarator is None or declarator.type == "identifier":
             text = view.text(kind)
             yield view.hit(
-                "cpp.catch_by_value", one, f"`catch ({view.text(one)})` copies the exception; expected `const {text}&`"
+                "cpp.catch_by_value",
+                one,
+                f"`catch ({view.text(one)})` copies the exception; expected `const {text}&`",
+                edits=_edits(node, one, kind, view),
             )
+
+
+def _edits(handler: Node, parameter: Node, kind: Node, view: FileView) -> tuple[Edit, ...]:
+    """Return what makes a parameter a reference to const, where its handler asks it for nothing but `what()`."""
+    body, named = handler.child_by_field_name("body"), parameter.child_by_field_name("declarator")
+    if body is None or not _KNOWN.match(view.text(kind)) or not view.is_as_written(parameter):
+        return ()
+    if named is not None:
+        word = re.escape(view.text(named).encode())
+        uses = re.findall(rb"\b%s\b(\s*\.\s*what\s*\(\s*\))?" % word, view.code[body.start_byte : body.end_byte])
+        if not all(uses):
+            return ()
+    is_const = any(one.type == "type_qualifier" for one in parameter.children)
+    return view.edits(
+        *(() if is_const else ((parameter.start_byte, parameter.start_byte, "const "),)),
+        (kind.end_byte, kind.end_byte, "&" if named is not None else " &"),
+    )
 
 
 RULE = FileRule(
@@ -46,6 +74,7 @@ RULE = FileRule(
         "autosar-cpp14 A15-3-5",
         "clang-tidy misc-throw-by-value-catch-by-reference",
     ),
+    fix="Catches by `const E&` where the class is a known one and the handler asks it for `what()` only.",
     bad="void f() { try { g(); } catch (std::exception e) { log(e.what()); } }\n",
     good="void f() { try { g(); } catch (const std::exception& e) { log(e.what()); } }\n",
     syntax="cpp",

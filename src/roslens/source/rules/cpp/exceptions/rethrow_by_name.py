@@ -27,7 +27,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             and declarator.type != "pointer_declarator"
             and view.text(name_node(declarator)).lstrip("&* ") == name
         ):
-            yield view.hit("cpp.rethrow_by_name", node, f"`throw {name};` throws a copy; expected `throw;`")
+            thrown = node.named_children[0]
+            word = next(one for one in node.children if one.type == "throw")
+            # What cannot have been changed meanwhile is the same either way.
+            is_firm = declarator.type == "reference_declarator" and "const" in view.text(one).split()
+            yield view.hit(
+                "cpp.rethrow_by_name",
+                node,
+                f"`throw {name};` throws a copy; expected `throw;`",
+                edits=view.edits((word.end_byte, thrown.end_byte, "")) if is_firm else (),
+            )
 
 
 RULE = FileRule(
@@ -41,6 +50,7 @@ RULE = FileRule(
         "ros1",
         "safety",
     ),
+    fix="Writes `throw;` where the exception was caught by reference to const: nobody can have changed it.",
     bad="void f() { try { g(); } catch (const E& e) { throw e; } }\n",
     good="void f() { try { g(); } catch (const E& e) { throw; } }\n",
     syntax="cpp",

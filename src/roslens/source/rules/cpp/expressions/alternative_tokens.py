@@ -6,17 +6,34 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+from roslens.source.rules.spans import with_space
+
+_SIGNS = {
+    "and": "&&", "or": "||", "not": "!", "bitand": "&", "bitor": "|", "xor": "^", "compl": "~", "not_eq": "!=",
+    "and_eq": "&=", "or_eq": "|=", "xor_eq": "^=",
+}  # fmt: skip
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each operator that is a word."""
     word = view.text(node)
     if node.type == word and node.parent is not None and node.parent.type.endswith("expression"):
-        yield view.hit("cpp.alternative_tokens", node, f"`{word}`; expected the operator in signs")
+        yield view.hit(
+            "cpp.alternative_tokens", node, f"`{word}`; expected the operator in signs", edits=_edits(node, word, view)
+        )
+
+
+def _edits(node: Node, word: str, view: FileView) -> tuple[Edit, ...]:
+    sign = _SIGNS[word]
+    if word in ("not", "compl"):
+        start, end = with_space(view.content, node.start_byte, node.end_byte)
+        return view.edits((start, end, sign)) if start == node.start_byte else ()
+    return view.edits((node.start_byte, node.end_byte, sign))
 
 
 RULE = FileRule(
@@ -34,10 +51,11 @@ RULE = FileRule(
         "cpplint readability/alt_tokens",
         "paper2016 alternative_tokens",
     ),
+    fix="Writes the sign.",
     bad="bool f(bool a, bool b) { return a and not b; }\n",
     good="bool f(bool a, bool b) { return a && !b; }\n",
     syntax="cpp",
-    anchors=("and", "or", "not", "bitand", "bitor", "xor", "compl", "not_eq", "and_eq", "or_eq", "xor_eq"),
+    anchors=tuple(_SIGNS),
     in_c=False,
     found=found,
 )

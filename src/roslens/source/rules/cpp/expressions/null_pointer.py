@@ -9,13 +9,15 @@ from tree_sitter import Node
 from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.pointer_expected import is_pointer_expected
 from roslens.source.rules.rule import FileRule
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each ``NULL``."""
     if view.text(node) == "NULL":
-        yield view.hit("cpp.null_pointer", node, "`NULL`; expected `nullptr`")
+        edits = view.edits((node.start_byte, node.end_byte, "nullptr")) if is_pointer_expected(node, view) else ()
+        yield view.hit("cpp.null_pointer", node, "`NULL`; expected `nullptr`", edits=edits)
 
 
 RULE = FileRule(
@@ -36,6 +38,9 @@ RULE = FileRule(
         "autosar-cpp14 A4-10-1",
         "clang-tidy modernize-use-nullptr",
     ),
+    fix="Writes `nullptr` where the file shows that a pointer is expected: where one is declared, set, "
+    "compared or returned, and for arguments such as those of `time`. Where a number may be meant, it is "
+    "left.",
     bad="char* p = NULL;\n",
     good="char* p = nullptr;\n",
     syntax="cpp",

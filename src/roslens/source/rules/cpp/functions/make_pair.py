@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
+from roslens.source.rules.calls import whole_name
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -19,7 +21,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             "cpp.make_pair",
             node.parent,
             f"`{view.text(node.parent)[:60]}`; expected `make_pair` without types, or `std::pair<…>`",
+            edits=_edits(node, view),
         )
+
+
+def _edits(node: Node, view: FileView) -> tuple[Edit, ...]:
+    whole = whole_name(node)
+    text = view.text(whole).replace(" ", "")
+    if not text.startswith("std::make_pair<") or text.count(",") != 1 or set("&[") & set(text):
+        return ()
+    return view.edits((node.start_byte, node.end_byte, "pair"))
 
 
 RULE = FileRule(
@@ -37,6 +48,7 @@ RULE = FileRule(
         "cpplint build/explicit_make_pair",
         "paper2016 make_pair_template",
     ),
+    fix="Writes `std::pair<A, B>(a, b)`, which is of the same type.",
     bad="auto f(int a) { return std::make_pair<int, int>(a, 3); }\n",
     good="auto f(int a) { return std::make_pair(a, 3); }\n",
     syntax="cpp",

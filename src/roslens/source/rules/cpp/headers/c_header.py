@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
@@ -18,14 +19,21 @@ _HEADER = re.compile(
 )
 
 
+_UNLIKE = frozenset({"math.h", "stdlib.h", "complex.h", "stdbool.h", "fenv.h"})
+"""Headers whose other form has other overloads of the same names, such as `abs`, or is gone in C++20."""
+
+
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each include of a header that C++ has under another name."""
     match = _HEADER.match(view.source, node.start_byte, node.end_byte)
     if match:
         name = match[1].decode()
-        yield view.hit_at(
-            "cpp.c_header", view.place(node.start_byte)[0], f"`<{name}>`; expected `<c{name.removesuffix('.h')}>`"
-        )
+        instead = f"c{name.removesuffix('.h')}"
+        edits: tuple[Edit, ...] = ()
+        if name not in _UNLIKE and view.is_cpp_alone:
+            edits = view.edits((match.start(1), match.end(1), instead))
+        message = f"`<{name}>`; expected `<{instead}>`"
+        yield view.hit_at("cpp.c_header", view.place(node.start_byte)[0], message, edits=edits)
 
 
 RULE = FileRule(
@@ -45,6 +53,7 @@ RULE = FileRule(
         "paper2016 c_headers",
         "clang-tidy modernize-deprecated-headers",
     ),
+    fix="Names the header of C++, but not for `<math.h>` and `<stdlib.h>`: there `abs` may become another function.",
     bad="#include <math.h>\n",
     good="#include <cmath>\n",
     syntax="cpp",

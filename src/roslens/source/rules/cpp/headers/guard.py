@@ -8,9 +8,10 @@ from collections.abc import Iterator
 import msgspec
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
-from roslens.source.rules.hit import GUARDED, Hit
+from roslens.source.rules.hit import GUARD_NAME, GUARDED, Hit
 from roslens.source.rules.rule import FileRule
 
 _GUARD = re.compile(
@@ -18,6 +19,12 @@ _GUARD = re.compile(
     rb"(?:[ \t]*\n)*[ \t]*#[ \t]*define[ \t]+(\w+)"
 )
 _ONCE = re.compile(rb"#[ \t]*pragma[ \t]+once\b")
+_DEFINING = frozenset(
+    (
+        *("class_specifier", "struct_specifier", "namespace_definition", "enum_specifier", "template_declaration"),
+        *("function_definition", "type_definition", "declaration"),
+    )
+)
 _FIRST = re.compile(rb"\s*(\S)")
 
 _SAYS_NOTHING = frozenset(
@@ -44,7 +51,11 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
             return
         problem = "no `#pragma once` and no `#ifndef` … `#define` around the header"
         hit = view.hit_at(
-            "cpp.guard", view.place(first.start(1))[0], f"{problem}; expected one of the two", only=GUARDED
+            "cpp.guard",
+            view.place(first.start(1))[0],
+            f"{problem}; expected one of the two",
+            only=GUARDED,
+            edits=_around(first.start(1), view),
         )
         # What includes nothing needs what stands before its one `#include`: a piece of another file.
         yield hit if b"#include" in view.code else msgspec.structs.replace(hit, severity=Severity.NOTE)
@@ -53,8 +64,13 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
     if tested != guard[3]:
         line = view.place(guard.start(3))[0]
         wanted, got = tested.decode("utf-8", "replace"), guard[3].decode("utf-8", "replace")
+        once = len(re.findall(rb"\b%s\b" % re.escape(guard[3]), view.content)) == 1
         yield view.hit_at(
-            "cpp.guard", line, f"`#define {got}` below `#ifndef {wanted}`; expected `{wanted}`", only=GUARDED
+            "cpp.guard",
+            line,
+            f"`#define {got}` below `#ifndef {wanted}`; expected `{wanted}`",
+            only=GUARDED,
+            edits=view.edits((guard.start(3), guard.end(3), wanted)) if once else (),
         )
 
 
@@ -68,6 +84,22 @@ def _declares(view: FileView) -> bool:
     if b"#undef" in view.code or (b"EIGEN_" in view.code and b"namespace" not in view.code):
         return False
     return any(one.type not in _SAYS_NOTHING for one in view.root.named_children)
+
+
+def _around(first: int, view: FileView) -> tuple[Edit, ...]:
+    """Return what puts a guard around the code of a header that defines something, so that it is read once anyway."""
+    if b"#undef" in view.code or not any(one.type in _DEFINING for one in view.root.children) or view.root.has_error:
+        return ()
+    start = view.code.rfind(b"\n", 0, first) + 1
+    # What stands right above the code is about it, unless it is where the file begins.
+    above = view.content[:start].rstrip(b"\r\n")
+    block = above.rfind(b"\n\n", 0, len(above)) + 2
+    if block > 1 and len(view.content[:start]) - len(above) <= 2 and view.content[block:start].lstrip()[:1] == b"/":
+        start = block
+    tail = "" if view.content.endswith(b"\n") else "\n"
+    end = len(view.content)
+    name = GUARD_NAME
+    return view.edits((start, start, f"#ifndef {name}\n#define {name}\n\n"), (end, end, f"{tail}\n#endif  // {name}\n"))
 
 
 RULE = FileRule(
@@ -100,6 +132,9 @@ RULE = FileRule(
         "hicpp 16.1.1",
         "paper2016 header_guard",
     ),
+    fix="Puts a guard around, named by the profile: `PACKAGE__FOLDER__FILE_HPP_` in ROS 2, "
+    "`PACKAGE_FOLDER_FILE_H` in ROS 1, `PACKAGE_FOLDER_FILE_H_` with `google`. A header with `#undef`, "
+    "which may be read twice by intent, is left. Of two names, `#define` takes that of `#ifndef`.",
     bad="struct Pose { double x; };\n",
     good="#pragma once\nstruct Pose { double x; };\n",
     syntax="cpp",

@@ -7,13 +7,16 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import lines_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+from roslens.source.rules.spans import line_around
 
 _NAME = re.compile(rb"include[\xa0\x89]*([\xa2\xbc]\S+)")
+_DEFINES = re.compile(rb"#[ \t]*(?:define|undef|pragma[ \t]+(?!once))")
 _INCLUDE = re.compile(rb"^[ \t]*(?:#[ \t]*(if|endif)|\xa3[\xa0\x89]*include[\xa0\x89]*([^\s]+))", re.MULTILINE)
 
 
@@ -33,9 +36,24 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
                 (b".inc\xbe", b".def\xa2")
             ):
                 text = " ".join(view.lines[line - 1].decode("utf-8", "replace").split())[:80]
-                yield view.hit_at("cpp.included_twice", line, f"`{text}` stands on line {before} too; expected it once")
+                yield view.hit_at(
+                    "cpp.included_twice",
+                    line,
+                    f"`{text}` stands on line {before} too; expected it once",
+                    edits=_edits(match, before, view),
+                )
         else:
             depth += 1 if match[1] == b"if" else -1
+
+
+def _edits(match: re.Match[bytes], before: int, view: FileView) -> tuple[Edit, ...]:
+    """Return what takes a line away, unless what stands between the two may give it another meaning."""
+    start, end = line_around(view.content, match.start(2))
+    first = sum(map(len, view.lines[: before - 1])) + before - 1
+    between = view.code[first:start]
+    if _DEFINES.search(between) or b"/*" in view.content[start:end]:
+        return ()
+    return view.edits((start, end, ""))
 
 
 RULE = FileRule(
@@ -55,6 +73,7 @@ RULE = FileRule(
         "paper2016 include_twice",
         "clang-tidy readability-duplicate-include",
     ),
+    fix="Takes the second one away, unless a macro is defined between the two.",
     bad="#include <string>\n#include <vector>\n#include <string>\n",
     good="#include <string>\n#include <vector>\n",
     syntax="cpp",

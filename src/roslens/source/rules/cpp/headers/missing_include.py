@@ -6,9 +6,11 @@ import re
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
+from roslens.model.edit import edit_at
 from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.include_lines import IncludeLines, include_lines, place_for_standard
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.rules.standard_headers import BROUGHT_ALONG, HEADER_OF
@@ -33,7 +35,7 @@ def found(view: PackageView) -> Iterator[Hit]:
         included = {name for name, _ in facts.includes}
         if path.suffix not in _HEADERS and any(PurePosixPath(name.strip('<>"')).stem == path.stem for name in included):
             included |= own.get(path.stem, set())
-        yield from _missing(file.path, blank_comments(view.read(file.path), "cpp"), _standard(included))
+        yield from _missing(file.path, view.read(file.path), _standard(included))
 
 
 def _standard(included: set[str]) -> set[str]:
@@ -42,7 +44,9 @@ def _standard(included: set[str]) -> set[str]:
     return known | {other for name in known for other in BROUGHT_ALONG.get(name, ())}
 
 
-def _missing(path: str, code: bytes, included: set[str]) -> Iterator[Hit]:
+def _missing(path: str, content: bytes, included: set[str]) -> Iterator[Hit]:
+    code = blank_comments(content, "cpp")
+    lines: IncludeLines | None = None
     seen: set[str] = set()
     for match in _NAME.finditer(code):
         name = match[1].decode("utf-8", "replace")
@@ -52,7 +56,10 @@ def _missing(path: str, code: bytes, included: set[str]) -> Iterator[Hit]:
         seen.add(header)
         line = code.count(b"\n", 0, match.start()) + 1
         message = f"`std::{name}` without `<{header}>`; expected `#include <{header}>`"
-        yield Hit("cpp.missing_include", message, line, context=header, path=path)
+        lines = lines or include_lines(content, code)
+        at, text = place_for_standard(lines, header, own=PurePosixPath(path).stem)
+        edits = (edit_at(content, at, at, text, path),) if at <= match.start() else ()
+        yield Hit("cpp.missing_include", message, line, context=header, path=path, edits=edits)
 
 
 RULE = PackageRule(
@@ -70,6 +77,7 @@ RULE = PackageRule(
         "cpplint build/include_what_you_use",
         "paper2016 include_what_you_use",
     ),
+    fix="Includes the header among those of the library, in the order of names.",
     bad="std::vector<int> numbers;\n",
     good="#include <vector>\nstd::vector<int> numbers;\n",
     found=found,

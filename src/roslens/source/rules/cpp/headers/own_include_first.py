@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
+from roslens.model.edit import Edit, edit_at
 from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.include_lines import include_lines
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
+from roslens.source.syntax.comments import blank_comments
 
 _HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx"})
+_IF = re.compile(rb"^[ \t]*#[ \t]*(?:if|else|endif)", re.MULTILINE)
 _SOURCES = frozenset({".cpp", ".cc", ".cxx"})
 
 
@@ -41,8 +46,34 @@ def found(view: PackageView) -> Iterator[Hit]:
         line = facts.includes[at][1] if at > 0 else facts.includes[0][1]
         what = f"`{names[at]}` is include {at + 1}" if at > 0 else f"`{PurePosixPath(own).name}` is not included"
         yield Hit(
-            "cpp.own_include_first", f"{what}; expected the own header first", line, context=path.stem, path=file.path
+            "cpp.own_include_first",
+            f"{what}; expected the own header first",
+            line,
+            context=path.stem,
+            path=file.path,
+            edits=_moved(view.read(file.path), names[at], file.path) if at > 0 else (),
         )
+
+
+def _moved(content: bytes, name: str, path: str) -> tuple[Edit, ...]:
+    """Return what puts an include before all others, where nothing but includes stands between."""
+    lines = include_lines(content, blank_comments(content, "cpp"))
+    own = next((one for one in lines.lines if one.name.strip('<>"') == name), None)
+    if own is None or own.conditional or lines.lines[0].conditional or not content[own.start : own.end].isascii():
+        return ()
+    first = lines.lines[0]
+    if any(at < own.start for at in lines.other) or _IF.search(content, first.start, own.start):
+        return ()
+    text = content[own.start : own.end].decode().strip()
+    # A blank line that is left behind would be the second one in a row.
+    end = own.end
+    if content[: own.start].replace(b"\r", b"").endswith(b"\n\n") and content[end : end + 2].lstrip(b"\r")[:1] == b"\n":
+        end = content.index(b"\n", end) + 1
+    blank = "" if content[first.end : first.end + 2].lstrip(b"\r")[:1] == b"\n" and own == lines.lines[1] else "\n"
+    return (
+        edit_at(content, first.start, first.start, f"{text}\n{blank}", path),
+        edit_at(content, own.start, end, "", path),
+    )
 
 
 RULE = PackageRule(
@@ -61,6 +92,8 @@ RULE = PackageRule(
         "cpplint build/include",
         "paper2016 include_own_header",
     ),
+    fix="Moves the include to the front, where nothing but includes stands before it. That the header can "
+    "then stand alone is for the compiler to say.",
     bad='#include <vector>\n#include "robot/driver.h"\n',
     good='#include "robot/driver.h"\n#include <vector>\n',
     found=found,

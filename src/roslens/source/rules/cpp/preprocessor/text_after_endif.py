@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.model.finding import Severity
 from roslens.source.rules.code_pattern import lines_of
 from roslens.source.rules.file_view import FileView
@@ -23,8 +24,19 @@ def found(_: Node, view: FileView) -> Iterator[Hit]:
     for match, line in lines_of(_TEXT, view, 2):
         text = match[2].decode("utf-8", "replace").strip()
         yield view.hit_at(
-            "cpp.text_after_endif", line, f"`{text[:40]}` behind `#{match[1].decode()}`; expected `// {text[:40]}`"
+            "cpp.text_after_endif",
+            line,
+            f"`{text[:40]}` behind `#{match[1].decode()}`; expected `// {text[:40]}`",
+            edits=_edits(match, view),
         )
+
+
+def _edits(match: re.Match[bytes], view: FileView) -> tuple[Edit, ...]:
+    start, end = match.end(1), match.start(2)
+    rest = view.content[end : match.end()]
+    if view.content[start:end].strip() or b"/*" in rest or rest.rstrip().endswith(b"\\"):
+        return ()
+    return view.edits((start, end, "  // "))
 
 
 RULE = FileRule(
@@ -44,6 +56,7 @@ RULE = FileRule(
         "paper2016 text_after_endif",
         "clang-tidy clang-diagnostic-extra-tokens",
     ),
+    fix="Makes a comment of the text.",
     bad="#ifdef A\n#endif A\n",
     good="#ifdef A\n#endif  // A\n",
     syntax="cpp",

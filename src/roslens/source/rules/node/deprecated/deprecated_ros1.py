@@ -32,6 +32,7 @@ RULE = FileRule(
     severity=Severity.NOTE,
     profiles=("ros1",),
     tags=("deprecated",),
+    fix="Names the new header. Macros with other arguments are left.",
     bad="#include <pluginlib/class_list_macros.h>\n",
     good="#include <pluginlib/class_list_macros.hpp>\n",
     syntax="cpp",

@@ -30,6 +30,8 @@ RULE = FileRule(
     "build.",
     profiles=("ros2",),
     tags=("deprecated",),
+    fix="Writes the new name where it takes the old one's place as it is: headers, executors, groups. Not "
+    "where the call is another one.",
     bad="#include <rclcpp/rclcpp.hpp>\nauto done = rclcpp::executor::FutureReturnCode::SUCCESS;\n",
     good="#include <rclcpp/rclcpp.hpp>\nauto done = rclcpp::FutureReturnCode::SUCCESS;\n",
     syntax="cpp",

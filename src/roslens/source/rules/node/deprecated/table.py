@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import msgspec
 from tree_sitter import Node
 
+from roslens.model.edit import Edit
 from roslens.source.rules.calls import whole_name
 from roslens.source.rules.file_view import FileView, all_above
 from roslens.source.rules.hit import Hit
@@ -20,33 +21,41 @@ class Deprecated(msgspec.Struct, frozen=True, array_like=True):
         since: the distribution that deprecated it.
         instead: what to write.
         gone: the distribution that removed it; empty where it is still there.
+        alike: ``instead`` takes its place as it is.
     """
 
     name: str
     since: str
     instead: str
     gone: str = ""
+    alike: bool = False
 
 
 CPP_ROS2 = (
     Deprecated("set_on_parameters_set_callback", "Foxy", "add_on_set_parameters_callback", "Galactic"),
-    Deprecated("rclcpp::executor::FutureReturnCode", "Foxy", "rclcpp::FutureReturnCode", "Galactic"),
-    Deprecated("rclcpp::executor::ExecutorArgs", "Foxy", "rclcpp::ExecutorOptions", "Galactic"),
-    Deprecated("rclcpp::executor::Executor", "Foxy", "rclcpp::Executor", "Galactic"),
-    Deprecated("rclcpp::callback_group::CallbackGroup", "Foxy", "rclcpp::CallbackGroup", "Galactic"),
-    Deprecated("rclcpp::callback_group::CallbackGroupType", "Foxy", "rclcpp::CallbackGroupType", "Galactic"),
+    Deprecated("rclcpp::executor::FutureReturnCode", "Foxy", "rclcpp::FutureReturnCode", "Galactic", alike=True),
+    Deprecated("rclcpp::executor::ExecutorArgs", "Foxy", "rclcpp::ExecutorOptions", "Galactic", alike=True),
+    Deprecated("rclcpp::executor::Executor", "Foxy", "rclcpp::Executor", "Galactic", alike=True),
+    Deprecated("rclcpp::callback_group::CallbackGroup", "Foxy", "rclcpp::CallbackGroup", "Galactic", alike=True),
     Deprecated(
-        "rclcpp::executors::StaticSingleThreadedExecutor", "Kilted", "rclcpp::executors::SingleThreadedExecutor"
+        "rclcpp::callback_group::CallbackGroupType", "Foxy", "rclcpp::CallbackGroupType", "Galactic", alike=True
+    ),
+    Deprecated(
+        "rclcpp::executors::StaticSingleThreadedExecutor",
+        "Kilted",
+        "rclcpp::executors::SingleThreadedExecutor",
     ),
 )
 """Sources: changelog of rclcpp 0.9.0, 1.1.0, 5.1.0, 29.0.0."""
 
 HEADERS_ROS2 = (
-    Deprecated("tf2_geometry_msgs/tf2_geometry_msgs.h", "Humble", "tf2_geometry_msgs/tf2_geometry_msgs.hpp"),
-    Deprecated("tf2_eigen/tf2_eigen.h", "Humble", "tf2_eigen/tf2_eigen.hpp"),
-    Deprecated("tf2_sensor_msgs/tf2_sensor_msgs.h", "Humble", "tf2_sensor_msgs/tf2_sensor_msgs.hpp"),
-    Deprecated("tf2_kdl/tf2_kdl.h", "Humble", "tf2_kdl/tf2_kdl.hpp"),
-    Deprecated("tf2_bullet/tf2_bullet.h", "Humble", "tf2_bullet/tf2_bullet.hpp"),
+    Deprecated(
+        "tf2_geometry_msgs/tf2_geometry_msgs.h", "Humble", "tf2_geometry_msgs/tf2_geometry_msgs.hpp", alike=True
+    ),
+    Deprecated("tf2_eigen/tf2_eigen.h", "Humble", "tf2_eigen/tf2_eigen.hpp", alike=True),
+    Deprecated("tf2_sensor_msgs/tf2_sensor_msgs.h", "Humble", "tf2_sensor_msgs/tf2_sensor_msgs.hpp", alike=True),
+    Deprecated("tf2_kdl/tf2_kdl.h", "Humble", "tf2_kdl/tf2_kdl.hpp", alike=True),
+    Deprecated("tf2_bullet/tf2_bullet.h", "Humble", "tf2_bullet/tf2_bullet.hpp", alike=True),
 )
 """Source: geometry2, which warns of each «This header is obsolete» since Humble."""
 
@@ -66,8 +75,8 @@ CPP_ROS1 = (
     Deprecated("PLUGINLIB_REGISTER_CLASS", "Indigo", "PLUGINLIB_EXPORT_CLASS", "Melodic"),
 )
 HEADERS_ROS1 = (
-    Deprecated("pluginlib/class_list_macros.h", "Melodic", "pluginlib/class_list_macros.hpp"),
-    Deprecated("pluginlib/class_loader.h", "Melodic", "pluginlib/class_loader.hpp"),
+    Deprecated("pluginlib/class_list_macros.h", "Melodic", "pluginlib/class_list_macros.hpp", alike=True),
+    Deprecated("pluginlib/class_loader.h", "Melodic", "pluginlib/class_loader.hpp", alike=True),
 )
 PYTHON_ROS1 = (Deprecated("roslib.load_manifest", "Groovy", "no call: catkin sets the paths"),)
 """Sources: changelog of pluginlib 1.10, 1.12; roslib."""
@@ -90,8 +99,14 @@ def find(node: Node, view: FileView, rule: str, table: tuple[Deprecated, ...]) -
             or (place is not node and name.endswith((f".{row.name}", f"->{row.name}")))
         ):
             gone = f" and removed in {row.gone}" if row.gone else ""
-            yield view.hit(rule, place, f"`{row.name}` is deprecated since {row.since}{gone}; expected `{row.instead}`")
+            message = f"`{row.name}` is deprecated since {row.since}{gone}; expected `{row.instead}`"
+            yield view.hit(rule, place, message, edits=_renamed(place, row, view))
             return
+
+
+def _renamed(place: Node, row: Deprecated, view: FileView) -> tuple[Edit, ...]:
+    at = view.content.find(row.name.encode(), place.start_byte, place.end_byte) if row.alike else -1
+    return view.edits((at, at + len(row.name), row.instead)) if at >= 0 else ()
 
 
 def _is_chosen(node: Node, view: FileView) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -9,8 +10,10 @@ from tree_sitter import Node
 from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
+from roslens.source.rules.override_edits import override_edits
 from roslens.source.rules.rule import FileRule
 
+_SIGNATURE = re.compile(r"\(\s*const (?:rclcpp_lifecycle::)?State ?&[^,]*\)$")
 _TRANSITIONS = ("on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error")
 
 
@@ -33,7 +36,12 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         declarator,
         f"`{view.text(node)}` without `override`: with a parameter of another type it is never called; expected "
         "`override`",
+        edits=override_edits(member, declarator, view) if _SIGNATURE.search(head) and _is_node(bases, view) else (),
     )
+
+
+def _is_node(bases: Node, view: FileView) -> bool:
+    return "LifecycleNode" in view.text(bases)
 
 
 RULE = FileRule(
@@ -47,6 +55,7 @@ RULE = FileRule(
     profiles=("ros2",),
     tags=("lifetime",),
     clauses=("core-guidelines C.128",),
+    fix="Adds `override` where the base is a `LifecycleNode` and the only parameter a `const State &`.",
     bad="class Arm : public rclcpp_lifecycle::LifecycleNode { Return on_configure(const State & state); };\n",
     good="class Arm : public rclcpp_lifecycle::LifecycleNode { Return on_configure(const State & state) override; };\n",
     syntax="cpp",

@@ -10,6 +10,7 @@ from pathlib import Path
 
 def pages() -> Mapping[str, str]:
     """Return every generated page by its path below ``docs/reference``."""
+    from roslens.judge.action_pages import action_pages
     from roslens.judge.models_page import model_schema, models_page
     from roslens.judge.quality_model import builtin_models, load_model
     from roslens.judge.reactions_page import reactions_page
@@ -41,6 +42,7 @@ def pages() -> Mapping[str, str]:
         "reference.schema.json": _json(reference_schema(BY_KEY)),
         "tools.md": tools_page(),
         **{f"tools/{name}.md": tool_page(name) for name in TOOLS},
+        **action_pages(),
         "graph.schema.json": _json(graph_schema()),
         **rule_pages(native_rules()),
         "standards.md": standards_page(native_rules()),

@@ -48,7 +48,7 @@ def action_text(action: Mapping[str, Any]) -> str:
 
 
 def _because(told: Any) -> str:
-    if not isinstance(told, list):
+    if not isinstance(told, (list, tuple)):
         return ""
     shown = []
     for one in told:

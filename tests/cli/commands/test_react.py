@@ -61,7 +61,8 @@ def test_a_time_line_that_is_not_as_expected(front, capsys):
     ("arguments", "said"),
     [
         (["react", "--simulate", "front.yaml"], "--simulate without --bag and without --timeline"),
-        (["react", "front.yaml"], "without --simulate"),
+        (["react", "front.yaml", "--timeline", "front.test.yaml"], "--timeline without --simulate"),
+        (["react"], "nothing to react to"),
         (["react", "--simulate", "bare.yaml", "--timeline", "front.test.yaml"], "no reaction in bare.yaml"),
         (["react", "--simulate", "front.yaml", "--timeline", "none.yaml"], "none.yaml: cannot read it"),
         (["reference", "test", "bare.yaml"], "neither a recording nor a time line; expected --bag"),

@@ -1,33 +1,102 @@
-"""``roslens react``: what is done about what does not hold."""
+"""``roslens react``: do what a reference says is to be done about faults, as far as it is allowed."""
 
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
 from roslens.cli import react_simulate
+from roslens.cli.observers import add_observer_arguments
+from roslens.cli.param_reference import add_reference_argument, reference_argument
+from roslens.cli.streams import add_stream_arguments
+from roslens.model.errors import UsageError
 
-TEXT = "Say what would be done about what references say does not hold."
-EXAMPLES = react_simulate.EXAMPLES
+TEXT = "Watch a running ROS system, and do what its reference says is to be done about faults, as far as it is allowed."
+EXAMPLES = """\
+  roslens react rover.yaml                                  say what would be done (--mode dry-run), and do nothing
+  roslens react rover.yaml --mode ask                       ask in the terminal before anything is done to the robot
+  roslens react rover.yaml --mode act --allow allow.yaml
+                                                            do it; on processes of this host what allow.yaml permits
+  roslens react --hold "changing the gripper"               nothing is done any more, at once
+  roslens react --release                                   go on
+  roslens react rover.yaml --simulate --bag drive.mcap      what would have been done along a recording
+  roslens journal --follow                                  what was decided and done, and why"""
+
+MODES = ("dry-run", "ask", "act")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the references and what is simulated."""
+    """Add what to watch, what may be done, and how to stop it."""
+    parser.add_argument("files", nargs="*", metavar="FILE", help="references with reactions, as --reference takes them")
+    add_reference_argument(parser)
     parser.add_argument(
-        "files", nargs="+", metavar="FILE", help="references with reactions, later ones taking precedence"
+        "--mode", choices=MODES, default="dry-run",
+        help="dry-run: only say it; ask: in the terminal; act: do it (default: dry-run)",
+    )  # fmt: skip
+    parser.add_argument("--allow", type=Path, metavar="FILE", help="what may be done to processes of this host")
+    parser.add_argument("--journal", type=Path, metavar="FILE", help="default: in the state folder of this user")
+    parser.add_argument("--publish-journal", metavar="TOPIC", help="publish each entry in ROS, as JSON in a String")
+    held = parser.add_mutually_exclusive_group()
+    held.add_argument("--hold", nargs="?", const="", metavar="WHY", help="stop all that is done from here, at once")
+    held.add_argument("--release", action="store_true", help="go on, also with what was given up")
+    limits = parser.add_argument_group("limits")
+    limits.add_argument(
+        "--cool-down", default="10s", metavar="TIME", help="between the same on the same (default: 10s)"
     )
+    limits.add_argument("--at-most", type=int, default=10, metavar="N", help="actions a minute, of all (default: 10)")
+    limits.add_argument(
+        "--most-restarts", type=int, default=3, metavar="N",
+        help="of a node in 10 minutes, then it is given up until --release (default: 3)",
+    )  # fmt: skip
+    limits.add_argument(
+        "--maintenance", action="append", default=[], metavar="WINDOW",
+        help="when nothing is done to the robot: `Mon-Fri 22:00-23:30`; may be given again",
+    )  # fmt: skip
     react_simulate.add_arguments(parser)
-    parser.add_argument("--json", action="store_true", help="print JSON")
+    add_observer_arguments(parser)
+    parser.add_argument(
+        "--for", dest="length", metavar="TIME", help="end after so long (`60s`, `5 min`); with --hold: end the hold"
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON: a line for each entry of the journal")
+    add_stream_arguments(parser)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Do what is asked for and return the exit code.
+    """React until interrupted, or hold, release or simulate.
 
     Raises:
-        DocumentError: a document is wrong.
-        UsageError: nothing is to be simulated.
+        UsageError: the options contradict each other or name something that is not there.
+        DocumentError: a reference or the allow-list is wrong, or calls for what cannot be done.
     """
-    from roslens.model.errors import UsageError
+    if options.hold is not None or options.release:
+        return _held(options)
+    options.reference = [*options.reference, *map(reference_argument, options.files)]
+    if not options.reference:
+        raise UsageError("nothing to react to", expected="a FILE with `reactions:` in it")
+    if options.simulate:
+        files = [str(one) for one in options.reference]
+        return react_simulate.simulate(files, bag=options.bag, timeline=options.timeline, as_json=options.json)
+    if options.bag or options.timeline:
+        option = "--bag" if options.bag else "--timeline"
+        raise UsageError(f"{option} without --simulate", expected="both", advice="What is over cannot be helped")
+    from roslens.cli.react_live import react_live
 
-    if not options.simulate:
-        raise UsageError("react without --simulate", expected="--simulate with --bag or --timeline")
-    return react_simulate.simulate(options.files, bag=options.bag, timeline=options.timeline, as_json=options.json)
+    return react_live(options)
+
+
+def _held(options: argparse.Namespace) -> int:
+    import getpass
+    import os
+    import time
+
+    from roslens.cli.hold_file import hold, hold_path, release
+    from roslens.cli.watch_live import length_of
+
+    path = hold_path(os.environ)
+    if options.release:
+        print(f"{path}: {'released' if release(os.environ) else 'nothing was held'}")
+        return 0
+    until = time.time() + length_of(options.length, "--for") if options.length is not None else None
+    hold(os.environ, getpass.getuser(), options.hold, until)
+    print(f"{path}: everything is held {'until ' + time.ctime(until) if until else 'until `roslens react --release`'}")
+    return 0

@@ -1,0 +1,265 @@
+"""`roslens react` of what runs now: which observers, who carries out, and where it is told."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import platform
+import sys
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from roslens.cli.ask_terminal import AskNobody, AskTerminal
+from roslens.cli.hold_file import Held
+from roslens.cli.param_reference import reference_sources
+from roslens.cli.stretch import Stretch, never_saw
+from roslens.cli.until_stopped import when_stopped
+from roslens.cli.user_folder import state_folder
+from roslens.cli.watch_live import length_of, sources_of
+from roslens.cli.watch_screen import time_of_day
+from roslens.live.session import Session, Step, run
+from roslens.model.errors import DocumentError, UsageError
+
+if TYPE_CHECKING:
+    from roslens.judge.expectation import Reference
+    from roslens.live.agent.host_hand import HostHand
+    from roslens.live.react.actor import Actor
+    from roslens.live.react.all_hands import AllHands
+    from roslens.live.react.gate import Limits
+    from roslens.live.react.node_places import NodePlaces
+    from roslens.live.react.ros_line import RosLine
+    from roslens.model.reaction import Decision
+    from roslens.store.journal import Journal
+
+_READY_WITHIN_S = 30.0
+_PLACES_EVERY_S = 1.0
+_LOG_LINES = 500
+
+
+def react_live(options: argparse.Namespace) -> int:
+    """React until the time is over or somebody stops it, and return the exit code.
+
+    Raises:
+        UsageError: the options make no sense, or no ROS is observed in which anything could be done.
+        DocumentError: the reference has no reactions, or calls for what cannot be done.
+    """
+    from roslens.judge.read_reference import load_reference
+    from roslens.live.signals import BY_KEY
+    from roslens.store.journal import Journal
+
+    limits = _limits(options)
+    reference = load_reference(reference_sources(options.reference, options), BY_KEY)
+    if not reference.reactions:
+        shown = ", ".join(str(one) for one in options.reference)
+        raise UsageError(f"no reaction in {shown}", expected="a document with `reactions:`")
+    if options.mode == "ask" and not sys.stdin.isatty():
+        raise UsageError(
+            "--mode ask where nobody can answer", expected="a terminal", advice="Take --mode dry-run or act"
+        )
+    length = length_of(options.length, "--for") if options.length is not None else None
+    path = options.journal or state_folder(os.environ) / "journal.jsonl"
+    with contextlib.ExitStack() as stack:
+        journal = stack.enter_context(Journal(path))
+        return _Reacting(options, reference, limits, journal, stack).run(length)
+
+
+def _limits(options: argparse.Namespace) -> Limits:
+    from roslens.live.react.gate import Limits
+    from roslens.live.react.maintenance import parse_window
+    from roslens.model.reaction import Mode
+
+    for name in ("at_most", "most_restarts"):
+        if getattr(options, name) < 0:
+            raise UsageError(f"--{name.replace('_', '-')} {getattr(options, name)}", expected="0 or more")
+    try:
+        windows = tuple(parse_window(one) for one in options.maintenance)
+    except ValueError as error:
+        raise UsageError(f"--maintenance: {error}") from None
+    return Limits(
+        Mode(options.mode), cool_down_s=length_of(options.cool_down, "--cool-down"), at_most=options.at_most,
+        most_restarts=options.most_restarts, windows=windows,
+    )  # fmt: skip
+
+
+class _Telling:
+    """A journal whose entries are shown, and published in ROS, once they are on the disk."""
+
+    def __init__(self, journal: Journal, as_json: bool) -> None:
+        self._journal = journal
+        self._json = as_json
+        self.publish: Callable[[str], None] = lambda _: None
+
+    def add(self, what: str, time: float, **fields: Any) -> object:
+        """Append an entry, then tell it."""
+        import msgspec
+
+        from roslens.report.journal_text import journal_line
+
+        entry = self._journal.add(what, time, **fields)
+        text = msgspec.json.encode(entry).decode()
+        print(text if self._json else journal_line(entry, time_of_day), flush=True)
+        self.publish(text)
+        return entry
+
+
+class _Reacting:
+    """One run of `roslens react`."""
+
+    def __init__(
+        self, options: argparse.Namespace, reference: Reference, limits: Limits, journal: Journal,
+        stack: contextlib.ExitStack,
+    ) -> None:  # fmt: skip
+        from roslens.live.react.gate import Gate
+        from roslens.live.react.node_places import NodePlaces
+
+        self._options = options
+        self._reference = reference
+        self._stack = stack
+        self._held = Held(os.environ)
+        self._folder: Path = journal.path.parent
+        self._journal = _Telling(journal, options.json)
+        self._gate = Gate(limits)
+        self._places: NodePlaces = NodePlaces()
+        self._log: deque[str] = deque(maxlen=_LOG_LINES)
+        self._failed = False
+        self._places_due = 0.0
+
+    def run(self, length: float | None) -> int:
+        """React; return the exit code."""
+        from roslens.live.child_source import ChildSource
+
+        started = time.time()
+        session = self._session = Session(self._reference, start=started)
+        sources = sources_of(self._options)
+        tools = [one.tool for one in sources if isinstance(one, ChildSource)]
+        here = self._here()
+        hands = self._hands = self._all_hands(tools, here)
+        self._stack.callback(hands.close)
+        hands.prepare(self._reference.reactions)
+        self._prepare_journal(hands)
+        self._wait_until_ready(hands)
+        actor = self._actor(hands, started)
+        ended = when_stopped(self._stack)
+        stretch = Stretch(session, length, ended)
+        names = [one.name for one in self._reference.reactions]
+        self._journal.add(
+            "began", started, mode=self._options.mode, reactions=names, host=platform.node(), observers=tools,
+            references=[str(one) for one in self._options.reference],
+        )  # fmt: skip
+        try:
+            run(session, sources, wall=time.time, stopped=stretch.over, told=partial(self._told, actor, here))
+        finally:
+            self._journal.add("ended", time.time(), text="nothing is done any more")
+        for failure in never_saw(sources, stretch.passed):
+            self._failed = True
+            print(f"roslens: {failure}", file=sys.stderr)
+        return 3 if self._failed else 0
+
+    def _told(self, actor: Actor, here: _Here | None, step: Step) -> None:
+        for failure in step.failures:
+            self._log.append(f"{time_of_day(step.time)} {failure}")
+            if not self._options.quiet:
+                print(f"roslens: {failure}", file=sys.stderr)
+        self._log.extend(f"{time_of_day(one.time)} {one.entity} {one.change.value} {one.detail}" for one in step.events)
+        self._log.extend(
+            f"{time_of_day(one.time)} {one.entity} {one.quantity} {one.state.value}" for one in step.changes
+        )
+        if step.events or step.time >= self._places_due or step.time < self._places_due - 10 * _PLACES_EVERY_S:
+            self._places_due = step.time + _PLACES_EVERY_S
+            graph = self._session.graph()
+            self._places.take(graph)
+            if here is not None:
+                own = platform.node()
+                here.records.keep({one.pid for one in graph.nodes if one.host == own and one.pid})
+        actor.take(step)
+
+    def _actor(self, hands: AllHands, started: float) -> Actor:
+        from roslens.live.react.actor import Actor
+        from roslens.live.react.reactor import Reactor
+
+        asker = AskTerminal() if self._options.mode == "ask" else AskNobody()
+        reactor = Reactor(self._reference.reactions, start=started)
+        return Actor(reactor, self._gate, self._journal, hands, asker, held=self._held, steady=time.monotonic)
+
+    def _all_hands(self, tools: Sequence[str], here: _Here | None) -> AllHands:
+        from roslens.live.react.all_hands import AllHands
+
+        lines = [_ros_line(tool, self._options) for tool in tools]
+        hands = AllHands(
+            lines, self._places, platform.node(), here=here.hand if here is not None else None, far=None,
+            monitor=self._by_monitor,
+        )  # fmt: skip
+        if here is not None:
+            here.told = hands.told
+        return hands
+
+    def _here(self) -> _Here | None:
+        if self._options.allow is None:
+            return None
+        from roslens.live.agent.allow_list import read_allow_list
+
+        return _Here(read_allow_list(self._options.allow), self._held, self._folder / "nodes")
+
+    def _by_monitor(self, decision: Decision) -> Callable[[], str]:
+        """Look at what an action of the monitor itself needs, and return what carries it out."""
+        from roslens.live.react.actions import snapshot, webhook
+
+        if decision.action.kind == "webhook":
+            return partial(webhook.act, decision)
+        now = decision.at_s
+        standing = snapshot.Standing(
+            self._session.graph(), tuple(self._session.monitor.standing()), tuple(self._session.readings(now)),
+            tuple(self._log),
+        )  # fmt: skip
+        return partial(snapshot.act, decision, standing, self._folder / "snapshots")
+
+    def _prepare_journal(self, hands: AllHands) -> None:
+        if (topic := self._options.publish_journal) is not None:
+            if not topic.startswith("/"):
+                raise UsageError(f"--publish-journal {topic!r}", expected="a resolved name such as `/roslens/journal`")
+            self._journal.publish = partial(hands.say, topic)
+
+    def _wait_until_ready(self, hands: AllHands) -> None:
+        end = time.monotonic() + _READY_WITHIN_S
+        while hands.waiting() and time.monotonic() < end:
+            hands.poll()
+            time.sleep(0.02)
+        for place, why in hands.unready().items():
+            raise DocumentError(f"what is to be done cannot be: {why}", where=place)
+
+
+class _Here:
+    """Acts on this host."""
+
+    def __init__(self, allow: Any, held: Callable[[], str], output: Path) -> None:
+        from roslens.live.agent.host_hand import Done, HostHand
+        from roslens.live.agent.process_record import ProcessRecords
+        from roslens.live.react.actor import CarriedOut
+
+        self.records = ProcessRecords()
+        self.told: Callable[[CarriedOut], None] = lambda _: None
+
+        def told(done: Done) -> None:
+            self.told(CarriedOut(done.id, done.done, done.text, done.duration_s, done.refused))
+
+        self.hand: HostHand = HostHand(allow, self.records, told, output=output, held=held)
+
+
+def _ros_line(tool: str, options: argparse.Namespace) -> RosLine:
+    from roslens.children.safe_path import python_words
+    from roslens.live.adapters.child import find_ros2_python, ros2_command
+    from roslens.live.react.ros_line import RosLine
+
+    if tool == "ros1":
+        words = ["--master", options.master] if options.master else []
+        code = "from roslens.live.adapters.ros1.acting import main; sys.exit(main(sys.argv[1:]))"
+        return RosLine(1, python_words(sys.executable, code, words, path=sys.path), os.environ, time.monotonic)
+    words = ["--domain", str(options.domain)] if options.domain is not None else []
+    python = find_ros2_python(options.python or "", os.environ)
+    command = ros2_command(python, words, "roslens.live.adapters.ros2.acting")
+    return RosLine(2, command, os.environ, time.monotonic)

@@ -1,0 +1,235 @@
+"""Hands actions to who carries them out: the monitor, a process with ROS, this host, or the agent of another one."""
+
+from __future__ import annotations
+
+import queue
+import threading
+import time
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from roslens.live.react.actor import CarriedOut
+from roslens.live.react.node_places import NodePlaces
+from roslens.live.react.ros import ActionError
+from roslens.live.react.ros_line import RosLine
+from roslens.model.action_kind import ActionKind, By, action_kind
+from roslens.model.entity import EntityKind
+from roslens.model.errors import RoslensError
+from roslens.model.host_request import HostRequest
+from roslens.model.order import Verb
+from roslens.model.reaction import ActionCall, Decision, Reaction
+
+
+class HostHands(Protocol):
+    """A host that can be asked, or the line to all others."""
+
+    def begin(self, request: HostRequest) -> None:
+        """Begin to carry a request out; returns at once."""
+
+
+class FarHosts(Protocol):
+    """Agents that take requests."""
+
+    def ask(self, host: str, request: HostRequest) -> str:
+        """Ask a host; return why that cannot be, empty where it is asked."""
+
+    def poll(self) -> list[CarriedOut]:
+        """Return what became of requests."""
+
+
+class AllHands:
+    """Who carries out what.
+
+    Args:
+        lines: processes that act in ROS, one of each generation that is observed.
+        places: of nodes.
+        host: name of this host.
+        here: acts on this host; None where there is no allow-list for it.
+        far: agents of other hosts.
+        monitor: looks at what it needs for what needs neither ROS nor a host, and returns what carries it out.
+        steady: a clock that never jumps.
+    """
+
+    def __init__(
+        self, lines: Sequence[RosLine], places: NodePlaces, host: str, *, here: HostHands | None,
+        far: FarHosts | None, monitor: Callable[[Decision], Callable[[], str]],
+        steady: Callable[[], float] = time.monotonic,
+    ) -> None:  # fmt: skip
+        self._lines = list(lines)
+        self._places = places
+        self._host = host
+        self._here = here
+        self._far = far
+        self._monitor = monitor
+        self._steady = steady
+        self._came: queue.SimpleQueue[CarriedOut] = queue.SimpleQueue()
+        self._waited_for: dict[str, int] = {}
+        self._best: dict[str, CarriedOut] = {}
+        self._unfit: dict[tuple[int, str], str] = {}
+        self._prepared: dict[str, str] = {}
+
+    def prepare(self, reactions: Sequence[Reaction]) -> None:
+        """Get ready for every action of some reactions that is done through ROS; :meth:`unready` says how that goes."""
+        for reaction in reactions:
+            for number, step in enumerate(reaction.steps):
+                call = step.action
+                kind = action_kind(call.kind)
+                if kind is None or kind.by is not By.ROS:
+                    continue
+                id_ = f"{reaction.name}/prepare.{number + 1}"
+                self._prepared[id_] = call.place
+                target = call.target.name if call.target is not None else ""
+                for line in self._lines:
+                    if line.generation in kind.ros:
+                        self._unfit[line.generation, id_] = "not answered yet"
+                        line.prepare(id_, call.kind, target, kind.filled(call.arguments))
+
+    def unready(self) -> dict[str, str]:
+        """Return what cannot be done in any ROS that is observed, and why, by its place in the document."""
+        found = {}
+        for id_, place in self._prepared.items():
+            reasons = [why for (_, one), why in self._unfit.items() if one == id_]
+            if all(reasons):
+                found[place or id_] = reasons[0] if reasons else "no ROS is observed that it exists for"
+        return found
+
+    def waiting(self) -> bool:
+        """Whether somebody has not said yet whether all can be done."""
+        return "not answered yet" in self._unfit.values()
+
+    def told(self, done: CarriedOut) -> None:
+        """Take what became of something; for any thread."""
+        self._came.put(done)
+
+    def do(self, decision: Decision) -> None:
+        """Begin to carry a decision out."""
+        kind = action_kind(decision.action.kind)
+        if kind is None:
+            self._fail(decision, f"{decision.action.kind!r} is no action")
+        elif kind.by is By.ROS:
+            self._through_ros(decision, kind)
+        elif kind.by is By.HOST:
+            self._on_host(decision)
+        else:
+            try:
+                work = self._monitor(decision)
+            except RoslensError as error:
+                self._fail(decision, str(error))
+                return
+            threading.Thread(target=self._here_and_now, args=(decision, work), name=decision.id, daemon=True).start()
+
+    def poll(self) -> list[CarriedOut]:
+        """Return what was carried out since the last time."""
+        found: list[CarriedOut] = []
+        while True:
+            try:
+                found.append(self._came.get_nowait())
+            except queue.Empty:
+                break
+        for line in self._lines:
+            for reply in line.poll():
+                if reply.verb is Verb.PREPARE:
+                    self._unfit[line.generation, reply.id] = "" if reply.done else reply.text
+                elif reply.id != "journal":
+                    found += self._of_line(CarriedOut(reply.id, reply.done, reply.text, reply.duration_s))
+        if self._far is not None:
+            found += self._far.poll()
+        return found
+
+    def clear(self, decision: str) -> None:
+        """End what repeats for a decision."""
+        for line in self._lines:
+            line.clear(decision)
+
+    def stop(self) -> None:
+        """End everything that repeats."""
+        for line in self._lines:
+            line.stop()
+
+    def say(self, topic: str, text: str) -> None:
+        """Publish a text in every ROS that is observed; whether it arrives is not looked at."""
+        told = {"topic": topic, "type": "std_msgs/String", "fields": {"data": text}, "how": "latched"}
+        for line in self._lines:
+            line.do("journal", "publish", "", told)
+
+    def close(self) -> None:
+        """End the processes that act in ROS."""
+        for line in self._lines:
+            line.close()
+
+    def _through_ros(self, decision: Decision, kind: ActionKind) -> None:
+        call = decision.action
+        lines = [one for one in self._lines if one.generation in kind.ros and self._fit(one, decision)]
+        if not lines:
+            self._fail(decision, "no ROS is observed in which it can be done")
+            return
+        if len(lines) > 1 and kind.targets:
+            self._fail(decision, "ROS 1 and ROS 2 are observed, and nobody knows of which the node is")
+            return
+        self._waited_for[decision.id] = len(lines)
+        target = call.target.name if call.target is not None else ""
+        for line in lines:
+            try:
+                line.do(decision.id, call.kind, target, kind.filled(call.arguments))
+            except ValueError as error:
+                self.told(CarriedOut(decision.id, False, str(error)))
+
+    def _fit(self, line: RosLine, decision: Decision) -> bool:
+        return not self._unfit.get((line.generation, f"{decision.reaction}/prepare.{decision.step + 1}"), "")
+
+    def _of_line(self, done: CarriedOut) -> list[CarriedOut]:
+        """Return what became of something once all have told that were asked, the best of it."""
+        left = self._waited_for.get(done.decision, 1) - 1
+        best = self._best.get(done.decision)
+        if best is None or done.done:
+            best = done
+        if left > 0:
+            self._waited_for[done.decision], self._best[done.decision] = left, best
+            return []
+        self._waited_for.pop(done.decision, None)
+        self._best.pop(done.decision, None)
+        return [best]
+
+    def _on_host(self, decision: Decision) -> None:
+        try:
+            host, request = self._request(decision)
+        except ActionError as error:
+            self._fail(decision, str(error))
+            return
+        if host == self._host:
+            if self._here is None:
+                why = f"{host} is this host, and has no allow-list here: give one with --allow FILE"
+                self._came.put(CarriedOut(decision.id, False, why, refused=True))
+            else:
+                self._here.begin(request)
+        elif self._far is None:
+            self._fail(decision, f"{request.node or host} is on {host}, whose agent takes no requests: see --enrolled")
+        elif why := self._far.ask(host, request):
+            self._fail(decision, why)
+
+    def _request(self, decision: Decision) -> tuple[str, HostRequest]:
+        call: ActionCall = decision.action
+        kind = action_kind(call.kind)
+        arguments = kind.filled(call.arguments) if kind is not None else dict(call.arguments)
+        target = call.target
+        if target is None:
+            raise ActionError(f"`{call.kind}` without a target")
+        if target.kind is EntityKind.HOST:
+            return target.name, HostRequest(decision.id, call.kind, "", 0, (), arguments)
+        home = self._places.of(target.name)
+        if home is None:
+            raise ActionError(f"nobody knows on which host {target.name} is or was", expected="a node that was seen")
+        return home.host, HostRequest(decision.id, call.kind, target.name, home.pid, home.beside, arguments)
+
+    def _here_and_now(self, decision: Decision, work: Callable[[], str]) -> None:
+        began = self._steady()
+        try:
+            text, done = work(), True
+        except RoslensError as error:
+            text, done = str(error), False
+        except Exception as error:  # noqa: BLE001 - an action that fails ends nothing else
+            text, done = f"{type(error).__name__}: {error}", False
+        self._came.put(CarriedOut(decision.id, done, text, self._steady() - began))
+
+    def _fail(self, decision: Decision, text: str) -> None:
+        self._came.put(CarriedOut(decision.id, False, text))

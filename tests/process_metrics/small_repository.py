@@ -8,7 +8,7 @@ from pathlib import Path
 
 MANIFEST = (
     '<package format="2"><name>{0}</name><version>1.0.0</version><description>d</description>'
-    '<maintainer email="a@b.c">a</maintainer><license>BSD</license></package>\n'
+    '<maintainer email="a@example.org">a</maintainer><license>BSD</license></package>\n'
 )
 BEGIN_S = 1_600_000_000
 DAY_S = 86_400

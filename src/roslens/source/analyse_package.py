@@ -18,6 +18,7 @@ from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.source.analyse_file import FileAnalysis, analyse_parsed
 from roslens.source.over_budget import over_budget
 from roslens.source.parsed_file import ParsedFile, parse_file
+from roslens.source.remembered_facts import KnownFile, RememberedFacts
 from roslens.source.rules.hit import Hit
 from roslens.source.settings import CountingSettings, MacroSettings, RuleSettings
 from roslens.source.workspace.suppress import Suppression
@@ -67,8 +68,10 @@ class MeasuredPackage(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...] = ()
 
 
-def measure_task(task: PackageTask) -> MeasuredPackage:
+def measure_task(task: PackageTask, remembered: RememberedFacts | None = None) -> MeasuredPackage:
     """Parse what is new, measure everything.
+
+    ``remembered`` are files of an earlier look in this process.
 
     The collector of cyclic garbage is off meanwhile: facts form no cycles, and walking half a
     million of them again and again would take a fifth of the time.
@@ -76,7 +79,7 @@ def measure_task(task: PackageTask) -> MeasuredPackage:
     collecting = gc.isenabled()
     gc.disable()
     try:
-        return _measure(task)
+        return _measure(task, remembered or RememberedFacts())
     finally:
         if collecting:
             gc.enable()
@@ -99,21 +102,23 @@ def nothing_measured(task: PackageTask, error: BaseException) -> MeasuredPackage
     return MeasuredPackage(task.package.id, (entity,), (failure,), {}, {})
 
 
-def _measure(task: PackageTask) -> MeasuredPackage:
+def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
     from roslens.source.metrics.measure_file import measure_file
     from roslens.source.metrics.measure_package import measure_package
     from roslens.source.rules.package_findings import rule_findings
     from roslens.source.rules.package_view import PackageView
     from roslens.source.syntax.facts import FileFacts
 
-    known, lowered = _known(task)
+    before = remembered.of(task.package.id)
+    known, lowered = _known(task, before)
     new: dict[str, bytes] = {}
     failures: list[Failure] = []
     suppressions: dict[str, tuple[Suppression, ...]] = {}
     measured: list[tuple[SourceFile, FileFacts, tuple[Entity, ...]]] = []
     hits: dict[str, tuple[Hit, ...]] = {}
     callbacks: set[str] = set()
-    for file, analysis in _analyses(task, known, lowered, new, failures):
+    kept: dict[tuple[str, str], KnownFile] = {}
+    for file, analysis in _analyses(task, known, before, lowered, new, failures):
         if analysis.suppressions:
             suppressions[file.path] = analysis.suppressions
         failures.extend(_faults(file, task.package, analysis))
@@ -122,7 +127,13 @@ def _measure(task: PackageTask) -> MeasuredPackage:
         failures.extend(_placed(failure, file, task.package) for failure in analysis.matched.failures)
         hits[file.path] = analysis.matched.hits
         callbacks.update(analysis.callbacks)
-        measured.append((file, analysis.facts, measure_file(file.path, analysis.facts, task.counting)))
+        place = (file.path, task.facts_keys[file.path])
+        one = before.get(place)
+        entities = measure_file(file.path, analysis.facts, task.counting) if one is None else one.entities
+        size = one.size if one is not None else len(known.get(place[1]) or new.get(place[1]) or b"")
+        kept[place] = KnownFile(analysis, entities, size)
+        measured.append((file, analysis.facts, entities))
+    remembered.remember(task.package.id, kept)
     entities = measure_package(task.package, measured, task.counting)
     of_files = {file.path: facts for file, facts, _ in measured}
     view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others)
@@ -153,16 +164,21 @@ def _of_other_files(task: PackageTask, findings: Iterable[Finding]) -> Iterator[
                     yield file.path, known
 
 
-def _known(task: PackageTask) -> tuple[Mapping[str, bytes], frozenset[str]]:
+def _known(
+    task: PackageTask, before: Mapping[tuple[str, str], KnownFile]
+) -> tuple[Mapping[str, bytes], frozenset[str]]:
     if not task.cache:
         return {}, frozenset()
     with Cache.open(Path(task.cache), writable=False) as cache:
-        return cache.get(task.facts_keys.values()), cache.known(task.program_keys.values())
+        return cache.get(
+            key for place in task.facts_keys.items() if place not in before for key in place[1:]
+        ), cache.known(task.program_keys.values())
 
 
 def _analyses(
     task: PackageTask,
     known: Mapping[str, bytes],
+    before: Mapping[tuple[str, str], KnownFile],
     lowered: frozenset[str],
     new: dict[str, bytes],
     failures: list[Failure],
@@ -172,6 +188,9 @@ def _analyses(
     for file in task.files:
         key = task.facts_keys.get(file.path)
         if key is None:
+            continue
+        if (one := before.get((file.path, key))) is not None and file.path not in task.program_keys:
+            yield file, one.analysis
             continue
         blob = known.get(key)
         wanted = task.program_keys.get(file.path)

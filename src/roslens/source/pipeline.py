@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.intake.bounded_file import read_bounded
 from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
 from roslens.model.source import number_of_packages
@@ -24,11 +23,12 @@ from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
 from roslens.source.fetch.fetched_set import FetchedSet, read_fetched_set
 from roslens.source.inventory import Inventory, take_inventory
-from roslens.source.keys import analyser_version, content_hash, key_of
+from roslens.source.keys import analyser_version, key_of
 from roslens.source.known_manifests import KnownManifests
 from roslens.source.nameable_rules import nameable_rules
 from roslens.source.owned_findings import owned_findings
 from roslens.source.package_task import package_task
+from roslens.source.packaging_files import packaging
 from roslens.source.plugin_stage import PluginStage, discover_plugins, is_wide, shared_out
 from roslens.source.progress import Progress, Silent
 from roslens.source.repositories import repositories_of
@@ -53,14 +53,12 @@ if TYPE_CHECKING:
     from roslens.plugins.outcome import Outcome
     from roslens.plugins.points import Manifest
     from roslens.source.analyse_package import MeasuredPackage, PackageTask
+    from roslens.source.history.past_revision import PastRevision
     from roslens.source.history.process_stage import LookBack, Past
     from roslens.source.tools.tool_stage import ToolStage
     from roslens.store.cache import Cache
     from roslens.store.runs import Store
 
-
-PACKAGING_FILES = ("setup.cfg", "pyproject.toml")
-"""Files at the top of a package that have no language and shape what rules find."""
 
 KEPT_RUNS = 50
 """Older runs are removed when a new one is complete."""
@@ -122,6 +120,8 @@ def analyse(
     beyond: Beyond | None = None,
     unchanged: Mapping[str, str] | None = None,
     look_back: LookBack | None = None,
+    revision: PastRevision | None = None,
+    kept_runs: int | None = KEPT_RUNS,
 ) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 
@@ -139,6 +139,8 @@ def analyse(
         beyond: a look at all of it that is part of the run.
         unchanged: hashes of files by path; packages of which all files have these are left out.
         look_back: gives the histories that process metrics are told of; None for none.
+        revision: what the folders hold where that is a past revision of another folder.
+        kept_runs: how many of the newest runs stay in the store; None for all.
 
     Raises:
         UsageError: a path does not exist, or an option of a plug-in is wrong.
@@ -178,7 +180,7 @@ def analyse(
             found.package,
             inventory.files[found.package.id],
             inventory.others[found.package.id],
-            _packaging(found),
+            packaging(found),
             *([tools.key_of_package(found.package.id)] if tools else ()),
             *silence.acceptances.shaping(file.path for file in found.files),
         )
@@ -214,6 +216,8 @@ def analyse(
             silence,
             past,
             fetched,
+            revision,
+            kept_runs,
         ),
         store,
         cache,
@@ -238,6 +242,8 @@ class _Run(msgspec.Struct, frozen=True):
     silence: Silence
     past: Past | None
     fetched: FetchedSet
+    revision: PastRevision | None
+    kept_runs: int | None
 
     def key_kept(self, key: str) -> str:
         """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
@@ -262,24 +268,6 @@ def _shaping(settings: SourceSettings, base: Path, plugins: Discovered) -> str:
     # Where packages were looked for is not part of what one of them is like; plug-ins count by what they are.
     own = msgspec.structs.replace(settings, plugins=(), untrusted=(), process=ProcessSettings())
     return key_of(analyser_version(), own, models, members)
-
-
-def _packaging(found: FoundPackage) -> list[tuple[str, str]]:
-    """Return the hashes of files that have no language and say how a package is installed."""
-    read = [
-        Path(found.folder, name)
-        for entry in found.files
-        if (name := entry.path.rpartition("/")[2]) in PACKAGING_FILES and "/" not in _inside(found, entry.path)
-    ]
-    held: list[tuple[str, str]] = []
-    for path in read:
-        with suppress(OSError):
-            held.append((path.name, content_hash(read_bounded(path))))
-    return held
-
-
-def _inside(found: FoundPackage, path: str) -> str:
-    return path.removeprefix(f"{found.package.path}/")
 
 
 def _programs(member: Member) -> list[tuple[str, int, int]]:
@@ -335,7 +323,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             result = finisher.finish(measured, said)
             seen.update(rule for finding in result.findings for rule in (finding.rule, *finding.witnesses))
             seen.update(one.finding.rule for one in result.set_aside)
-            writer.add(run.key_kept(run.units[measured.package]), result)
+            writer.add(run.key_kept(run.units[measured.package]), result, brief=run.revision is not None)
         fresh = {found.package.id for found in changed}
         for found in run.workspace.packages:
             if found.package.id not in fresh:
@@ -357,7 +345,8 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
             whole = with_process(whole, run.past, paths, files, writer.function_sums)
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
-    store.prune(KEPT_RUNS)
+    if run.kept_runs is not None:
+        store.prune(run.kept_runs)
     return Answer(
         number,
         fresh=True,
@@ -372,7 +361,8 @@ def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: P
 
     tasks = sorted((_task(run, found, cache) for found in changed), key=lambda task: -_bytes(task))
     watch.step("Measuring packages", len(tasks))
-    for task, result in executor_for(run.jobs).run(measure_task, tasks):
+    measure = partial(measure_task, remembered=run.revision.remembered) if run.revision else measure_task
+    for task, result in executor_for(run.jobs).run(measure, tasks):
         if isinstance(result, BaseException):
             measured = nothing_measured(task, result)
         else:
@@ -475,11 +465,13 @@ def _header(run: _Run) -> RunHeader:
     from roslens.source.commit import commit_of
     from roslens.source.versions import tool_versions
 
+    files = (file for held in run.inventory.files.values() for file in held)
+    past = run.revision
     return RunHeader(
         key=run.key_kept(run.key),
-        root=run.workspace.root,
+        root=past.root if past else run.workspace.root,
         started=run.clock.utc,
-        commit=commit_of(run.workspace.root, (file for held in run.inventory.files.values() for file in held)),
+        commit=past.commit if past else commit_of(run.workspace.root, files),
         tools=tool_versions(run.plugins.members) | (run.tools.versions if run.tools else {}),
         configuration=msgspec.to_builtins(run.settings),
         models=run.settings.models,

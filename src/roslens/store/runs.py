@@ -21,6 +21,7 @@ from roslens.store.read import RunView, read_unit
 from roslens.store.sqlite_errors import as_store_errors
 
 if TYPE_CHECKING:
+    from roslens.store.revisions import KeptRevision
     from roslens.store.write import RunWriter
 
 WAIT_S = 10.0
@@ -176,6 +177,28 @@ class Store:
                 advice="" if known else "Run `roslens check` first",
             )
         return RunView(Run(self._readers, self._path, number), rows.to_header(found))
+
+    def mark_revision(self, one: KeptRevision) -> None:
+        """Say of which past commit a run is.
+
+        Raises:
+            StoreError: the store cannot be written.
+        """
+        from roslens.store.revisions import write_revision
+
+        with as_store_errors(self._path):
+            write_revision(self._connection, one)
+
+    def revisions(self) -> tuple[KeptRevision, ...]:
+        """Return the past commits of which there are runs, the earliest first.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        from roslens.store.revisions import read_revisions
+
+        with as_store_errors(self._path):
+            return read_revisions(self._connection)
 
     def prune(self, keep: int) -> int:
         """Remove all but the newest ``keep`` runs with everything only they hold; return how many were removed.

@@ -60,8 +60,13 @@ class RunWriter:
         """Discard the run unless it is complete."""
         release(self._connection)
 
-    def add(self, key: str, result: PackageResult) -> None:
+    def add(self, key: str, result: PackageResult, *, brief: bool = False) -> None:
         """Keep a package's result under ``key``; findings are kept in order of their places.
+
+        Args:
+            key: of the result.
+            result: of the package.
+            brief: without what was measured of its files, classes and functions, which takes most of the room.
 
         Raises:
             StoreError: the store cannot be written.
@@ -70,10 +75,10 @@ class RunWriter:
             unit = self._find(key)
             if unit is None:
                 try:
-                    unit = self._add(key, result)
+                    unit = self._add(key, result, brief=brief)
                 except UnicodeEncodeError:
                     self._connection.execute("DELETE FROM unit WHERE key = ?", (key,))
-                    unit = self._add(key, encodable(result))
+                    unit = self._add(key, encodable(result), brief=brief)
         self._units[unit] = result.package.id
 
     def reuse(self, key: str) -> None:
@@ -139,9 +144,9 @@ class RunWriter:
         found = self._connection.execute("SELECT id FROM unit WHERE key = ?", (key,)).fetchone()
         return found[0] if found else None
 
-    def _add(self, key: str, result: PackageResult) -> int:
+    def _add(self, key: str, result: PackageResult, *, brief: bool) -> int:
         connection = self._connection
-        entities = by_kind(result.entities)
+        entities = by_kind(one for one in result.entities if not brief or one.kind is EntityKind.PACKAGE)
         findings = sorted(result.findings, key=_place)
         unit = _inserted(
             connection.execute(

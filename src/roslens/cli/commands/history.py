@@ -1,4 +1,4 @@
-"""``roslens history``: what ``roslens watch --history`` kept, as a summary, CSV, JSON or Parquet."""
+"""``roslens history``: what ``roslens watch --history`` kept; with ``--every``, past revisions of source."""
 
 from __future__ import annotations
 
@@ -8,14 +8,20 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli.revision_history import add_revision_arguments, analyse_past
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.report.history_rows import Extract
     from roslens.report.to_csv import Table
 
-TEXT = "Show or export what `roslens watch --history` kept: series, verdicts and events."
+TEXT = (
+    "Show or export what `roslens watch --history` kept of a running system; or, with --every, analyse past revisions "
+    "of source."
+)
 EXAMPLES = """\
+  roslens history --every release                          each release of the repository that this folder is in
+  roslens history ~/robot_ws/src/nav --every month --since 2022-01-01
   roslens history robot.sqlite                             every series as a line, then what was wrong
   roslens history robot.sqlite --entity 'topic:/camera/**' --signal rate --since 10min
   roslens history robot.sqlite --format csv -o series.csv
@@ -27,8 +33,19 @@ _STRETCH = "a time before the end such as `10min`, after the beginning such as `
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add files, what of them is wanted, and how it is written."""
-    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="that `roslens watch --history` wrote")
+    """Add files, what of them is wanted, and how it is written; and what there is of past revisions."""
+    parser.add_argument(
+        "files", nargs="*", type=Path, metavar="FILE",
+        help="that `roslens watch --history` wrote; with --every, the folder of a workspace",
+    )  # fmt: skip
+    add_revision_arguments(parser)
+    group = parser.add_argument_group("history of a running system")
+    parser.add_argument("--since", metavar="TIME", help=f"{_STRETCH}; with --every, a date or a revision")
+    _add_live_arguments(group)
+    parser.add_argument("--no-color", action="store_true", help="no colours (NO_COLOR does the same)")
+
+
+def _add_live_arguments(parser: argparse._ArgumentGroup) -> None:
     parser.add_argument(
         "--entity", action="append", default=[], metavar="PATTERN",
         help="only what matches: a name as in references, with or without its kind: 'topic:/camera/**', '/lidar'",
@@ -36,14 +53,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--signal", action="append", default=[], metavar="PATTERN", help="only these signals: rate, 'cpu*'"
     )
-    parser.add_argument("--since", metavar="TIME", help=_STRETCH)
     parser.add_argument("--until", metavar="TIME", help="the same")
     parser.add_argument(
         "--what", action="append", default=[], choices=PARTS, help="only this (default: all; CSV and Parquet: series)"
     )
     parser.add_argument("--format", choices=("text", "json", "csv", "parquet"), default="text")
     parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
-    parser.add_argument("--no-color", action="store_true", help="no colours (NO_COLOR does the same)")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -55,6 +70,9 @@ def run(options: argparse.Namespace) -> int:
     """
     from roslens.live.signals import BY_KEY
 
+    if options.every is not None:
+        return analyse_past(options, _workspace(options))
+    _refuse_past(options)
     parts = frozenset(options.what) or frozenset(PARTS if options.format in ("text", "json") else PARTS[:1])
     if options.format in ("csv", "parquet") and len(parts) > 1:
         raise UsageError(f"--format {options.format} with {len(parts)} times --what", expected="one table a file")
@@ -73,6 +91,49 @@ def run(options: argparse.Namespace) -> int:
     units = {key: quantity.unit for key, quantity in BY_KEY.items()}
     _write(options, extracts, parts, units)
     return 0
+
+
+def _workspace(options: argparse.Namespace) -> Path:
+    """Return the folder whose past revisions are meant.
+
+    Raises:
+        UsageError: there are several, it is a file, or an option of the other meaning is given.
+    """
+    live = [f"--{name}" for name in ("entity", "signal", "until", "what") if getattr(options, name)]
+    if live or options.format != "text" or options.output is not None:
+        named = (live or ["--format" if options.format != "text" else "--output"])[0]
+        raise UsageError(
+            f"{named} with --every", expected=f"{named} for the history of a running system: roslens history FILE",
+            advice="See what was kept of past revisions: roslens trend loc --format csv",
+        )  # fmt: skip
+    if len(options.files) > 1:
+        raise UsageError(f"--every with {len(options.files)} folders", expected="one folder")
+    folder = Path(*options.files)
+    if not folder.is_dir():
+        raise UsageError(f'--every with "{folder}"', expected="the folder of a workspace")
+    return folder.resolve()
+
+
+def _refuse_past(options: argparse.Namespace) -> None:
+    """Refuse what only past revisions have.
+
+    Raises:
+        UsageError: it was given, or no file was.
+    """
+    for name in ("model", "config"):
+        if getattr(options, name):
+            raise UsageError(f"--{name} without --every", expected=f"--every release --{name} ...")
+    if not options.files:
+        raise UsageError(
+            "neither a FILE nor --every",
+            expected="what `roslens watch --history FILE` wrote, or --every release|month|N",
+            advice="`roslens history --help` has examples of both",
+        )  # fmt: skip
+    for folder in filter(Path.is_dir, options.files):
+        raise UsageError(
+            f'"{folder}" is a folder', expected="a file that `roslens watch --history` wrote",
+            advice=f"Analyse its past revisions: roslens history {folder} --every release",
+        )  # fmt: skip
 
 
 def _extract(

@@ -39,6 +39,7 @@ def measure_history(
     head = log.commits[0]
     at_s = head.time_s if as_of_s is None else as_of_s
     owners = _owners(log.paths, packages)
+    wanted = [name in files for name in log.paths]
     of_package: dict[str, Commits] = defaultdict(list)
     of_path: dict[int, Commits] = defaultdict(list)
     for commit in log.commits:
@@ -46,13 +47,16 @@ def measure_history(
             continue
         parts: dict[str, list[Change]] = defaultdict(list)
         for change in commit.changes:
-            of_path[change.path].append((commit, [change]))
+            if wanted[change.path]:
+                of_path[change.path].append((commit, [change]))
             parts[owners[change.path]].append(change)
         for owner, changes in parts.items():
             of_package[owner].append((commit, changes))
     whole = [(commit, list(commit.changes)) for commit in log.commits]
     couples = [not change_coupling.RELEASE_FILES.fullmatch(name) for name in log.paths]
-    coupled_files = change_coupling.couplings(_named(log, [files.get(name, "") for name in log.paths], couples))
+    coupled_files = (
+        change_coupling.couplings(_named(log, [files.get(name, "") for name in log.paths], couples)) if files else ()
+    )
     coupled_packages = change_coupling.couplings(_named(log, owners, couples))
 
     def values(kind: EntityKind, commits: Commits) -> dict[str, float]:
@@ -60,9 +64,7 @@ def measure_history(
         return dict(_values(touched, lines=log.has_lines))
 
     file_values = {
-        files[name]: values(EntityKind.FILE, of_path[place])
-        for place, name in enumerate(log.paths)
-        if name in files and place in of_path
+        files[name]: values(EntityKind.FILE, of_path[place]) for place, name in enumerate(log.paths) if place in of_path
     }
     for one, known in file_values.items():
         if "churn" in known and (product := hotspot.of_file(known["churn"], complexity.get(one))) is not None:

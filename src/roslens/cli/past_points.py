@@ -1,0 +1,59 @@
+"""The runs of past revisions of a workspace, opened to be read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roslens.cli.own_results import refuse_foreign
+from roslens.cli.past_runs import PAST
+from roslens.cli.workplace import FOLDER, STORE
+from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from roslens.store.trends import Trends
+
+
+def past_folder(start: str) -> Path | None:
+    """Return the ``.roslens`` folder with past revisions that ``start`` is in, whoever made it; None for none."""
+    path = Path(start).resolve()
+    return next((above / FOLDER for above in (path, *path.parents) if (above / FOLDER / PAST).is_file()), None)
+
+
+@contextmanager
+def trends_of(start: str) -> Iterator[Trends]:
+    """Open the past revisions of the workspace that ``start`` is in, with the newest run of the tree.
+
+    Raises:
+        UsageError: none were analysed.
+        StoreError: they cannot be read.
+    """
+    import os
+
+    from roslens.store.runs import Store
+    from roslens.store.trends import Trends
+
+    folder = past_folder(start)
+    if folder is None:
+        raise UsageError(
+            f"no past revisions of {str(Path(start).resolve())!r} were analysed",
+            expected="runs of them",
+            advice=f"Make them: roslens history {start} --every release",
+        )
+    refuse_foreign(folder, os.environ)
+    with ExitStack() as opened:
+        past = opened.enter_context(Store.open(folder / PAST))
+        now = None
+        if (folder / STORE).is_file():
+            store = opened.enter_context(Store.open(folder / STORE))
+            now = store.view() if store.latest() is not None else None
+        trends = Trends(past, now)
+        if not trends.points:
+            raise UsageError(
+                "no past revision was analysed to its end",
+                expected="runs of them",
+                advice=f"Make them: roslens history {start} --every release",
+            )
+        yield trends

@@ -1,0 +1,53 @@
+"""A trend for programs: one JSON document, or a table with a row for each value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import msgspec
+
+from roslens.model.trend import Trend
+from roslens.report.numbers import plain
+from roslens.report.to_csv import Cell, Table
+
+SCHEMA = "roslens-trend/1"
+"""Name and version; within a version keys are only added."""
+
+HEAD = ("quantity", "package", "commit", "time_s", "name", "run", "now", "value")
+
+
+def trend_json(trend: Trend) -> str:
+    """Return the document."""
+    document = {
+        "schema": SCHEMA,
+        "quantity": trend.quantity,
+        "title": trend.title,
+        "unit": trend.unit,
+        "whole_is": trend.whole_is,
+        "points": [
+            {"run": one.run, "commit": one.commit, "time_s": plain(one.time_s), "name": one.name, "now": one.now}
+            for one in trend.points
+        ],
+        "whole": [_plain(value) for value in trend.whole],
+        "packages": {name: [_plain(value) for value in values] for name, values in trend.packages.items()},
+        "events": [msgspec.to_builtins(one) for one in trend.events],
+    }
+    return msgspec.json.format(msgspec.json.encode(document), indent=1).decode() + "\n"
+
+
+def trend_table(trend: Trend) -> Table:
+    """Return a row for each value; that of all packages together has no package."""
+    return HEAD, list(_rows(trend))
+
+
+def _rows(trend: Trend) -> Iterator[tuple[Cell, ...]]:
+    for package, values in (("", trend.whole), *trend.packages.items()):
+        for point, value in zip(trend.points, values, strict=True):
+            if value is not None:
+                now = "yes" if point.now else "no"
+                place = (point.commit, plain(point.time_s), point.name, point.run, now)
+                yield (trend.quantity, package, *place, plain(value))
+
+
+def _plain(value: float | None) -> float | None:
+    return None if value is None else plain(value)

@@ -1,0 +1,58 @@
+"""What history said when a past commit was the head."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.model.process import Release, RepositoryProcess
+from roslens.model.source import OUTSIDE_PACKAGES, SourceFile
+from roslens.source.history.commit_log import CommitLog, behind
+from roslens.source.history.histories import without_contents
+from roslens.source.history.measure_history import measure_history
+from roslens.source.keys import key_of
+
+
+class PastOfCommit(msgspec.Struct, frozen=True):
+    """The history behind one commit, told of its repository and packages; files have theirs in a run of the head.
+
+    Attributes:
+        log: of a later head that has the commit behind it.
+        commit: that is looked at.
+        released: releases behind the later head.
+        below: the folder of the repository that is looked at; empty or ending with ``/``.
+        failures: of the revision.
+    """
+
+    log: CommitLog
+    commit: str
+    released: tuple[Release, ...]
+    below: str = ""
+    failures: tuple[Failure, ...] = ()
+
+    @property
+    def key(self) -> str:
+        """A key of all that shapes what is told."""
+        return key_of(self.commit, self.released, self.failures)
+
+    def tell(
+        self,
+        packages: Mapping[str, str],
+        files: Mapping[str, Sequence[SourceFile]],  # noqa: ARG002 - the shape of every past
+        complexity: Mapping[str, float],
+    ) -> tuple[tuple[RepositoryProcess, ...], tuple[Failure, ...]]:
+        """Return what the history says, and what it cannot say."""
+        then = behind(self.log, self.commit)
+        known = {commit.id for commit in then.commits}
+        folders = {
+            one: f"{self.below}{path}" if path != "." else self.below.rstrip("/") for one, path in packages.items()
+        }
+        folders.pop(OUTSIDE_PACKAGES, None)
+        found = measure_history(
+            then, [one for one in self.released if one.commit in known], path=".", packages=folders, files={},
+            complexity=complexity,
+        )  # fmt: skip
+        lacking = () if then.has_lines else (without_contents(".", has_changes=then.has_changes),)
+        return (found,), lacking

@@ -1,0 +1,182 @@
+"""Quantities across runs: past revisions, and the tree as it was analysed last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+from statistics import median
+
+from roslens.model.finding import Severity
+from roslens.model.process import Release
+from roslens.model.quantity import Fold, Quantity
+from roslens.model.result import PackageSummary, RunHeader
+from roslens.model.source import OUTSIDE_PACKAGES
+from roslens.model.trend import Trend, TrendEvent, TrendPoint
+from roslens.store.read import RunView
+from roslens.store.runs import Store
+
+COUNTS = {
+    "findings": "Findings",
+    "errors": "Errors",
+    "warnings": "Warnings",
+    "notes": "Notes",
+}
+"""What can be followed besides quantities: findings that count for gates, all or of one severity."""
+
+_SEVERITIES = {"errors": Severity.ERROR, "warnings": Severity.WARNING, "notes": Severity.NOTE}
+_SUMS = {"files", "classes", "functions", "rqv", "rcv"}
+
+
+class Trends:
+    """The runs of past revisions and of today, and what they say of a quantity.
+
+    Everything is read once: summaries of packages are shared by the runs in which a package did not change.
+    """
+
+    def __init__(self, past: Store, now: RunView | None = None) -> None:
+        """Take both.
+
+        Args:
+            past: the store of past revisions.
+            now: the newest run of the tree; None for none.
+        """
+        self._past = past
+        self._now = now
+        self._revisions = past.revisions()
+
+    @cached_property
+    def points(self) -> tuple[TrendPoint, ...]:
+        """All runs, the earliest first."""
+        tagged = {one.commit: one.name for one in reversed(self.releases)}
+        found = [
+            TrendPoint(one.run, one.commit, one.time_s, tagged.get(one.commit, one.commit[:10]))
+            for one in self._revisions
+        ]
+        # A tree that is a revision which is there already says nothing more.
+        if self._now is not None and not any(one.commit == self._now.header.commit for one in self._revisions):
+            header = self._now.header
+            found.append(TrendPoint(self._now.id, header.commit, _seconds(header.started), "now", now=True))
+        return tuple(found)
+
+    @cached_property
+    def releases(self) -> tuple[Release, ...]:
+        """The releases behind the newest revision, the newest first."""
+        if not self._revisions:
+            return ()
+        return tuple(one for found in self._past.view(self._revisions[-1].run).process for one in found.releases)
+
+    @cached_property
+    def views(self) -> tuple[RunView, ...]:
+        """The run of each point."""
+        now = self._now
+        return tuple(now if one.now and now is not None else self._past.view(one.run) for one in self.points)
+
+    @cached_property
+    def _packages(self) -> tuple[tuple[PackageSummary, ...], ...]:
+        return tuple(view.packages() for view in self.views)
+
+    @cached_property
+    def _repositories(self) -> tuple[dict[str, float], ...]:
+        return tuple(view.process[0].values if view.process else {} for view in self.views)
+
+    @cached_property
+    def quantities(self) -> Mapping[str, Quantity]:
+        """What the newest run may have measured, by key."""
+        return {one.key: one for one in self.views[-1].quantities()} if self.points else {}
+
+    @cached_property
+    def keys(self) -> tuple[str, ...]:
+        """What can be followed, sorted: quantities of packages, of the repository, and counts of findings."""
+        found = {key for packages in self._packages for one in packages for key in one.values}
+        found.update(key for values in self._repositories for key in values)
+        return tuple(sorted(found | COUNTS.keys()))
+
+    @cached_property
+    def events(self) -> tuple[TrendEvent, ...]:
+        """Releases, and changes of what measures and judges."""
+        found = []
+        headers = [view.header for view in self.views]
+        times = {point.commit: place for place, point in enumerate(self.points)}
+        for release in reversed(self.releases):
+            place = times.get(release.commit)
+            if place is None:
+                later = (at for at, point in enumerate(self.points) if at and point.time_s >= release.time_s)
+                place = next(later, None)
+            if place is not None:
+                found.append(TrendEvent(place, "release", release.name))
+        for place in range(1, len(headers)):
+            found += _changes(place, headers[place - 1], headers[place])
+        return tuple(sorted(found, key=lambda one: (one.point, one.kind)))
+
+    def of(self, key: str) -> Trend:
+        """Return how a quantity went; one that nobody measured has no values."""
+        names = {one.id for packages in self._packages for one in packages if one.id != OUTSIDE_PACKAGES}
+        columns: dict[str, list[float | None]] = {name: [] for name in sorted(names)}
+        whole: list[float | None] = []
+        how = self._how(key)
+        for packages, repository in zip(self._packages, self._repositories, strict=True):
+            values = {one.id: _value(one, key) for one in packages}
+            for name, column in columns.items():
+                column.append(values.get(name))
+            whole.append(_whole(how, [one for one in values.values() if one is not None], repository.get(key)))
+        base = self.quantities.get(key.partition(".")[0])
+        known = {name: tuple(column) for name, column in columns.items() if any(one is not None for one in column)}
+        title = COUNTS.get(key) or (base.title if base else key)
+        unit = "findings" if key in COUNTS else base.unit if base else ""
+        fold = key.partition(".")[2]
+        return Trend(
+            key, f"{title} ({fold})" if fold else title, unit, how,
+            self.points, known, tuple(whole), self.events,
+        )  # fmt: skip
+
+    def _how(self, key: str) -> str:
+        if any(key in values for values in self._repositories):
+            return "repository"
+        base = self.quantities.get(key)
+        sums = key in COUNTS or key in _SUMS or (base is not None and base.folds[:1] == (Fold.SUM,))
+        return "sum" if sums else "median"
+
+
+def _value(package: PackageSummary, key: str) -> float | None:
+    if key in COUNTS:
+        wanted = _SEVERITIES.get(key)
+        return sum(one.gated for one in package.rules if wanted in (None, one.severity))
+    return package.values.get(key)
+
+
+def _whole(how: str, values: Sequence[float], repository: float | None) -> float | None:
+    if how == "repository":
+        return repository
+    if not values:
+        return None
+    return sum(values) if how == "sum" else median(values)
+
+
+def _changes(place: int, before: RunHeader, after: RunHeader) -> Iterable[TrendEvent]:
+    # Tools that only one side ran are no change of what both measured.
+    tools = [
+        f"{name} {before.tools[name]} -> {version}"
+        for name, version in sorted(after.tools.items())
+        if name in before.tools and before.tools[name] != version
+    ]
+    if tools:
+        yield TrendEvent(place, "tools", ", ".join(tools))
+    if before.models != after.models:
+        yield TrendEvent(place, "models", f"{', '.join(before.models)} -> {', '.join(after.models)}")
+    names = sorted(
+        name
+        for name in before.configuration.keys() | after.configuration.keys()
+        if name in {"counting", "macros", "rules", "workspace", "ignore", "gate_roles"}
+        and before.configuration.get(name) != after.configuration.get(name)
+    )
+    if names:
+        yield TrendEvent(place, "settings", ", ".join(names))
+
+
+def _seconds(started: str) -> float:
+    from datetime import datetime
+
+    try:
+        return datetime.fromisoformat(started).timestamp()
+    except ValueError:
+        return 0.0

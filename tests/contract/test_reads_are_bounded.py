@@ -13,6 +13,8 @@ OWN = {
     "dashboard/export.py": "comes with roslens, and the mark of a folder that roslens wrote",
     "dashboard/single_file.py": "comes with roslens",
     "source/rules/precision.py": "comes with roslens",
+    "source/study/role.py": "comes with roslens",
+    "source/study/role_marks.py": "comes with roslens",
     "source/rules/standards.py": "comes with roslens",
     "source/tools/witnesses.py": "comes with roslens",
     "live/adapters/bag/source.py": "reads a recording piece by piece, never beyond its end",

@@ -69,3 +69,26 @@ def test_runs_of_a_workspace(tmp_path, capsys, monkeypatch):
     assert main(["study", "--quantity", "beauty"]) == 2
     assert 'no quantity "beauty" in these runs' in capsys.readouterr().err
     assert main(["study", "99"]) == 2
+
+
+def test_roles_of_a_workspace(tmp_path, capsys, monkeypatch):
+    for name, file in (("pr2_teleop", "keys.py"), ("arm_msgs", "msg/Arm.msg")):
+        path = tmp_path / name / file
+        path.parent.mkdir(parents=True)
+        path.write_text("def main():\n    pass\n" if file.endswith(".py") else "")
+        (tmp_path / name / "package.xml").write_text(
+            f"<package><name>{name}</name><run_depend>rospy</run_depend></package>"
+        )
+    monkeypatch.chdir(tmp_path)
+    main(["check", "-q", "--fail-on", "never", "-o", "out.json"])
+    capsys.readouterr()
+    assert main(["roles"]) == 0
+    first, second = capsys.readouterr().out.splitlines()
+    assert re.match(r"arm_msgs +library +interfaces +1 definitions of interfaces and no code; ", first)
+    assert re.match(r'pr2_teleop +application +"teleop" in its name or repository; ', second)
+    assert main(["roles", "--format", "csv", "--package", "arm_msgs"]) == 0
+    assert capsys.readouterr().out.splitlines()[1].startswith("arm_msgs,library,interfaces,")
+    assert main(["roles", "--package", "nav"]) == 2
+    assert 'no package "nav" in this run; expected one of arm_msgs, pr2_teleop' in capsys.readouterr().err
+    assert main(["study", "--by", "role"]) == 0
+    assert "interfaces" in capsys.readouterr().out

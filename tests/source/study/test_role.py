@@ -1,0 +1,114 @@
+"""Roles: each decision with its reasons, and how well they are told of repositories that weights do not know."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from roslens.model.source import Dependency, Language, Location, Package, Role, SourceFile
+from roslens.source.study.role import KINDS, ROLES, decide, weights
+from roslens.source.study.role_marks import RoleFacts, marks_of, words
+
+BENCHMARK = Path(__file__).parents[3] / "benchmarks" / "roles.py"
+
+
+@pytest.fixture(scope="module")
+def benchmark():
+    spec = importlib.util.spec_from_file_location("roles_benchmark", BENCHMARK)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    yield module
+    del sys.modules[spec.name]
+
+
+def facts(name, files=("src/node.cpp",), needs=("roscpp",), description="", repository="repo", nodes=True, **more):
+    languages = {".cpp": Language.CPP, ".hpp": Language.CPP, ".py": Language.PYTHON, ".launch": Language.LAUNCH_XML,
+                 ".msg": Language.MSG, ".xacro": Language.XACRO, ".xml": Language.XML}  # fmt: skip
+    found = tuple(SourceFile(path, languages["." + path.rpartition(".")[2]]) for path in files)
+    where = Location("package.xml")
+    depends = tuple(Dependency(one, "depend", where) for one in needs)
+    package = Package(name, name, ".", where, description=description, dependencies=depends, **more)
+    return RoleFacts(package, found, repository, nodes)
+
+
+@pytest.mark.parametrize(
+    ("given", "role", "reason"),
+    [
+        (facts("kobuki_driver"), "driver", 'made for "kobuki", and no application'),
+        (facts("pr2_teleop"), "application", '"teleop" in its name or repository'),
+        (facts("ecl_math", needs=(), nodes=False), "library", "names no robot, no device and no application"),
+        (facts("thing_driver", needs=("serial",)), "driver", '"driver" in its name'),
+    ],
+)
+def test_roles_with_their_reasons(given, role, reason):
+    found = decide(given)
+    assert found.role == role
+    assert reason in found.reasons
+    assert found.margin > 0
+
+
+@pytest.mark.parametrize(
+    ("given", "kind"),
+    [
+        (facts("arm_description", files=("urdf/arm.xacro", "launch/show.launch")), "description"),
+        (facts("arm_msgs", files=("msg/Arm.msg", "setup.py")), "interfaces"),
+        (facts("arm_bringup", files=("launch/arm.launch",)), "bringup"),
+        (facts("arm_gazebo"), "simulation"),
+        (facts("arm_world", files=("launch/a.launch",), needs=("gazebo_ros",)), "simulation"),
+        (facts("rqt_arm", files=("src/arm.py",)), "tooling"),
+        (facts("arm", files=(), metapackage=True), "metapackage"),
+        (facts("arm_node"), ""),
+    ],
+)
+def test_kinds(given, kind):
+    found = decide(given)
+    assert found.kind == kind
+    assert found.shown == (kind or found.role)
+    assert kind in ("", *KINDS)
+
+
+def test_tests_are_no_code_of_the_package():
+    given = facts("arm_msgs", files=("msg/Arm.msg", "test/test_arm.cpp"))
+    files = (given.files[0], msgspec.structs.replace(given.files[1], role=Role.TEST))
+    assert decide(given).kind == ""
+    assert decide(msgspec.structs.replace(given, files=files)).kind == "interfaces"
+
+
+def test_every_mark_has_a_weight_for_every_role(benchmark):
+    rows = benchmark.recorded()
+    assert {mark for row in rows for mark in row[3]} | {"bias"} == set(weights())
+    assert all(set(of) == set(ROLES) for of in weights().values())
+    assert set(benchmark.PRIOR) <= set(weights())
+    everything = facts(
+        "kobuki_teleop_utils_sensor_driver_demo", files=("a.launch", "include/a.hpp", "include/b.hpp", "include/c.hpp"),
+        needs=("serial", "kobuki_node"), description="A demo of a driver", repository="kobuki_driver", nodes=False,
+    )  # fmt: skip
+    assert set(marks_of(everything)) == set(weights()) - {"bias", "general", "robot_part"}
+
+
+def test_words_are_lower_case_and_whole():
+    for group in msgspec.structs.asdict(words()).values():
+        assert group
+        assert all(word == word.lower().strip() and " " not in word for word in group)
+
+
+@pytest.fixture(scope="module")
+def told(benchmark):
+    rows = benchmark.recorded()
+    assert len(rows) == 180
+    return [row[2] for row in rows], benchmark.left_out(rows)
+
+
+def test_leave_one_repository_out(benchmark, told):
+    given, found = told
+    right = sum(a == b for a, b in zip(given, found, strict=True))
+    assert right == 160
+    assert benchmark.kappa(given, found) == pytest.approx(0.804, abs=0.001)
+
+
+def test_kappa_by_hand(benchmark):
+    # 3 of 4 agree; by chance (2 * 1 + 2 * 3) / 16 = 0.5
+    assert benchmark.kappa(["driver"] * 2 + ["library"] * 2, ["driver"] + ["library"] * 3) == pytest.approx(0.5)

@@ -67,10 +67,11 @@ def verdict(entity: str, state: State, cause: str, at: float) -> Verdict:
     return Verdict(known, f"s.{known.name}", "presence", state, at, at, cause=cause if state.bad else "")
 
 
-def steps_of(happened: Any) -> list[Step]:
-    """Return steps a quarter of a second apart; those of the first seconds are empty."""
+def steps_of(happened: Any, first: State = State.OK) -> list[Step]:
+    """Return steps a quarter of a second apart; in the first seconds nothing happens."""
     begin = round(BEGINNING_S / STEP_S)
-    found = [Step(number * STEP_S) for number in range(1, begin)]
+    found = [Step(STEP_S, tuple(verdict(entity, first, "", STEP_S) for entity in ENTITIES))]
+    found += [Step(number * STEP_S) for number in range(2, begin)]
     for number in range(80):
         at = (begin + number) * STEP_S
         latest = {
@@ -129,6 +130,7 @@ def test_what_is_decided_is_known_to_be_so(happened, outcomes):
 @settings(max_examples=40, deadline=None)
 def test_unknown_never_acts(happened, outcomes):
     blind = [(turn, entity, UNKNOWN[turn % 2], cause) for turn, entity, _, cause in happened]
+    assert Ran(steps_of(blind, State.UNKNOWN), outcomes).decisions == []
     assert Ran(steps_of(blind), outcomes).decisions == []
 
 

@@ -1,4 +1,4 @@
-"""``roslens reference``: check, explain, draft, test and import what says how a running robot should behave."""
+"""``roslens reference``: check, explain, draft, test, mutate and import what says how a running robot should behave."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli import reference_draft, reference_test
+from roslens.cli import reference_draft, reference_mutate, reference_test
 from roslens.cli.boundary import BAD_INPUT, CLEAN, NOT_ANALYSED
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from roslens.judge.merge_references import Merged
     from roslens.judge.unmatched import Subject
 
-TEXT = "Check, explain, draft, test or import references: documents that say how a running robot should behave."
+TEXT = "Check, explain, draft, test, mutate or import references: documents that say how a running robot should behave."
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
   roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
@@ -27,6 +27,7 @@ EXAMPLES = """\
   roslens reference draft --graph graph.yaml                 what is there, as `watch --graph-out` writes it
   roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml
   roslens reference test robot.yaml                         the time lines beside it
+  roslens reference mutate robot.yaml --bag drive.bag        which faults it would see
   roslens reference import arni.yaml -o robot.yaml"""
 
 _CHECK = "Say what is wrong with references, and what they expect together."
@@ -60,7 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "-o", "--output", metavar="FILE", help="where to write the reference (default: standard output)"
     )
     importing.set_defaults(act=_import)
-    for name, module in (("draft", reference_draft), ("test", reference_test)):
+    for name, module in (("draft", reference_draft), ("test", reference_test), ("mutate", reference_mutate)):
         module.add_arguments(
             actions.add_parser(
                 name,

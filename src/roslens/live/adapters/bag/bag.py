@@ -15,7 +15,7 @@ from roslens.live.adapters.bag.damage import DamageError, FailureLog
 from roslens.live.adapters.bag.field_reader import FieldReader
 from roslens.live.adapters.bag.recorded_graph import graph_of
 from roslens.live.adapters.bag.stamp import begins_with_header
-from roslens.live.adapters.bag.steps import Lane, Steps
+from roslens.live.adapters.bag.steps import Lane, Steps, joined
 from roslens.live.adapters.bag.topic import BagTopic
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
@@ -130,6 +130,24 @@ class Bag:
                 channel = self._parts[index].channels[block.channel]
                 pieces.setdefault((channel.topic, channel.publisher), []).append(block.times)
         return {key: np.sort(np.concatenate(times)) for key, times in sorted(pieces.items())}
+
+    def traffic(self, stamps: Collection[str] = ()) -> dict[Lane, tuple[Ints, Ints, Ints | None]]:
+        """Return times of receipt, sizes and stamps of all messages by topic and publisher; nanoseconds and bytes.
+
+        Args:
+            stamps: topics of which also the stamps are read; their chunks are unpacked.
+
+        Raises:
+            UsageError: a topic is not there.
+        """
+        pieces: dict[Lane, list[Block]] = {
+            Lane(one.topic, one.publisher): [] for part in self._parts for one in part.channels.values()
+        }
+        for _, index, blocks in self._blocks(self._numbers(stamps, stamped=True)):
+            for block in blocks():
+                channel = self._parts[index].channels[block.channel]
+                pieces[Lane(channel.topic, channel.publisher)].append(block)
+        return {lane: joined([(one.times, one.sizes, one.stamps) for one in pieces[lane]]) for lane in sorted(pieces)}
 
     def fields(self, wanted: Mapping[str, Collection[str]]) -> Iterator[tuple[float, str, dict[str, float]]]:
         """Yield fields of messages in order of receipt: seconds, topic, and values by path.

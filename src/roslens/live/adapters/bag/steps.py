@@ -104,7 +104,7 @@ class Steps:
         """Take the messages of a lane before step ``bound`` and count them by step."""
         if not waiting.pieces:
             return {}
-        times, sizes, stamps = _joined(waiting.pieces)
+        times, sizes, stamps = joined(waiting.pieces)
         waiting.pieces.clear()
         edges = [self._time(self._next), min(self._time(bound), LATEST), LATEST]
         begin, stop, possible = np.searchsorted(times, edges).tolist()
@@ -180,8 +180,10 @@ class Steps:
         return numbers[filled], edges[filled]
 
 
-def _joined(pieces: list[tuple[Ints, Ints, Ints | None]]) -> tuple[Ints, Ints, Ints | None]:
+def joined(pieces: list[tuple[Ints, Ints, Ints | None]]) -> tuple[Ints, Ints, Ints | None]:
     """Return the messages of all pieces by time."""
+    if not pieces:
+        return np.zeros(0, np.int64), np.zeros(0, np.int64), None
     times = np.concatenate([piece[0] for piece in pieces])
     sizes = np.concatenate([piece[1] for piece in pieces])
     stamps = None

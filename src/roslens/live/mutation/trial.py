@@ -1,0 +1,141 @@
+"""Trials: a fault, where it is put, and what a reference says of it that it does not say without."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+import msgspec
+
+from roslens.judge.expectation import Reference
+from roslens.judge.merge_references import sentences_of
+from roslens.live.alarms import Alarm, AlarmLog
+from roslens.live.connection_name import connection_ends
+from roslens.live.mutation.fault import DELAY_S, Fault, FaultKind
+from roslens.live.replay import Recording, replay
+from roslens.model.entity import EntityKind
+
+BEFORE_S = 10.0
+"""So much of a recording is replayed before a fault, besides the longest grace and window of the reference."""
+AFTER_S = 10.0
+LENGTH_S = 5.0
+"""How long a fault lasts."""
+EARLY_S = 1.0
+"""An alarm may begin so long before the fault, because gaps begin with the message before."""
+
+
+class Trial(msgspec.Struct, frozen=True):
+    """What came of a fault.
+
+    Attributes:
+        fault: that was put in.
+        seen: whether an alarm about it was raised that is not there without it.
+        after_s: seconds from its begin to when the first one was told; None where there is none.
+        by: ids of the sentences that saw it, sorted.
+        beside: texts of the ids of entities that the fault does not concern, and of which there was an alarm more.
+        why: why it cannot be seen, where it was not tried.
+    """
+
+    fault: Fault
+    seen: bool
+    after_s: float | None = None
+    by: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
+    why: str = ""
+
+
+Opened = Callable[[float, float, "Fault | None"], Recording]
+"""Returns a stretch of the recording as a recording, with a fault or without."""
+
+
+def margins(reference: Reference) -> tuple[float, float]:
+    """Return how many seconds have to be replayed before and after a fault."""
+    told = [one.told.timing for one in sentences_of(reference)]
+    grace = max((one.grace for one in told), default=0.0)
+    window = max((one.window for one in told), default=0.0)
+    lasting = max((one.lasting for one in told), default=0.0)
+    return BEFORE_S + grace + window, AFTER_S + window + lasting
+
+
+def planned(
+    lanes: Iterable[tuple[str, str]], start: float, end: float, before_s: float, after_s: float
+) -> Iterator[Fault]:
+    """Yield the faults to try: each kind of each topic once before any of them a second time, elsewhere.
+
+    Args:
+        lanes: topics and publishers of the recording.
+        start: seconds of its first message.
+        end: seconds of its last message.
+        before_s: how much of it has to be there before a fault.
+        after_s: how much after it.
+    """
+    every = sorted(lanes)
+    room = end - start - before_s - LENGTH_S - after_s
+    places = max(int(room // LENGTH_S) + 1, 1) if room >= 0 else 0
+    for turn in range(places):
+        for number, (topic, publisher) in enumerate(every):
+            for place, kind in enumerate(FaultKind):
+                # Neighbours in the plan are far apart in the recording.
+                begin = start + before_s + LENGTH_S * ((turn + 7 * number + 3 * place) % places)
+                yield Fault(kind, topic, publisher, begin, begin + LENGTH_S)
+
+
+def count_planned(lanes: int, start: float, end: float, before_s: float, after_s: float) -> int:
+    """Return how many faults `planned` yields."""
+    return sum(1 for _ in planned([(str(lane), "") for lane in range(lanes)], start, end, before_s, after_s))
+
+
+class Trials:
+    """Replays stretches of a recording with faults, and once without for each stretch."""
+
+    def __init__(self, reference: Reference, opened: Opened, margins_s: tuple[float, float]) -> None:
+        self._reference = reference
+        self._opened = opened
+        self._before_s, self._after_s = margins_s
+        self._healthy: dict[float, frozenset[tuple[str, str]]] = {}
+
+    def run(self, fault: Fault, concerned: Sequence[tuple[str, str]]) -> Trial:
+        """Try a fault; ``concerned`` are topics and publishers that it changes.
+
+        Raises:
+            UsageError: the recording does not have what it says.
+        """
+        begin, end = fault.begin_s - self._before_s, fault.end_s + self._after_s
+        if fault.begin_s not in self._healthy:
+            alarms = _alarms(self._opened(begin, end, None), self._reference)
+            self._healthy[fault.begin_s] = frozenset(_key(one) for one in alarms)
+        healthy = self._healthy[fault.begin_s]
+        found = [one for one in _alarms(self._opened(begin, end, fault), self._reference) if _key(one) not in healthy]
+        topics = {topic for topic, _ in concerned}
+        nodes = {publisher for _, publisher in concerned if publisher}
+        mine = [one for one in found if _about(one, topics, nodes) and _then(one, fault, self._after_s)]
+        others = [one for one in found if not _about(one, topics, nodes)]
+        return Trial(
+            fault=fault,
+            seen=bool(mine),
+            after_s=min((max(one.told - fault.begin_s, 0.0) for one in mine), default=None),
+            by=tuple(sorted({one.first.expectation for one in mine})),
+            beside=tuple(sorted({str(one.first.entity) for one in others})),
+        )
+
+
+def _alarms(recording: Recording, reference: Reference) -> tuple[Alarm, ...]:
+    log = AlarmLog()
+    replay(recording, reference, told=lambda step: log.add(step.changes))
+    return log.alarms()
+
+
+def _key(alarm: Alarm) -> tuple[str, str]:
+    return str(alarm.first.entity), alarm.first.expectation
+
+
+def _about(alarm: Alarm, topics: set[str], nodes: set[str]) -> bool:
+    entity = alarm.first.entity
+    if entity.kind is EntityKind.CONNECTION:
+        topic, publisher, _ = connection_ends(entity)
+        return topic in topics or publisher in nodes
+    # A chain that ends on a topic may have been broken at any one before.
+    return entity.name in (topics if entity.kind is EntityKind.TOPIC else nodes) or alarm.first.quantity == "age"
+
+
+def _then(alarm: Alarm, fault: Fault, after_s: float) -> bool:
+    return fault.begin_s - EARLY_S <= alarm.told <= fault.end_s + DELAY_S + after_s

@@ -82,6 +82,7 @@ def analysed(
                 log=None if options.no_store else root / FOLDER / "log",
                 programs=beyond is not None and kept is not None,
                 beyond=beyond,
+                engine=getattr(options, "engine", None) or configuration.engine,
                 unchanged=unchanged,
                 look_back=None if unchanged is not None else process_look(settings),
             )

@@ -41,6 +41,7 @@ class Configuration(msgspec.Struct, frozen=True):
 
     ``fail_on`` is the severity from which findings fail a check (``never`` for none);
     ``gate`` holds conditions besides, and where it is set ``fail_on`` is ``never`` unless it is set too;
+    ``engine`` is where packages are measured: here, or on a cluster;
     ``accept_partial`` lets a check pass although parts of files could not be parsed.
     """
 
@@ -49,6 +50,7 @@ class Configuration(msgspec.Struct, frozen=True):
     gate: GateConditions | None = None
     accept_partial: bool = False
     jobs: int = 0
+    engine: str = ""
     fetch: FetchSettings = FetchSettings()
     path: str = ""
     base: str = ""
@@ -63,6 +65,7 @@ _TOP: dict[str, Any] = {
     "fail_on": str,
     "accept_partial": bool,
     "jobs": int,
+    "engine": str,
     "ignore": tuple[IgnoreRule, ...],
 }
 _TABLES: dict[str, type[msgspec.Struct]] = {
@@ -193,7 +196,7 @@ class _Reader:
             )
         if "gate_roles" in top:
             top["gate_roles"] = tuple(role.value for role in top["gate_roles"])
-        own: dict[str, Any] = {key: top.pop(key) for key in ("accept_partial", "jobs") if key in top}
+        own: dict[str, Any] = {key: top.pop(key) for key in ("accept_partial", "jobs", "engine") if key in top}
         if "fetch" in document:
             own["fetch"] = self._table("fetch", document["fetch"], FetchSettings)
         source = SourceSettings(**top, **tables, options=self._options(document.get("options", {})))

@@ -1,17 +1,28 @@
-"""Where work runs: in this process or in a pool of processes, behind one seam.
+"""Where work runs: in this process, in a pool of processes, or on a cluster, behind one seam.
 
-Work is a list of independent tasks; results come back in the order in which they are done. A pool
-that loses a worker (killed, out of memory) says which task it was and goes on with the others.
+Work is a list of independent tasks; results come back in the order in which they are done. An engine holds only as many
+tasks and results as its workers keep busy with (back-pressure), and one that loses a worker (killed, out of memory, out
+of time) runs its task again elsewhere; a task that ends its worker twice is lost, and said to be, and the others go on.
 """
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Protocol, TypeVar
+
+from roslens.model.errors import UsageError
+from roslens.source.task_limits import TaskLimits, run_limited
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
+
+ENGINES = ("in-process", "processes")
+"""Names of engines; besides, the address of a scheduler is one."""
+
+_AHEAD = 2
+"""Tasks that wait for each worker, so that none waits for this process."""
 
 
 class Executor(Protocol):
@@ -24,7 +35,7 @@ class Executor(Protocol):
 
 
 class InProcess:
-    """One task after another, here. What tests and ``--jobs 1`` use."""
+    """One task after another, here. What tests and ``--jobs 1`` use; no limits, for this process is the user's."""
 
     def run(
         self, function: Callable[[Task], Result], tasks: Sequence[Task]
@@ -40,9 +51,10 @@ class InProcess:
 class ProcessPool:
     """Worker processes, started when the first task is there."""
 
-    def __init__(self, jobs: int) -> None:
-        """Use ``jobs`` worker processes (at least one)."""
+    def __init__(self, jobs: int, limits: TaskLimits | None = None) -> None:
+        """Use ``jobs`` worker processes (at least one), each within the limits."""
         self.jobs = max(1, jobs)
+        self.limits = limits or TaskLimits()
 
     def run(
         self, function: Callable[[Task], Result], tasks: Sequence[Task]
@@ -50,40 +62,86 @@ class ProcessPool:
         """Yield each task with its result, or with the exception that ended it.
 
         When a worker dies, the tasks that were under way run again one by one in pools of their
-        own, so that only the task that kills its worker is lost.
+        own, so that only the task that kills its worker is lost; those that had not begun go on in a new pool.
         """
-        lost: list[Task] = []
-        yield from self._run_pool(function, tasks, lost)
-        for task in lost:
-            again: list[Task] = []
-            yield from ProcessPool(1)._run_pool(function, [task], again)  # noqa: SLF001 - the same class
-            if again:
-                yield task, RuntimeError("the worker process died twice on this task")
+        waiting = list(tasks)
+        while waiting:
+            lost: list[Task] = []
+            done, waiting = waiting, []
+            yield from self._run_pool(function, done, lost, waiting)
+            for task in lost:
+                again: list[Task] = []
+                yield from ProcessPool(1, self.limits)._run_pool(function, [task], again, again)  # noqa: SLF001 - the same class
+                if again:
+                    yield task, RuntimeError(f"the worker process died twice on this task{_bounds(self.limits)}")
 
     def _run_pool(
-        self, function: Callable[[Task], Result], tasks: Sequence[Task], lost: list[Task]
+        self, function: Callable[[Task], Result], tasks: Sequence[Task], lost: list[Task], left: list[Task]
     ) -> Iterator[tuple[Task, Result | BaseException]]:
-        from concurrent.futures import as_completed
+        """Run tasks in one pool; where it breaks, ``lost`` gets those under way and ``left`` the others."""
+        from concurrent.futures import FIRST_COMPLETED, Future, wait
         from concurrent.futures.process import BrokenProcessPool
 
         from roslens.children.worker_pool import worker_pool
         from roslens.intake.held_signals import held_signals
 
+        limited = partial(run_limited, function, self.limits)
+        coming = iter(tasks)
         with worker_pool(min(self.jobs, len(tasks)) or 1, "forkserver" if os.name == "posix" else "spawn") as pool:
-            # A worker that an interrupt catches while it is begun is not known yet, and would not be ended.
-            with held_signals():
-                futures = {pool.submit(function, task): task for task in tasks}
-            for future in as_completed(futures):
-                task = futures.pop(future)
-                try:
-                    yield task, future.result()
-                except BrokenProcessPool:
-                    lost.append(task)
-                except Exception as error:  # noqa: BLE001 - one task's error is a result, the others go on
-                    yield task, error
+            futures: dict[Future[Result], Task] = {}
+            broken = False
+            while True:
+                # A worker that an interrupt catches while it is begun is not known yet, and would not be ended.
+                with held_signals():
+                    while not broken and len(futures) < self.jobs * (1 + _AHEAD):
+                        task = next(coming, None)
+                        if task is None:
+                            break
+                        try:
+                            futures[pool.submit(limited, task)] = task
+                        except BrokenProcessPool:
+                            left.append(task)
+                            broken = True
+                if not futures:
+                    break
+                for future in wait(futures, return_when=FIRST_COMPLETED).done:
+                    task = futures.pop(future)
+                    try:
+                        yield task, future.result()
+                    except BrokenProcessPool:
+                        lost.append(task)
+                        broken = True
+                    except Exception as error:  # noqa: BLE001 - one task's error is a result, the others go on
+                        yield task, error
+            left.extend(coming)
 
 
-def executor_for(jobs: int) -> Executor:
-    """Return what runs ``jobs`` tasks at once; 0 means one per processor."""
+def _bounds(limits: TaskLimits) -> str:
+    return f", which may take {limits.seconds:g} s and {limits.memory_bytes / 1e9:g} GB"
+
+
+def executor_for(jobs: int, engine: str = "", *, folder: str = "") -> Executor:
+    """Return what runs tasks.
+
+    Args:
+        jobs: how many at once; 0 means one per processor. A cluster has as many as it has threads.
+        engine: one of :data:`ENGINES`, the address of a scheduler (``tcp://…`` or ``tls://…``), or empty for what fits
+            ``jobs``.
+        folder: that workers of a cluster have to see, as this process does; empty for none.
+
+    Raises:
+        UsageError: there is no such engine.
+    """
     wanted = jobs or os.cpu_count() or 1
-    return InProcess() if wanted == 1 else ProcessPool(wanted)
+    if engine.startswith(("tcp://", "tls://")):
+        from roslens.source.dask_engine import DaskEngine
+
+        return DaskEngine(engine, folder=folder, rest=ProcessPool(wanted))
+    if engine not in ("", *ENGINES):
+        raise UsageError(
+            f"engine {engine!r}",
+            expected=f"one of {', '.join(ENGINES)}, or the address of a scheduler of Dask, as tcp://host:8786",
+        )
+    if engine == "in-process" or (wanted == 1 and not engine):
+        return InProcess()
+    return ProcessPool(wanted)

@@ -122,6 +122,7 @@ def analyse(
     look_back: LookBack | None = None,
     revision: PastRevision | None = None,
     kept_runs: int | None = KEPT_RUNS,
+    engine: str = "",
 ) -> Answer:
     """Analyse the packages below ``paths`` and return the run that holds the result.
 
@@ -141,6 +142,7 @@ def analyse(
         look_back: gives the histories that process metrics are told of; None for none.
         revision: what the folders hold where that is a past revision of another folder.
         kept_runs: how many of the newest runs stay in the store; None for all.
+        engine: where packages are measured, see :func:`roslens.source.executor.executor_for`.
 
     Raises:
         UsageError: a path does not exist, or an option of a plug-in is wrong.
@@ -218,6 +220,7 @@ def analyse(
             fetched,
             revision,
             kept_runs,
+            engine,
         ),
         store,
         cache,
@@ -244,6 +247,7 @@ class _Run(msgspec.Struct, frozen=True):
     fetched: FetchedSet
     revision: PastRevision | None
     kept_runs: int | None
+    engine: str
 
     def key_kept(self, key: str) -> str:
         """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
@@ -362,7 +366,8 @@ def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: P
     tasks = sorted((_task(run, found, cache) for found in changed), key=lambda task: -_bytes(task))
     watch.step("Measuring packages", len(tasks))
     measure = partial(measure_task, remembered=run.revision.remembered) if run.revision else measure_task
-    for task, result in executor_for(run.jobs).run(measure, tasks):
+    executor = executor_for(run.jobs, run.engine, folder=run.workspace.root)
+    for task, result in executor.run(measure, tasks):
         if isinstance(result, BaseException):
             measured = nothing_measured(task, result)
         else:

@@ -73,6 +73,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="do not exit with 3 for files of which only parts could not be parsed",
     )
     parser.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
+    parser.add_argument(
+        "--engine",
+        metavar="WHERE",
+        help="where packages are measured: in-process, processes, or a cluster of Dask, as tcp://scheduler:8786",
+    )
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
     parser.add_argument("--no-cache", action="store_true", help="read every file again")
     parser.add_argument("--no-store", action="store_true", help="keep nothing of this run")

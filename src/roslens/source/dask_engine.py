@@ -1,0 +1,208 @@
+"""Work on a cluster of Dask that exists already: its workers see the same files and run the same roslens.
+
+What the cluster cannot finish is finished here: when its workers are gone, or its scheduler is, the tasks that are left
+go to an engine of this machine, and nothing of what was done is done again. So does a task that workers died on.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import concurrent.futures
+import os
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from roslens.model.errors import UsageError
+from roslens.source.keys import analyser_version
+from roslens.source.task_limits import TaskLimits, run_limited
+
+if TYPE_CHECKING:
+    from roslens.source.executor import Executor
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+_AHEAD = 2
+"""Tasks that wait for each thread of the cluster."""
+
+_CANCELLED = (asyncio.CancelledError, concurrent.futures.CancelledError)
+
+_LOOK_S = 2.0
+"""How often it is looked whether the cluster is still there."""
+
+
+class DaskEngine:
+    """Runs tasks on the workers of a scheduler."""
+
+    def __init__(
+        self,
+        address: str,
+        *,
+        folder: str = "",
+        rest: Executor,
+        limits: TaskLimits | None = None,
+        patience_s: float = 60.0,
+        connect_s: float = 10.0,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        """Connect to nothing yet.
+
+        Args:
+            address: of the scheduler.
+            folder: that workers have to see; empty for none.
+            rest: runs here what the cluster does not finish.
+            limits: of one task.
+            patience_s: seconds that a cluster may be without workers, or out of reach.
+            connect_s: seconds within which the scheduler has to answer first.
+            clock: tells seconds.
+        """
+        self._address = address
+        self._folder = folder
+        self._rest = rest
+        self._limits = limits or TaskLimits()
+        self._patience_s = patience_s
+        self._connect_s = connect_s
+        self._clock = clock
+        self._blamed: list[Any] = []
+        self.done_here = 0
+
+    def run(
+        self, function: Callable[[Task], Result], tasks: Sequence[Task]
+    ) -> Iterator[tuple[Task, Result | BaseException]]:
+        """Yield each task with its result, or with the exception that ended it.
+
+        Raises:
+            UsageError: the cluster cannot be reached, or its workers are not fit for the work.
+        """
+        if not tasks:
+            return
+        client = _connected(self._address, self._connect_s)
+        left = list(reversed(tasks))
+        under_way: dict[Any, Task] = {}
+        try:
+            _check(client, self._folder)
+            yield from self._on_cluster(client, function, left, under_way)
+        finally:
+            # A scheduler that is gone is not waited for.
+            with suppress(Exception):
+                client.cancel(list(under_way), force=True)
+            with suppress(Exception):
+                client.close(timeout=5)
+        remaining = [*under_way.values(), *reversed(left), *self._blamed]
+        self.done_here = len(remaining)
+        yield from self._rest.run(function, remaining)
+
+    def _on_cluster(
+        self,
+        client: Any,
+        function: Callable[[Task], Result],
+        left: list[Task],
+        under_way: dict[Any, Task],
+    ) -> Iterator[tuple[Task, Result | BaseException]]:
+        """Run until nothing is left, or the cluster is: what it did not finish stays in ``left`` and ``under_way``."""
+        wait = _library().wait
+        threads = _threads(client)
+        seen = self._clock()
+        while left or under_way:
+            while left and len(under_way) < max(1, threads) * (1 + _AHEAD):
+                future = client.submit(run_limited, function, self._limits, left[-1], pure=False)
+                under_way[future] = left.pop()
+            # Cancelled ones, as those of a scheduler that is gone, are told by their status.
+            with suppress(TimeoutError, OSError, *_CANCELLED), client.as_current():
+                wait(list(under_way), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
+            finished = [future for future in under_way if future.status != "pending"]
+            for future in finished:
+                if future.status in ("finished", "error"):
+                    task, outcome = under_way.pop(future), _outcome(future)
+                    if isinstance(outcome, _library().KilledWorker):
+                        # Dask blames all tasks that waited for a worker which died, and not only that which ended it.
+                        self._blamed.append(task)
+                    else:
+                        yield task, outcome
+                elif future.status in ("cancelled", "lost"):
+                    left.append(under_way.pop(future))
+            threads = _threads(client)
+            if threads:
+                seen = self._clock()
+            elif self._clock() - seen > self._patience_s:
+                return
+
+
+def _outcome(future: Any) -> Any:
+    """Return the result of a task, or the error that ended it."""
+    try:
+        error = future.exception() if future.status == "error" else None
+        outcome = future.result() if error is None else error
+    except Exception as broken:  # noqa: BLE001 - a result that cannot be read is an error of its task
+        outcome = broken
+    # What is read is let go of at once: the cluster holds nothing that is not needed.
+    future.release()
+    return outcome
+
+
+def _threads(client: Any) -> int:
+    """Return how many threads the cluster has now; 0 where it has none or does not answer."""
+    if client.status != "running":
+        return 0
+    try:
+        return sum(client.nthreads().values())
+    except Exception:  # noqa: BLE001 - a scheduler that is gone fails in many ways
+        return 0
+
+
+def _library() -> Any:
+    import distributed
+
+    return distributed
+
+
+def _connected(address: str, connect_s: float) -> Any:
+    try:
+        distributed = _library()
+    except ImportError as error:
+        raise UsageError(
+            "Dask is not installed",
+            expected="roslens[dask]",
+            advice="Install it with `pip install roslens[dask]`, here and on the workers",
+        ) from error
+    try:
+        client = distributed.Client(address, timeout=connect_s, set_as_default=False)
+    except (OSError, ValueError, RuntimeError, TimeoutError) as error:
+        raise UsageError(
+            f"the scheduler {address!r} cannot be reached: {' '.join(str(error).split())[:200] or 'no answer'}",
+            expected="the address of a scheduler of Dask that runs",
+            advice="Start one with `dask scheduler`, and workers with `dask worker ADDRESS`",
+        ) from error
+    return client
+
+
+def _check(client: Any, folder: str) -> None:
+    """Refuse a cluster whose workers cannot do the work as this process would.
+
+    Raises:
+        UsageError: it has none, or one has another roslens, or does not see the folder.
+    """
+    try:
+        client.wait_for_workers(1, timeout=30)
+        versions = client.run(analyser_version)
+        sees = client.run(os.path.isdir, folder) if folder else {}
+    except TimeoutError as error:
+        raise UsageError(
+            "the cluster has no workers", expected="at least one", advice="Start some with `dask worker ADDRESS`"
+        ) from error
+    except (ImportError, AttributeError) as error:
+        raise UsageError(
+            f"a worker cannot import roslens: {error}", expected="the same roslens on every worker"
+        ) from error
+    mine = analyser_version()
+    if others := sorted(worker for worker, version in versions.items() if version != mine):
+        raise UsageError(
+            f"another roslens is installed where worker {others[0]} runs", expected="the same on every worker"
+        )
+    if blind := sorted(worker for worker, found in sees.items() if not found):
+        raise UsageError(
+            f'worker {blind[0]} does not see "{folder}"',
+            expected="a folder that all workers and this process have under the same path",
+        )

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from roslens.cli.check_graph import graph_look
 from roslens.cli.process_option import process_look, with_process
 from roslens.cli.tools_option import with_tools
-from roslens.cli.workplace import CACHE, FOLDER, own_folder
+from roslens.cli.workplace import ANSWERS, CACHE, FOLDER, own_folder
 
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
@@ -67,6 +67,7 @@ def analysed(
     now = time.time()
     utc = datetime.fromtimestamp(now, tz=timezone.utc).isoformat(timespec="seconds")
     kept = None if options.no_cache else own_folder(root) / CACHE
+    answers = kept.with_name(ANSWERS) if kept is not None else None
     beyond = None if unchanged is not None else graph_look(options, configuration, settings, root, kept, progress)
     with Cache.open(kept) as cache:
         try:
@@ -84,7 +85,7 @@ def analysed(
                 beyond=beyond,
                 engine=getattr(options, "engine", None) or configuration.engine,
                 unchanged=unchanged,
-                look_back=None if unchanged is not None else process_look(settings),
+                look_back=None if unchanged is not None else process_look(options, settings, answers),
             )
         finally:
             progress.finish()

@@ -66,7 +66,8 @@ def refuse_without_fetch(options: argparse.Namespace) -> None:
     Raises:
         UsageError: one is given.
     """
-    for name in (*_OWN, "offline"):
+    # Without a forge to ask, nobody else would go out.
+    for name in (*_OWN, *(() if getattr(options, "forge", False) else ("offline",))):
         if getattr(options, name, None):
             raise UsageError(f"--{name} says how to fetch", expected="--fetch beside it")
 

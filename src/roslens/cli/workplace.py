@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 FOLDER = ".roslens"
 STORE = "store.sqlite"
 CACHE = "cache.sqlite"
+ANSWERS = "forges"
 
 
 def add_workspace_argument(parser: argparse.ArgumentParser) -> None:

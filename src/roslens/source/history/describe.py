@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from types import ModuleType
 
+from roslens.source.forge.quantities import FORGE_QUANTITIES
 from roslens.source.metrics.describe import section
 
 _HEAD = """\
@@ -40,6 +41,24 @@ PYTHONPATH=tests python -m process_metrics FOLDER...   # clones with all commits
 """
 
 
+_FORGE = """\
+# On the forge
+
+`roslens check --process-metrics --forge` also asks the forge of each repository, which is that of its remote `origin`:
+GitHub, GitLab, Codeberg, gitea.com, and hosts that `--forge-host git.example.org=gitlab` names. Nobody is asked without
+`--forge`.
+
+- A token comes from `GITHUB_TOKEN` or `GH_TOKEN`, `GITLAB_TOKEN`, `GITEA_TOKEN`, and of codeberg.org `CODEBERG_TOKEN`.
+  It is sent to these forges only, never to another host that a remote or a redirection names.
+- Answers are kept with their tags (ETag): what did not change costs no limit of rate. `--offline` gives kept answers
+  only.
+- A forge that asks to wait for a minute or less is waited for; faults (500, 502, 503, 504) are tried three times. What
+  then is not known is a failure of that repository alone, and says until when a limit holds, or which token is missing.
+- Numbers are those of the moment: they are the only ones here that differ for the same commit.
+
+"""
+
+
 def process_page(metrics: Sequence[ModuleType]) -> str:
     """Return the page of ``metrics``, modules with a ``QUANTITY`` and ``COMMANDS``, in Markdown."""
     overview = ["| key | metric | unit | measured on |", "| --- | --- | --- | --- |"]
@@ -47,7 +66,8 @@ def process_page(metrics: Sequence[ModuleType]) -> str:
         one = metric.QUANTITY
         kinds = ", ".join(kind.value for kind in one.kinds)
         overview.append(f"| [`{one.key}`](#{one.key}) | {one.title} | {one.unit} | {kinds} |")
-    return _HEAD + "\n".join([*overview, "", *map(_described, metrics)])
+    forge = "\n".join(map(section, FORGE_QUANTITIES.values()))
+    return _HEAD + "\n".join([*overview, "", *map(_described, metrics), _FORGE]) + forge
 
 
 def _described(metric: ModuleType) -> str:

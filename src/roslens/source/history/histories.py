@@ -12,6 +12,7 @@ from roslens.model.entity import EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.process import RepositoryProcess
 from roslens.model.source import OUTSIDE_PACKAGES, SourceFile
+from roslens.source.forge.ask_forges import ForgeAnswers
 from roslens.source.history.commit_log import CommitLog
 from roslens.source.history.git_answer import HistoryError
 from roslens.source.history.measure_history import measure_history
@@ -32,17 +33,19 @@ class Histories(msgspec.Struct, frozen=True):
         heads: of these repositories.
         failures: what cannot be told, and why.
         as_of_s: the time that ages are told at, in seconds since 1970; None for that of each head.
+        forge: what forges told, where they were asked.
     """
 
     root: str
     heads: tuple[RepositoryHead, ...]
     failures: tuple[Failure, ...]
     as_of_s: float | None = None
+    forge: ForgeAnswers | None = None
 
     @property
     def key(self) -> str:
         """A key of all that shapes what is told."""
-        return key_of([one for head in self.heads for one in _shaping(head)], self.failures, self.as_of_s)
+        return key_of([one for head in self.heads for one in _shaping(head)], self.failures, self.as_of_s, self.forge)
 
     def measure(
         self,
@@ -70,17 +73,18 @@ class Histories(msgspec.Struct, frozen=True):
             if not log.has_lines:
                 failures.append(without_contents(path, has_changes=log.has_changes))
             known = {commit.id for commit in log.commits}
-            found.append(
-                measure_history(
-                    log,
-                    [one for one in head.releases if one.commit in known],
-                    path=path,
-                    packages=self._packages(head.top, packages),
-                    files=self._files(head.top, files),
-                    complexity=complexity,
-                    as_of_s=self.as_of_s,
-                )
+            one = measure_history(
+                log,
+                [one for one in head.releases if one.commit in known],
+                path=path,
+                packages=self._packages(head.top, packages),
+                files=self._files(head.top, files),
+                complexity=complexity,
+                as_of_s=self.as_of_s,
             )
+            if self.forge is not None and (told := self.forge.counts.get(head.top)) is not None:
+                one = msgspec.structs.replace(one, values={**one.values, **told.values()})
+            found.append(one)
         return tuple(found), tuple(failures)
 
     def _packages(self, top: str, packages: Mapping[str, str]) -> dict[str, str]:
@@ -99,8 +103,17 @@ class Histories(msgspec.Struct, frozen=True):
         return whole[len(top) + 1 :] if whole.startswith(f"{top}/") else None
 
 
-def histories_of(workspace: Workspace, *, as_of_s: float | None = None) -> Histories:
-    """Return the repositories that the packages of a workspace are in; what is in none has no history."""
+AskForges = Callable[[Sequence[tuple[str, str]]], ForgeAnswers]
+
+
+def histories_of(workspace: Workspace, *, as_of_s: float | None = None, ask: AskForges | None = None) -> Histories:
+    """Return the repositories that the packages of a workspace are in; what is in none has no history.
+
+    Args:
+        workspace: with its packages.
+        as_of_s: the time that ages are told at, in seconds since 1970; None for that of each head.
+        ask: asks forges for repositories, by folder and place below the root; None asks nobody.
+    """
     folders = (found.folder for found in workspace.packages)
     heads, failures = [], []
     for top in tops_of(str(folder) for folder in folders):
@@ -116,7 +129,8 @@ def histories_of(workspace: Workspace, *, as_of_s: float | None = None) -> Histo
             failures.append(_shallow(path))
         else:
             heads.append(head)
-    return Histories(workspace.root, tuple(heads), tuple(failures), as_of_s)
+    told = ask([(head.top, place_of(workspace.root, head.top)) for head in heads]) if ask is not None else None
+    return Histories(workspace.root, tuple(heads), (*failures, *(told.failures if told else ())), as_of_s, told)
 
 
 def log_reader(cache: Cache) -> ReadLog:

@@ -11,7 +11,7 @@ from roslens.model.failure import Failure
 from roslens.model.process import RepositoryProcess
 from roslens.model.result import WorkspaceResult
 from roslens.model.source import SourceFile
-from roslens.source.history.histories import Histories, histories_of, log_reader
+from roslens.source.history.histories import AskForges, Histories, histories_of, log_reader
 from roslens.source.workspace.find import Workspace
 from roslens.store.cache import Cache
 
@@ -81,6 +81,7 @@ def with_process(
         files: of each package.
         sums: gives, of a quantity, what all functions of a file have together.
     """
+    from roslens.source.forge.quantities import FORGE_QUANTITIES
     from roslens.source.history.metrics.table import PROCESS_QUANTITIES
 
     found, failures = past.tell(packages, files, sums("cyclomatic_complexity"))
@@ -92,11 +93,11 @@ def with_process(
         whole,
         package_values=values,
         failures=(*whole.failures, *failures),
-        quantities=(*whole.quantities, *PROCESS_QUANTITIES.values()),
+        quantities=(*whole.quantities, *PROCESS_QUANTITIES.values(), *FORGE_QUANTITIES.values()),
         process=found,
     )
 
 
-def look_back(as_of_s: float | None) -> LookBack:
-    """Return what looks at the histories of a workspace as it stands."""
-    return lambda workspace, cache: PastOfWorkspace(histories_of(workspace, as_of_s=as_of_s), cache)
+def look_back(as_of_s: float | None, ask: AskForges | None = None) -> LookBack:
+    """Return what looks at the histories of a workspace as it stands, and asks forges where that is wanted."""
+    return lambda workspace, cache: PastOfWorkspace(histories_of(workspace, as_of_s=as_of_s, ask=ask), cache)

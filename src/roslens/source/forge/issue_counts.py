@@ -1,0 +1,104 @@
+"""How many issues and requests a repository has, open and closed: pull and merge requests are no issues."""
+
+from __future__ import annotations
+
+from urllib.parse import quote, urlencode
+
+import msgspec
+
+from roslens.source.forge.forge_client import ForgeClient, Told
+from roslens.source.forge.forge_error import ForgeError
+from roslens.source.forge.forge_place import ForgeKind, ForgePlace
+
+MOST_PAGES = 200
+_PAGE = 50
+
+
+class IssueCounts(msgspec.Struct, frozen=True):
+    """Numbers of issues and of pull or merge requests; merged ones are closed."""
+
+    open_issues: int
+    closed_issues: int
+    open_requests: int
+    closed_requests: int
+
+    def values(self) -> dict[str, float]:
+        """Return them by the keys of their quantities."""
+        return {key: float(value) for key, value in msgspec.structs.asdict(self).items()}
+
+
+def issue_counts(client: ForgeClient, place: ForgePlace) -> IssueCounts:
+    """Ask a forge.
+
+    Raises:
+        ForgeError: it does not tell.
+    """
+    ask = {ForgeKind.GITHUB: _github, ForgeKind.GITLAB: _gitlab, ForgeKind.GITEA: _gitea}[place.forge.kind]
+    return ask(client, place.name)
+
+
+def _github(client: ForgeClient, name: str) -> IssueCounts:
+    # The search counts without listing; lists of issues hold pull requests too.
+    found = []
+    for what in ("issue", "pr"):
+        for state in ("open", "closed"):
+            query = urlencode({"q": f"repo:{name} type:{what} state:{state}", "per_page": "1"})
+            told = client.get(f"/search/issues?{query}")
+            if isinstance(told.document, dict) and told.document.get("incomplete_results") is True:
+                raise ForgeError("the search of GitHub ended before it was complete", "Try again later")
+            found.append(_count(told, "total_count"))
+    return IssueCounts(*found)
+
+
+def _gitlab(client: ForgeClient, name: str) -> IssueCounts:
+    project = f"/projects/{quote(name, safe='')}"
+    told = client.get(f"{project}/issues_statistics")
+    counts = _inside(told, "statistics", "counts")
+    requests = {
+        state: _listed(client, f"{project}/merge_requests?state={state}", "x-total", "per_page")
+        for state in ("opened", "closed", "locked", "merged")
+    }
+    open_requests = requests.pop("opened")
+    return IssueCounts(_whole(counts, "opened"), _whole(counts, "closed"), open_requests, sum(requests.values()))
+
+
+def _gitea(client: ForgeClient, name: str) -> IssueCounts:
+    found = [
+        _listed(client, f"/repos/{quote(name)}/issues?state={state}&type={what}", "x-total-count", "limit")
+        for what in ("issues", "pulls")
+        for state in ("open", "closed")
+    ]
+    return IssueCounts(*found)
+
+
+def _listed(client: ForgeClient, path: str, header: str, size: str) -> int:
+    """Return how long a list is: as a header says, else by its pages."""
+    number = 0
+    for page in range(1, MOST_PAGES + 1):
+        told = client.get(f"{path}&{size}={_PAGE}&page={page}")
+        if not isinstance(told.document, list):
+            raise ForgeError(f"{path} answers with no list", "Is it a forge of this kind?")
+        if (total := told.headers.get(header, "")).isdigit():
+            return int(total)
+        number += len(told.document)
+        if len(told.document) < _PAGE:
+            return number
+    raise ForgeError(f"{path} has more than {MOST_PAGES * _PAGE:,} entries and says not how many")
+
+
+def _count(told: Told, key: str) -> int:
+    return _whole(told.document if isinstance(told.document, dict) else {}, key)
+
+
+def _inside(told: Told, *keys: str) -> dict[str, object]:
+    found = told.document
+    for key in keys:
+        found = found.get(key) if isinstance(found, dict) else None
+    return found if isinstance(found, dict) else {}
+
+
+def _whole(counts: dict[str, object], key: str) -> int:
+    value = counts.get(key)
+    if not isinstance(value, int) or isinstance(value, bool) or value < 0:
+        raise ForgeError(f'the answer has no number "{key}"', "Is it a forge of this kind?")
+    return value

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from roslens.cli.watch_graph import encodable
 from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.detail import Detail, Judgement, Value
+from roslens.live.links import links_text
 from roslens.live.signals import BY_KEY
 from roslens.live.tree import SystemView
 from roslens.live.worth_a_row import badge
@@ -89,6 +90,7 @@ def _judgement(one: Verdict, clock: Callable[[float], str]) -> Judgement:
         evidence=encodable(one.evidence),
         cause=encodable(one.cause),
         leads_to=encodable(one.leads_to),
+        why=encodable(links_text(one.entity, one.why)) if one.why else "",
         text=encodable(one.text),
         where=encodable(one.where),
     )

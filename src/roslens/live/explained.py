@@ -6,13 +6,15 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import msgspec
 
+from roslens.live.blame import TIMES, only_clock, why_host
 from roslens.live.causes import first_causes
+from roslens.live.links import links
 from roslens.live.node_faults import GONE, LASTING_S, LEFT_S, STOPPED, NodeFault, chain_of, severity_of
 from roslens.live.standing import Standing
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
-from roslens.model.verdict import State
+from roslens.model.verdict import Link, State
 
 _GRAVEST = Severity.ERROR.rank + 1
 """A node that is gone or stopped is a fact: nothing that was measured of its host explains it."""
@@ -27,6 +29,7 @@ class Explained:
         self._gone = gone
         self._bad: set[Standing] = set()
         self._faults: dict[EntityId, NodeFault] = {}
+        self._wrong: dict[EntityId, list[Standing]] = {}
         self.stale = False
 
     @property
@@ -47,6 +50,7 @@ class Explained:
         if one in self._bad:
             self._bad.remove(one)
             one.cause = one.leads_to = ""
+            one.why = ()
             self.stale = True
 
     def explain(self, now: float) -> list[Standing]:
@@ -65,21 +69,66 @@ class Explained:
             since[node] = min(since.get(node, at), at)
             weights[node] = _GRAVEST
         until = {node: at + LASTING_S for node, at in gone.items()}
-        causes = first_causes(since, self._fine, lambda one: self._upstream(one, since, gone), weights, until)
-        changed = self._told(causes)
+        self._wrong = {}
+        for one in self._bad:
+            self._wrong.setdefault(one.entity, []).append(one)
+
+        def upstream(entity: EntityId) -> Iterator[EntityId]:
+            return self._upstream(entity, since, gone, now)
+
+        def evidence(before: EntityId, entity: EntityId) -> str:
+            return self._evidence(before, entity, gone, stopped, now)
+
+        causes = first_causes(since, self._fine, upstream, weights, until)
+        causes = {entity: cause for entity, cause in causes.items() if self._can_break(cause, entity)}
+        changed = self._told(causes, upstream, evidence)
         changed += self._blamed(causes, {**stopped, **gone}, gone, now)
         self._lead(causes)
         return changed
 
-    def _told(self, causes: Mapping[EntityId, EntityId]) -> list[Standing]:
+    def _told(
+        self,
+        causes: Mapping[EntityId, EntityId],
+        upstream: Callable[[EntityId], Iterable[EntityId]],
+        evidence: Callable[[EntityId, EntityId], str],
+    ) -> list[Standing]:
         changed = []
+        ways: dict[EntityId, tuple[Link, ...]] = {}
         for one in self._bad:
             known = causes.get(one.entity)
             cause = str(known) if known is not None else ""
             if cause != one.cause:
-                one.cause = cause
+                one.cause, one.why = cause, ()
+                if known is not None:
+                    if one.entity not in ways:
+                        ways[one.entity] = links(one.entity, known, upstream, evidence)
+                    one.why = ways[one.entity]
                 changed.append(one)
         return changed
+
+    def _can_break(self, cause: EntityId, fault: EntityId) -> bool:
+        """Whether a cause can break what is wrong: a clock can make times wrong, and nothing else."""
+        if cause.kind is not EntityKind.HOST or not only_clock(self._wrong.get(cause, ())):
+            return True
+        return all(one.quantity in TIMES for one in self._wrong.get(fault, ()))
+
+    def _evidence(
+        self,
+        before: EntityId,
+        entity: EntityId,
+        gone: Mapping[EntityId, float],
+        stopped: Mapping[EntityId, float],
+        now: float,
+    ) -> str:
+        """Return what is wrong with an entity, as far as what depends on it is concerned."""
+        if entity in gone:
+            return "is gone"
+        if entity in stopped:
+            return "is stopped"
+        if entity.kind is EntityKind.HOST:
+            return why_host(self._wrong.get(entity, ()), before, self._world, now)
+        standing = sorted(self._wrong.get(entity, ()), key=lambda one: (-one.told.severity.rank, one.told.id))
+        return f"{standing[0].quantity} is {standing[0].state.state.value}" if standing else ""
 
     def _blamed(
         self,
@@ -124,10 +173,13 @@ class Explained:
             one.leads_to = led if one.entity in followers and one.entity not in causes else ""
 
     def _upstream(
-        self, entity: EntityId, since: Mapping[EntityId, float], gone: Mapping[EntityId, float]
+        self, entity: EntityId, since: Mapping[EntityId, float], gone: Mapping[EntityId, float], now: float
     ) -> Iterator[EntityId]:
         """Yield what an entity depends on, as far as that may explain what is wrong with it."""
         for one in self._world.upstream(entity):
+            faults = self._wrong.get(one) if one.kind is EntityKind.HOST else None
+            if faults and not why_host(faults, entity, self._world, now):
+                continue
             if entity in gone and not self._absent(one):
                 continue
             if entity.kind is EntityKind.TOPIC and one in gone and not self._left_lately(entity, one, since, gone):

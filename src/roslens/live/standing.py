@@ -7,7 +7,7 @@ from roslens.live.evidence import evidence_of
 from roslens.live.verdict_state import VerdictState
 from roslens.live.window import Window
 from roslens.model.entity import EntityId
-from roslens.model.verdict import State, Verdict
+from roslens.model.verdict import Link, State, Verdict
 
 
 class Standing:
@@ -24,12 +24,13 @@ class Standing:
         reported: the state that was told last.
         cause: text form of the id of the entity whose fault explains this one.
         leads_to: what follows from it, in words, where it is a first cause.
+        why: the way to the cause, link by link.
         unheard: text form of the id of the observer that it waits for, because nothing is heard of it.
     """
 
     __slots__ = (
-        "cause", "entity", "evidence", "leads_to", "quantity", "reported", "state", "told", "unheard", "window",
-        "written",
+        "cause", "entity", "evidence", "leads_to", "quantity", "reported", "state", "told", "unheard", "why",
+        "window", "written",
     )  # fmt: skip
 
     def __init__(self, entity: EntityId, told: Told, quantity: str, written: str, now: float) -> None:
@@ -41,6 +42,7 @@ class Standing:
         self.window: Window | None = None
         self.evidence = ""
         self.cause = self.unheard = self.leads_to = ""
+        self.why: tuple[Link, ...] = ()
         self.reported = State.UNKNOWN
 
     @property
@@ -71,4 +73,5 @@ class Standing:
             where=told.where,
             cause=self.cause if state.state.bad else self.unheard if state.state is State.UNKNOWN else "",
             leads_to=self.leads_to if state.state.bad else "",
+            why=self.why if state.state.bad else (),
         )

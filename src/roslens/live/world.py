@@ -260,6 +260,13 @@ class World:
                     if seconds := sampled.newest(key):
                         yield Halted(sampled.id, key == "hung", sampled.noticed - seconds)
 
+    def waits_for_processor(self, who: EntityId, now: float) -> float:
+        """Return for which share of the time, in percent, a node or process waits for a processor; 0 where unknown."""
+        sampled = self.sampled_by((who.kind, who.name))
+        if sampled is None or not sampled.fresh(now):
+            return 0.0
+        return sampled.newest("cpu_wait") or 0.0
+
     def upstream(self, entity: EntityId) -> list[EntityId]:
         """Return what an entity depends on."""
         if entity.kind is EntityKind.TOPIC:

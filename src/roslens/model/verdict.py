@@ -35,6 +35,20 @@ class State(str, Enum):
         return self in (State.LOW, State.HIGH, State.ABSENT)
 
 
+class Link(msgspec.Struct, frozen=True, omit_defaults=True):
+    """One step from a fault to its first cause.
+
+    Attributes:
+        entity: text form of the id of what is a step nearer to the cause.
+        relation: what the one before has to do with it: ``is published by``, ``runs on``…
+        evidence: what is wrong with it; empty where nothing is, and it only hands on what it does not get.
+    """
+
+    entity: str
+    relation: str
+    evidence: str = ""
+
+
 class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
     """What one expectation says of one entity, from ``since`` on.
 
@@ -56,6 +70,7 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
         cause: text form of the id of the entity whose fault explains this one; empty for a first cause. Of what is
             unknown it is the observer of which nothing is heard.
         leads_to: of a first cause what follows from it: ``/scan silent → /planner without input``.
+        why: the way to the cause, link by link; empty for a first cause.
     """
 
     entity: EntityId
@@ -73,6 +88,7 @@ class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
     where: str = ""
     cause: str = ""
     leads_to: str = ""
+    why: tuple[Link, ...] = ()
 
     @property
     def of_observer(self) -> bool:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -107,3 +111,34 @@ def test_import_without_a_file_goes_to_standard_output(tmp_path: Path, capsys: p
     assert capsys.readouterr().out == (
         "kind: reference\nname: spec\ntitle: Imported from spec.yaml\nconstraints:\n  - topic: /a\n    rate: 1..2 Hz\n"
     )
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> str:
+    path = tmp_path_factory.mktemp("recorded") / "robot.bag"
+    record = Path(__file__).parents[3] / "examples" / "robot" / "record.py"
+    subprocess.run([sys.executable, record, path], check=True, stdout=subprocess.DEVNULL)
+    return str(path)
+
+
+def test_explain_says_what_was_wrong_in_a_recording_and_why(
+    base: Path, recorded: str, capsys: pytest.CaptureFixture[str]
+):
+    base.write_text(HEAD.format("base") + "- {topic: /cmd_vel, id: drive, rate: '>= 15 Hz'}\n")
+    assert main(["reference", "explain", str(base), "topic:/cmd_vel", "--bag", recorded]) == 0
+    out = capsys.readouterr().out
+    assert re.search(r"in the recording:\n +60\.\d\d s  base\.drive\.rate is low: ", out)
+    assert "               it is a first cause\n" in out
+    assert main(["reference", "explain", str(base), "topic:/odom", "--bag", recorded]) == 0
+    assert capsys.readouterr().out.endswith("in the recording:\n  nothing was wrong with it\n")
+
+
+def test_explain_for_programs(base: Path, recorded: str, capsys: pytest.CaptureFixture[str]):
+    base.write_text(HEAD.format("base") + "- {topic: /cmd_vel, id: drive, rate: '>= 15 Hz'}\n")
+    assert main(["reference", "explain", str(base), "topic:/cmd_vel", "--json"]) == 0
+    explained = json.loads(capsys.readouterr().out)
+    assert [one["id"] for one in explained["sentences"]] == ["base.drive.rate"]
+    assert "wrong" not in explained
+    assert main(["reference", "explain", str(base), "topic:/cmd_vel", "--bag", recorded, "--json"]) == 0
+    (wrong,) = json.loads(capsys.readouterr().out)["wrong"]
+    assert (wrong["state"], wrong["first_cause"], round(wrong["at"])) == ("low", True, 60)

@@ -133,6 +133,20 @@ def test_dear_values_come_in_turn(machine, sampler):
     assert values["disk_read"] == 2 * values["disk_write"]
 
 
+def test_how_long_its_threads_wait_for_a_processor(machine, sampler):
+    machine.start(10)
+    tasks = machine.root / "10" / "task"
+    for thread, waited in (("10", 0), ("11", 5_000_000)):
+        (tasks / thread).mkdir(parents=True)
+        (tasks / thread / "schedstat").write_text(f"1000 {waited} 3\n")
+    sampler.find(0.0)
+    assert "cpu_wait" not in sampler.sample(0.0)[0].values
+    (tasks / "11" / "schedstat").write_text("1000 2505000000 9\n")
+    values = [sampler.sample(float(second))[0].values for second in range(1, IN_TURN + 1)]
+    waited = [(at, one["cpu_wait"]) for at, one in enumerate(values, 1) if "cpu_wait" in one]
+    assert waited[0][1] == pytest.approx(100 * 2.5 / waited[0][0])
+
+
 def test_an_end_is_told_once(machine, sampler):
     machine.start(10)
     sampler.find(1.0)

@@ -16,12 +16,14 @@ if TYPE_CHECKING:
     from roslens.judge.explain_entity import Applied
     from roslens.judge.merge_references import Merged
     from roslens.judge.unmatched import Subject
+    from roslens.model.entity import EntityId
 
 TEXT = "Check, explain, draft, test, mutate or import references: documents that say how a running robot should behave."
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
   roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
   roslens reference explain base.yaml topic:/scan
+  roslens reference explain base.yaml topic:/scan --bag drive.bag    and what was wrong with it there, and why
   roslens reference draft --bag drive.bag -o robot.yaml
   roslens reference draft --live 60s -o robot.yaml           from what runs here now
   roslens reference draft --graph graph.yaml                 what is there, as `watch --graph-out` writes it
@@ -54,6 +56,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     explain.add_argument("entity", metavar="ENTITY", help="such as topic:/scan, node:/amcl or host:robot-1")
     for word in _NARROWING:
         explain.add_argument(f"--{word}", default="", metavar="NAME", help=f"its {word}, where that is known")
+    explain.add_argument(
+        "--bag", type=Path, nargs="+", metavar="FILE", help="also what was wrong with it in a recording, and why"
+    )
+    explain.add_argument("--json", action="store_true", help="print JSON")
     explain.set_defaults(act=_explain)
     importing = actions.add_parser("import", help=_IMPORT, description=_IMPORT)
     importing.add_argument("file", metavar="FILE", help="the specification, in YAML")
@@ -103,11 +109,19 @@ def _about_nothing(merged: Merged, bag: Sequence[Path]) -> list[str]:
 
 
 def _explain(options: argparse.Namespace) -> int:
+    from roslens.cli.reference_causes import found_wrong, lines, rows
     from roslens.judge.explain_entity import combined, explain_entity
     from roslens.live.signals import BY_KEY
+    from roslens.model.entity import EntityId
 
     subject = _subject(options)
-    applied = explain_entity(_merged(options.files), subject)
+    merged = _merged(options.files)
+    applied = explain_entity(merged, subject)
+    entity = EntityId(subject.kind, subject.name)
+    start, found = found_wrong(merged.reference, options.bag, entity) if options.bag else (0.0, [])
+    if options.json:
+        _print_explained(entity, applied, rows(start, found) if options.bag else None)
+        return CLEAN
     print(f"{subject.kind.value}:{subject.name}")
     if not applied:
         print("  nothing is expected of it")
@@ -115,7 +129,32 @@ def _explain(options: argparse.Namespace) -> int:
         print("\n".join(_explanation(number, one)))
     for key, words in combined(applied, BY_KEY).items():
         print(f"  together: {key} {words}")
+    if options.bag:
+        print("\n".join(["in the recording:", *(lines(start, found) or ["  nothing was wrong with it"])]))
     return CLEAN
+
+
+def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[dict[str, object]] | None) -> None:
+    import json
+
+    from roslens.judge.sentence_words import expected_words, subject_words
+
+    sentences = [
+        {
+            "id": one.declared.sentence.told.id,
+            "of": subject_words(one.declared.sentence),
+            "expected": expected_words(one.declared.sentence),
+            "where": one.declared.place,
+            "severity": one.declared.sentence.told.severity.value,
+            "provided": one.provided,
+            "replaced_by": one.replaced_by,
+        }
+        for one in applied
+    ]
+    document: dict[str, object] = {"version": 1, "entity": str(entity), "sentences": sentences}
+    if wrong is not None:
+        document["wrong"] = wrong
+    print(json.dumps(document, indent=2, ensure_ascii=False))
 
 
 def _import(options: argparse.Namespace) -> int:

@@ -28,6 +28,7 @@ class Judgement(msgspec.Struct, frozen=True, omit_defaults=True):
         evidence: what shows it.
         cause: text form of the id of what explains it.
         leads_to: what follows from it.
+        why: the way to the cause, in words.
         text: what the reference tells the operator.
         where: ``file:line`` of the constraint.
     """
@@ -42,6 +43,7 @@ class Judgement(msgspec.Struct, frozen=True, omit_defaults=True):
     evidence: str = ""
     cause: str = ""
     leads_to: str = ""
+    why: str = ""
     text: str = ""
     where: str = ""
 

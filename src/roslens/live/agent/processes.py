@@ -34,6 +34,11 @@ NEVER = float("-inf")
 NOT = float("inf")
 _STOPPED = (b"T", b"t")
 _HUNG = b"D"
+_MOST_TASKS = 64
+"""Threads of a process that are asked how long they waited."""
+_SCHEDSTAT_FIELDS = 3
+_SCALES = {"cpu_wait": 1e-7}
+"""From what is counted to the unit of the signal: nanoseconds per second to percent."""
 
 
 class _Watched(msgspec.Struct):
@@ -192,11 +197,14 @@ class ProcessSampler:
             for key, start in (("disk_read", b"read_bytes:"), ("disk_write", b"write_bytes:")):
                 if line.startswith(start):
                     counters[key] = int(line.split()[1])
+        waited = _waited(folder)
+        if waited is not None:
+            counters["cpu_wait"] = waited
         passed = now - one.slow_seen
         if one.slow_seen != NEVER and passed > 0:
             for key, value in counters.items():
                 if key in one.slow:
-                    one.kept[key] = max(value - one.slow[key], 0) / passed
+                    one.kept[key] = max(value - one.slow[key], 0) / passed * _SCALES.get(key, 1.0)
         try:
             one.kept["open_files"] = float(sum(1 for _ in (folder / "fd").iterdir()))
         except OSError:
@@ -216,6 +224,17 @@ class ProcessSampler:
             if line.startswith(b"btime "):
                 return int(line.split()[1]) + ticks / self._hertz
         return 0.0
+
+
+def _waited(folder: Path) -> int | None:
+    """Return for how many nanoseconds the threads of a process have waited for a processor; None where unknown."""
+    try:
+        tasks = sorted((folder / "task").iterdir())[:_MOST_TASKS]
+    except OSError:
+        return None
+    fields = [_bytes_of(task / "schedstat").split() for task in tasks]
+    known = [int(one[1]) for one in fields if len(one) == _SCHEDSTAT_FIELDS]
+    return sum(known) if known else None
 
 
 def _pids(proc: Path) -> Iterable[int]:

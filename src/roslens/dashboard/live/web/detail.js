@@ -57,7 +57,7 @@ export class Detail {
 }
 
 function judgement(one) {
-  const why = [one.evidence, one.leads_to && `→ ${one.leads_to}`, one.cause && `because of ${one.cause}`, one.text].filter(Boolean).join("; ");
+  const why = [one.evidence, one.leads_to && `→ ${one.leads_to}`, one.cause && (one.why ? `because ${one.why}` : `because of ${one.cause}`), one.text].filter(Boolean).join("; ");
   const state = make("span", { class: "mark" }, sign(one.state, one.severity), word(one.state));
   return [make("span", { title: one.where || "", text: one.expectation }), state, one.value || "unknown", one.expected || "", one.since, why];
 }

@@ -10,6 +10,7 @@ from roslens.dashboard.figures import number
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.judge.constraint import Constraint
+from roslens.judge.field import Field, load_field
 from roslens.judge.rate import Rating, rate
 from roslens.judge.select import matcher, name_of
 from roslens.model.entity import Entity, EntityKind
@@ -34,6 +35,8 @@ def metrics_table(site: Site, entities: Sequence[Entity]) -> Table:
         for model in site.models
         if any((constraint.quantity, constraint.kind) in shown for constraint in model.constraints)
     ]
+    field = load_field()
+    of_package = by_kind[EntityKind.PACKAGE][0].values if by_kind[EntityKind.PACKAGE] else {}
     rows = []
     for key, kind in shown:
         quantity = site.quantities[key]
@@ -51,6 +54,7 @@ def metrics_table(site: Site, entities: Sequence[Entity]) -> Table:
                 Cell("the package" if single else f"{len(values):,} {_MANY[kind]}"),
                 Cell(mean, text=number(mean, mean_digits)),
                 Cell(None if single else max(values), text="" if not single else " "),
+                _standing(field, key, of_package.get(key)),
                 *verdicts,
             )
         )
@@ -60,9 +64,20 @@ def metrics_table(site: Site, entities: Sequence[Entity]) -> Table:
         Column("of", "Of"),
         Column("mean", "Value or mean", "number", decimals=1),
         Column("max", "Most", "number"),
+        Column("field", "Field", "number", hint=f"percentile of the package among {field.packages:,} ROS packages"),
         *(Column(f"model_{model.name}", model.name, "number", hint=model.title) for model in models),
     )
     return Table("metrics", "Metrics", columns, tuple(rows), total=len(rows), empty="Nothing was measured.")
+
+
+def _standing(field: Field, key: str, value: float | None) -> Cell:
+    """Return how many of a hundred packages of the field have a smaller value than the package."""
+    distribution = field.find(key, EntityKind.PACKAGE)
+    if value is None or distribution is None:
+        return Cell(None, text=" ")
+    percentile = distribution.percentile(value)
+    hint = f"{value:.4g} for the package: {percentile:.0f} of 100 packages of the field {field.name} have less"
+    return Cell(round(percentile, 1), text=f"{percentile:.0f} %", hint=hint)
 
 
 def _verdict(site: Site, model: str, kind: EntityKind, key: str, entities: Sequence[Entity]) -> Cell:

@@ -92,3 +92,19 @@ def test_roles_of_a_workspace(tmp_path, capsys, monkeypatch):
     assert 'no package "nav" in this run; expected one of arm_msgs, pr2_teleop' in capsys.readouterr().err
     assert main(["study", "--by", "role"]) == 0
     assert "interfaces" in capsys.readouterr().out
+
+
+def test_percentiles_of_a_workspace(tmp_path, capsys, monkeypatch):
+    (tmp_path / "package.xml").write_text("<package><name>large</name></package>")
+    (tmp_path / "node.py").write_text("".join(f"x{n} = {n}\n" for n in range(30)))
+    monkeypatch.chdir(tmp_path)
+    main(["check", "-q", "--fail-on", "never", "-o", "out.json"])
+    capsys.readouterr()
+    assert main(["percentile", "--quantity", "loc"]) == 0
+    out = capsys.readouterr().out
+    assert re.search(
+        r"^  Lines of code  30 lines  \d+ of all \(\d+\), \d+ of library \(\d+\), \d+ of python", out, re.MULTILINE
+    )
+    assert main(["percentile", "--quantity", "beauty"]) == 2
+    assert 'no quantity "beauty" in the field ros-2026' in capsys.readouterr().err
+    assert main(["percentile", "--package", "other"]) == 2

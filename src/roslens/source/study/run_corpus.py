@@ -47,7 +47,7 @@ def corpus_of_runs(
                 continue
             values = {one.key: summary.values[one.key] for one in chosen if one.key in summary.values}
             role = role_of(view, summary)
-            packages.append(Subject(summary.id, summary.repository, role, name, _language(summary), values))
+            packages.append(Subject(summary.id, summary.repository, role, name, language_of(summary), values))
             broken.extend(_broken(summary, role))
     if not any(one.values for one in packages):
         raise UsageError("no package with a value", expected="packages with source", advice="Check other folders")
@@ -70,7 +70,7 @@ def _chosen(known: dict[str, Quantity], models: Iterable[QualityModel], wanted: 
     return [known[key] for key in dict.fromkeys(keys)]
 
 
-def _language(summary: PackageSummary) -> str:
+def language_of(summary: PackageSummary) -> str:
     """Return what most source of a package is written in; nothing where it has none."""
     counted = {
         "cpp": summary.languages.get("cpp", 0) + summary.languages.get("c", 0),

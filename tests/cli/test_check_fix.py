@@ -94,6 +94,7 @@ def fixable(capfd):
 
 def test_it_mends_what_it_said_it_would_and_takes_it_back(arm, capfd):
     before = tree(arm)
+    assert "5 of these can be fixed safely: roslens check --fix" in check(capfd, code=0).out
     told = check(capfd, "--diff", code=1)
     assert tree(arm) == before, "--diff changes nothing"
     assert "would fix 5 of 5 findings with a fix in 3 files" in told.err
@@ -120,7 +121,9 @@ def test_it_mends_what_it_said_it_would_and_takes_it_back(arm, capfd):
     subprocess.run(["git", "apply", "-"], input=told.out.encode(), cwd=arm, check=True)
     assert tree(arm) == after
     # A second time there is nothing left, and what was done can still be taken back.
-    assert "nothing to fix" in check(capfd, "--fix", code=0).err
+    done = check(capfd, "--fix", code=0)
+    assert "nothing to fix" in done.err
+    assert "can be fixed" not in done.out
     assert check(capfd, "--diff", code=0).out == ""
     assert "3 files as before the last fix" in check(capfd, "--undo-fix", code=0).err
     assert tree(arm) == before

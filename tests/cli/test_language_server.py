@@ -105,7 +105,7 @@ def test_an_editor_is_answered(editor):
     uri = (editor.root / path).as_uri()
     capabilities = editor.start()
     assert capabilities["hoverProvider"]
-    assert capabilities["codeActionProvider"]["codeActionKinds"] == ["quickfix"]
+    assert capabilities["codeActionProvider"]["codeActionKinds"] == ["quickfix", "source.fixAll.roslens"]
     found = {one["code"]: one for one in editor.open(path)}
     assert found["ros.calls.max"]["range"] == {
         "start": {"line": 0, "character": 0},
@@ -132,6 +132,80 @@ def test_an_editor_is_answered(editor):
     assert "ros.calls.max" in {one["code"] for one in editor.open("talk/talk/fresh.py")}
     (editor.root / "loose.txt").write_text("")
     assert editor.open("loose.txt") == []
+    assert editor.stop() == 0
+
+
+MODES = """\
+def mode(name, größe):
+    if größe is 3 and name is "auto":
+        return 1
+    return name is not "off"
+"""
+
+
+def applied(text, edits):
+    """Return a text with edits of the protocol made, columns in units of UTF-16."""
+    lines = text.splitlines(keepends=True)
+
+    def offset(place):
+        line = lines[place["line"]].encode("utf-16-le")[: 2 * place["character"]].decode("utf-16-le")
+        return sum(map(len, lines[: place["line"]])) + len(line)
+
+    for edit in sorted(edits, key=lambda one: offset(one["range"]["start"]), reverse=True):
+        start, end = offset(edit["range"]["start"]), offset(edit["range"]["end"])
+        text = text[:start] + edit["newText"] + text[end:]
+    return text
+
+
+@pytest.mark.heavy
+def test_an_editor_fixes_one_finding_or_all(editor):
+    (editor.root / "roslens.toml").write_text('[rules]\nprofiles = []\nenable = ["python.is_literal"]\n')
+    path = "talk/talk/modes.py"
+    place = editor.root / path
+    place.write_text(MODES)
+    uri = place.as_uri()
+    editor.start()
+    found = [one for one in editor.open(path) if one["code"] == "python.is_literal"]
+    assert len(found) == 3
+
+    def actions(line, *only):
+        context = {"diagnostics": [], **({"only": list(only)} if only else {})}
+        at = {"start": {"line": line, "character": 0}, "end": {"line": line, "character": 0}}
+        return editor.send("textDocument/codeAction", {"textDocument": {"uri": uri}, "range": at, "context": context})
+
+    fixes = [one for one in actions(3, "quickfix") if one.get("isPreferred")]
+    (fix,) = fixes
+    assert fix["title"].startswith("Fix python.is_literal: ")
+    assert fix["diagnostics"][0]["range"]["start"]["line"] == 3
+    assert applied(MODES, fix["edit"]["changes"][uri]) == MODES.replace("is not", "!=")
+    (everything,) = actions(0, "source.fixAll")
+    assert everything["kind"] == "source.fixAll.roslens"
+    fixed = MODES.replace("is not", "!=").replace(" is ", " == ")
+    assert applied(MODES, everything["edit"]["changes"][uri]) == fixed
+    assert [one["kind"] for one in actions(0)][-1] == "source.fixAll.roslens"
+    assert not [one for one in actions(0) if one.get("isPreferred")]
+    # What the editor changed and did not save is not what was looked at.
+    change = {"textDocument": {"uri": uri, "version": 2}, "contentChanges": [{"text": "\n" + MODES}]}
+    editor.notify("textDocument/didChange", change)
+    assert not [one for one in actions(3) if one.get("isPreferred") or one["kind"] != "quickfix"]
+    place.write_text(fixed)
+    assert not [one for one in editor.save(path) if one["code"] == "python.is_literal"]
+    assert editor.stop() == 0
+
+
+@pytest.mark.heavy
+def test_a_fix_may_change_another_file(editor):
+    (editor.root / "roslens.toml").write_text('[rules]\nprofiles = []\nenable = ["package.undeclared_dependency"]\n')
+    uri = (editor.root / "talk/talk/nodes.py").as_uri()
+    editor.start()
+    editor.open("talk/talk/nodes.py")
+    at = {"start": {"line": 0, "character": 0}, "end": {"line": 0, "character": 0}}
+    asked = {"textDocument": {"uri": uri}, "range": at, "context": {"diagnostics": []}}
+    (fix,) = [one for one in editor.send("textDocument/codeAction", asked) if one.get("isPreferred")]
+    ((changed, edits),) = fix["edit"]["changes"].items()
+    assert changed == (editor.root / "talk/package.xml").as_uri()
+    text = (editor.root / "talk/package.xml").read_text()
+    assert "<exec_depend>rclpy</exec_depend>" in applied(text, edits)
     assert editor.stop() == 0
 
 

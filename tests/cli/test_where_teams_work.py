@@ -20,12 +20,15 @@ PROJECT = (ROOT / "pyproject.toml").read_text("utf-8")
 
 
 def test_the_hook_is_a_command_that_there_is():
-    (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
-    program, *words = shlex.split(hook["entry"])
-    assert program == hook["id"] == "roslens"
-    options = parser().parse_args(words)
-    assert (options.verb, options.changed, options.fail_on) == ("check", "HEAD", "warning")
-    assert hook["pass_filenames"] is False
+    hooks = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
+    for hook, fixes in zip(hooks, (False, True), strict=True):
+        program, *words = shlex.split(hook["entry"])
+        assert program == "roslens"
+        assert hook["id"] == ("roslens-fix" if fixes else "roslens")
+        options = parser().parse_args(words)
+        assert (options.verb, options.changed, options.fail_on) == ("check", "HEAD", "warning")
+        assert options.fix is fixes
+        assert hook["pass_filenames"] is False
 
 
 def test_no_input_of_the_action_is_run_as_a_command():

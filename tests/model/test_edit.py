@@ -1,4 +1,19 @@
-from roslens.model.edit import Edit, edit_at
+import pytest
+
+from roslens.model.edit import Edit, edit_at, place_of
+
+
+@pytest.mark.parametrize(
+    ("content", "at", "place"),
+    [
+        (b"a\nbc", 3, (2, 2)),
+        ("// é 🤖 x".encode(), 11, (1, 9)),
+        (b"\xef\xbb\xbfint a;", 7, (1, 5)),
+        ("// é x".encode("latin-1"), 5, (1, 6)),
+    ],
+)
+def test_columns_are_those_of_editors(content, at, place):
+    assert place_of(content, at) == place
 
 
 def test_an_edit_knows_its_place():

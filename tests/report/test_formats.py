@@ -10,6 +10,7 @@ import msgspec
 import pytest
 
 from roslens.judge.gate import GateResult
+from roslens.model.edit import Edit
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import WorkspaceResult
@@ -120,6 +121,34 @@ def test_sarif_names_related_places(view_with):
     listed = Reported("", finding(others=("src/b.cpp:7 too", "nowhere")), "src/a b.cpp", 3)
     found = to_sarif._result(listed, 0, "", ())["relatedLocations"]
     assert [one.get("physicalLocation", {}).get("region") for one in found] == [{"startLine": 7}, None]
+
+
+def test_sarif_has_the_fixes_of_a_result(view_with, sarif_schema):
+    edits = (
+        Edit("src/a b.cpp", 12, 16, "nullptr", 2, 3, 2, 7, "f" * 40),
+        Edit("package.xml", 5, 5, "<depend/>", 1, 6, 1, 6, "e" * 40),
+        Edit("src/a b.cpp", 2, 9, "", 1, 3, 1, 10, "f" * 40),
+    )
+    view = view_with(finding(edits=edits), finding("b.rule"))
+    sarif_schema.validate(json.loads(written("sarif", view, below="ws/")))
+    (mended,) = [one for one in sarif(view, below="ws/")["results"] if "fixes" in one]
+    (fix,) = mended["fixes"]
+    manifest, source = fix["artifactChanges"]
+    assert manifest["artifactLocation"] == {"uri": "ws/package.xml", "uriBaseId": "%SRCROOT%"}
+    assert manifest["replacements"] == [
+        {
+            "deletedRegion": {"startLine": 1, "startColumn": 6, "endLine": 1, "endColumn": 6},
+            "insertedContent": {"text": "<depend/>"},
+        }
+    ]
+    assert source["artifactLocation"]["uri"] == "ws/src/a%20b.cpp"
+    assert source["replacements"] == [
+        {"deletedRegion": {"startLine": 1, "startColumn": 3, "endLine": 1, "endColumn": 10}},
+        {
+            "deletedRegion": {"startLine": 2, "startColumn": 3, "endLine": 2, "endColumn": 7},
+            "insertedContent": {"text": "nullptr"},
+        },
+    ]
 
 
 def test_sarif_leaves_out_the_least_severe_and_says_so(view_with, monkeypatch):

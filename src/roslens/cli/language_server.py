@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,11 +18,16 @@ from roslens.cli.check_watch import look
 from roslens.cli.commands.explain import known
 from roslens.cli.configuration import find_configuration
 from roslens.cli.editor_findings import Shown, failure_as_finding, hover_text, ignore_edits, shown
+from roslens.cli.editor_fixes import EditorFix, FixableFolder
 from roslens.cli.workplace import CACHE, own_folder
+from roslens.model.edit import Edit
 from roslens.model.errors import RoslensError
 from roslens.model.finding import RuleInfo
 from roslens.source.fresh_package import FreshPackages
 from roslens.store.cache import Cache
+
+FIX_ALL = "source.fixAll.roslens"
+"""Kind of the action that makes all fixes of a document; editors may run it whenever they save."""
 
 
 class Folder:
@@ -60,7 +65,7 @@ class Server:
         self._take(types.TEXT_DOCUMENT_DID_SAVE, self._saved)
         self._take(types.TEXT_DOCUMENT_DID_CLOSE, self._closed)
         self._take(types.TEXT_DOCUMENT_HOVER, self._hover)
-        kinds = types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix])
+        kinds = types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix, FIX_ALL])
         self._take(types.TEXT_DOCUMENT_CODE_ACTION, self._actions, kinds)
 
     def _take(self, method: str, answer: Callable[[Any], Any], options: Any = None) -> None:
@@ -133,6 +138,54 @@ class Server:
         return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text))
 
     def _actions(self, params: types.CodeActionParams) -> list[types.CodeAction]:
+        only = [str(one) for one in params.context.only or ()]
+        found: list[types.CodeAction] = []
+        if _is_wanted(types.CodeActionKind.QuickFix, only):
+            found += [*self._fixes(params), *self._silencing(params)]
+        if _is_wanted(FIX_ALL, only) and (action := self._fix_all(params.text_document.uri)) is not None:
+            found.append(action)
+        return found
+
+    def _fixes(self, params: types.CodeActionParams) -> Iterator[types.CodeAction]:
+        uri = params.text_document.uri
+        wanted = range(params.range.start.line, params.range.end.line + 1)
+        there = [one for one in self._shown.get(uri, ()) if one.finding.edits and one.span.line in wanted]
+        if not there or (known := self._fixable(uri)) is None:
+            return
+        folder, fixable, document = known
+        for one in there:
+            fix = fixable.fix_of(one.finding, one.finding.path, document)
+            if fix is not None:
+                yield types.CodeAction(
+                    fix.title,
+                    kind=types.CodeActionKind.QuickFix,
+                    diagnostics=[_diagnostic(one)],
+                    is_preferred=True,
+                    edit=_workspace_edit(fix, folder, one.finding.path, uri),
+                )
+
+    def _fix_all(self, uri: str) -> types.CodeAction | None:
+        findings = [one.finding for one in self._shown.get(uri, ()) if one.finding.edits]
+        if not findings or (known := self._fixable(uri)) is None:
+            return None
+        folder, fixable, document = known
+        path = findings[0].path
+        fix = fixable.fix_of_all(findings, path, document)
+        if fix is None:
+            return None
+        return types.CodeAction(fix.title, kind=FIX_ALL, edit=_workspace_edit(fix, folder, path, uri))
+
+    def _fixable(self, uri: str) -> tuple[Folder, FixableFolder, bytes] | None:
+        """Return the folder that a document is in, what makes fixes there, and the document as the editor has it."""
+        name = to_fs_path(uri)
+        for folder in self._opened_folders() if name else ():
+            if folder.path_of(Path(str(name))) in folder.fresh.files:
+                fixable = FixableFolder(folder.root, folder.fresh.by_path, folder.fresh.macros)
+                text = self.protocol.workspace.get_text_document(uri).source
+                return folder, fixable, text.encode("utf-8", "surrogatepass")
+        return None
+
+    def _silencing(self, params: types.CodeActionParams) -> list[types.CodeAction]:
         uri = params.text_document.uri
         lines = self.protocol.workspace.get_text_document(uri).lines
         wanted = range(params.range.start.line, params.range.end.line + 1)
@@ -150,6 +203,28 @@ class Server:
                     )
                 )
         return found
+
+
+def _is_wanted(kind: str, only: Sequence[str]) -> bool:
+    """Return whether a client that asks for some kinds of actions alone asks for one of this kind."""
+    return not only or any(kind == one or kind.startswith(f"{one}.") for one in only)
+
+
+def _workspace_edit(fix: EditorFix, folder: Folder, path: str, uri: str) -> types.WorkspaceEdit:
+    """Return the changes; the document itself goes by the name that the editor gave it."""
+    return types.WorkspaceEdit(
+        changes={
+            uri if target == path else (folder.root / target).as_uri(): [
+                types.TextEdit(_range(one), one.text) for one in edits
+            ]
+            for target, edits in fix.edits.items()
+        }
+    )
+
+
+def _range(edit: Edit) -> types.Range:
+    start, end = types.Position(edit.line - 1, edit.column - 1), types.Position(edit.end_line - 1, edit.end_column - 1)
+    return types.Range(start, end)
 
 
 def _diagnostic(one: Shown) -> types.Diagnostic:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
+_MARK = b"\xef\xbb\xbf"
+
 
 class Edit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True, order=True):
     """Bytes of a file that become a text. The edits of one finding are made together or not at all.
@@ -13,7 +15,8 @@ class Edit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True, ord
         start: offset in bytes of the first one that is replaced, from 0.
         end: of the one behind the last; ``start`` where something is inserted.
         text: what stands there afterwards, with line feeds, whatever ends lines in the file.
-        line: 1-based, of ``start``, as ``column`` (in bytes) is; ``end_line`` and ``end_column`` are of ``end``.
+        line: 1-based, of ``start``; ``end_line`` is that of ``end``.
+        column: 1-based, of ``start``, in units of UTF-16, as editors and SARIF count; ``end_column`` is of ``end``.
         made_for: git's blob id of the content that the offsets are of.
     """
 
@@ -30,10 +33,14 @@ class Edit(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True, ord
 
 def edit_at(content: bytes, start: int, end: int, text: str, path: str = "") -> Edit:
     """Return the edit that puts ``text`` into the place of ``content[start:end]``."""
-    line, column = _place(content, start)
-    end_line, end_column = (line, column) if end == start else _place(content, end)
-    return Edit(path, start, end, text, line, column, end_line, end_column)
+    place = place_of(content, start)
+    return Edit(path, start, end, text, *place, *(place if end == start else place_of(content, end)))
 
 
-def _place(content: bytes, at: int) -> tuple[int, int]:
-    return content.count(b"\n", 0, at) + 1, at - content.rfind(b"\n", 0, at)
+def place_of(content: bytes, at: int) -> tuple[int, int]:
+    """Return the line of a byte and its column in units of UTF-16, both 1-based; a byte order mark has no column."""
+    before = content[content.rfind(b"\n", 0, at) + 1 : at]
+    if not before.isascii():
+        text = before.removeprefix(_MARK).decode("utf-8", "replace")
+        return content.count(b"\n", 0, at) + 1, len(text.encode("utf-16-le")) // 2 + 1
+    return content.count(b"\n", 0, at) + 1, len(before) + 1

@@ -33,7 +33,8 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     """How often a rule was broken in a package, with its worst occurrence as the example.
 
     A rule has one count for each severity and set of tags that its findings have; ``gated`` is how
-    many of them count for gates; ``excess`` is how far the example is beyond its bound.
+    many of them count for gates, ``fixable`` how many of these have a fix; ``excess`` is how far the example is beyond
+    its bound.
     """
 
     rule: str
@@ -43,6 +44,7 @@ class RuleCount(msgspec.Struct, frozen=True, omit_defaults=True):
     example: str = ""
     tags: tuple[str, ...] = ()
     excess: float = 0.0
+    fixable: int = 0
 
 
 class PackageSummary(msgspec.Struct, frozen=True, omit_defaults=True):

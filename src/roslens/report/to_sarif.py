@@ -7,13 +7,14 @@ notification of the run.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from typing import Any, TextIO
 from urllib.parse import quote
 
 import msgspec
 
 from roslens import __version__
+from roslens.model.edit import Edit
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.set_aside import Disposition, SetAside
@@ -108,7 +109,36 @@ def _result(one: Reported, index: int, below: str, files: Collection[str]) -> di
     }
     if related := list(_related(finding, below, files)):
         shown["relatedLocations"] = related
+    if finding.edits:
+        shown["fixes"] = [_fix(finding.edits, below)]
     return shown
+
+
+def _fix(edits: Sequence[Edit], below: str) -> dict[str, Any]:
+    """Return what mends a finding: the changes of each file, in order of their places."""
+    changes: dict[str, list[dict[str, Any]]] = {}
+    for edit in sorted(edits):
+        replacement: dict[str, Any] = {
+            "deletedRegion": {
+                "startLine": edit.line,
+                "startColumn": edit.column,
+                "endLine": edit.end_line,
+                "endColumn": edit.end_column,
+            }
+        }
+        if edit.text:
+            replacement["insertedContent"] = {"text": edit.text}
+        changes.setdefault(edit.path, []).append(replacement)
+    return {
+        "description": {"text": "Safe, as `roslens check --fix` makes it"},
+        "artifactChanges": [
+            {
+                "artifactLocation": {"uri": quote(below + path), "uriBaseId": "%SRCROOT%"},
+                "replacements": replacements,
+            }
+            for path, replacements in changes.items()
+        ],
+    }
 
 
 def _since(result: dict[str, Any], finding: Finding, wanted: Wanted) -> dict[str, Any]:
@@ -126,7 +156,9 @@ def _suppressed(one: SetAside, index: int, below: str, files: Collection[str]) -
     if one.reason:
         suppression["justification"] = one.reason
     suppression["properties"] = {"state": one.state.value, "by": one.by}
-    return {**_result(place, index, below, files), "suppressions": [suppression]}
+    shown = _result(place, index, below, files)
+    shown.pop("fixes", None)
+    return {**shown, "suppressions": [suppression]}
 
 
 def _locations(one: Reported) -> Iterator[dict[str, Any]]:

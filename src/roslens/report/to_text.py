@@ -83,6 +83,7 @@ def to_text(
         list(_packages(terminal, counted)),
         [
             *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
+            *_fixable(terminal, packages, wanted),
             *hushed,
             *(line for text in since for line in _quiet(terminal, text)),
         ],
@@ -310,6 +311,14 @@ def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tag
         place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
         group.example = group.example or (f"{place}: {finding.message}" if place else finding.message)
     return sorted(groups.values(), key=lambda group: (-group.severity.rank, -group.count, group.rule))
+
+
+def _fixable(terminal: Terminal, packages: Iterable[PackageSummary], tags: TagFilter) -> Iterator[str]:
+    """Yield how many of the findings that count have a fix, where any has."""
+    count = sum(rule.fixable for package in packages for rule in package.rules if tags.matches(rule.tags))
+    if count:
+        of_these = "1 of these" if count == 1 else f"{count:,} of these"
+        yield from _quiet(terminal, f"{of_these} can be fixed safely: roslens check --fix, or --diff to see it first")
 
 
 def _aside(packages: Iterable[PackageSummary], tags: TagFilter) -> int:

@@ -22,7 +22,7 @@ from roslens.source.keys import content_hash
 from roslens.source.metrics.table import QUANTITIES
 from roslens.source.nameable_rules import nameable_rules
 from roslens.source.package_task import package_task
-from roslens.source.settings import SourceSettings
+from roslens.source.settings import MacroSettings, SourceSettings
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import acceptances_of, read_acceptances
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace
@@ -89,6 +89,16 @@ class FreshPackages:
     def files(self) -> Collection[str]:
         """Paths of all files that are looked at, below the root."""
         return self._owner.keys()
+
+    @property
+    def by_path(self) -> Mapping[str, SourceFile]:
+        """All files that are looked at, by path."""
+        return {file.path: file for files in self._files.values() for file in files}
+
+    @property
+    def macros(self) -> MacroSettings:
+        """What is blanked before a parse."""
+        return self._settings.macros
 
     def look(self, path: str) -> Fresh | None:
         """Return what is known of a file as it is on the disk now; None where it is no file of the workspace.

@@ -69,11 +69,12 @@ def _needed(dependency: Dependency) -> bool:
 
 
 class _Group:
-    __slots__ = ("count", "example", "gated")
+    __slots__ = ("count", "example", "fixable", "gated")
 
     def __init__(self) -> None:
         self.count = 0
         self.gated = 0
+        self.fixable = 0
         self.example: Finding | None = None
 
 
@@ -89,6 +90,7 @@ def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
             group.example = finding
         group.count += 1
         group.gated += finding.gated
+        group.fixable += finding.gated and bool(finding.edits)
     counts = [
         RuleCount(
             rule,
@@ -98,6 +100,7 @@ def rule_counts(findings: Iterable[Finding]) -> tuple[RuleCount, ...]:
             _example(group.example),
             tags,
             round(group.example.excess, 6) if group.example else 0.0,
+            group.fixable,
         )
         for (rule, severity, tags), group in groups.items()
     ]
@@ -116,7 +119,12 @@ def with_share(summary: PackageSummary, share: PackageSummary) -> PackageSummary
 
 def _merged(own: RuleCount, one: RuleCount) -> RuleCount:
     worse = (one.gated > 0, one.excess) > (own.gated > 0, own.excess)
-    return msgspec.structs.replace(one if worse else own, count=own.count + one.count, gated=own.gated + one.gated)
+    return msgspec.structs.replace(
+        one if worse else own,
+        count=own.count + one.count,
+        gated=own.gated + one.gated,
+        fixable=own.fixable + one.fixable,
+    )
 
 
 def _order(count: RuleCount) -> tuple[int, int, str, tuple[str, ...]]:

@@ -161,11 +161,13 @@ def test_nothing_else_is_expected():
 
 def write():
     """Write what is made of every fixture."""
+    import shutil
     import tempfile
 
     from conftest import package_view
 
     views = package_view.__wrapped__()
+    shutil.rmtree(FIXED, ignore_errors=True)
     for rule in MENDING:
         if isinstance(rule, FileRule):
             for fixture in fixtures_of(rule):

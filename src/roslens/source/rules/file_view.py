@@ -10,7 +10,7 @@ from itertools import accumulate
 
 from tree_sitter import Node
 
-from roslens.model.edit import Edit
+from roslens.model.edit import Edit, edit_at
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
 
@@ -166,7 +166,7 @@ class FileView:
         for start, end, text in changes:
             if self.source[start:end] != self.content[start:end]:
                 return ()
-            found.append(Edit("", start, end, text, *self.place(start), *self.place(end)))
+            found.append(edit_at(self.content, start, end, text))
         return tuple(found)
 
     def is_as_written(self, node: Node) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_class import class_name, has_token, members_of, parameters_of
+from roslens.source.rules.cpp_class import bases_of, class_name, has_token, members_of, parameters_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -29,12 +29,22 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         is_same = text.partition("<")[0].rpartition("::")[2] == name
         if is_same or "initializer_list" in text or parameters[0].type.startswith("variadic"):
             continue
+        at = member.declarator.start_byte
+        edits = view.edits((at, at, "explicit "))
         yield view.hit(
             "cpp.explicit_constructor",
             member.declarator,
             f"constructor `{view.text(member.declarator)[:60]}` converts; expected `explicit`",
-            edits=view.edits((member.declarator.start_byte, member.declarator.start_byte, "explicit ")),
+            edits=edits if _is_entity(node, view) else (),
         )
+
+
+def _is_entity(cls: Node, view: FileView) -> bool:
+    """Return whether nobody gives something else where an object of a class is expected.
+
+    A class with a base or virtual functions is no value; of one that is, a caller elsewhere may rely on the conversion.
+    """
+    return bool(bases_of(cls, view)) or any(one.is_virtual for one in members_of(cls, view))
 
 
 RULE = FileRule(
@@ -63,7 +73,8 @@ RULE = FileRule(
         "paper2016 explicit_constructors",
         "clang-tidy google-explicit-constructor",
     ),
-    fix="Adds `explicit`.",
+    fix="Adds `explicit` where the class has a base or virtual functions. A class that is a value may be made of "
+    "something else by a caller in another file, and is left.",
     bad="struct Speed {\n  Speed(double v);\n};\n",
     good="struct Speed {\n  explicit Speed(double v);\n};\n",
     syntax="cpp",

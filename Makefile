@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings accuracy fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings recall accuracy fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it. Another one: make demo WS=~/robot_ws
 demo: .venv/stamp
@@ -83,6 +83,10 @@ known-mistakes: .venv/stamp
 # Write docs/accuracy_of_graph_rules.md from the judged samples; `python -m graph_findings sample` draws one.
 graph-findings: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m graph_findings page
+
+# Write docs/recall_of_rules.md: CORPORA="FOLDER…" names clones with the real files that mistakes are planted into.
+recall: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m planted $(CORPORA)
 
 # ARGS=--page writes the page only, of what is recorded and judged.
 # Run nodes, compare their graph with what source says of it, and write docs/accuracy.md. What cannot run here keeps the

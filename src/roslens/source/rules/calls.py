@@ -142,11 +142,16 @@ def is_discarded(call: Node) -> bool:
     return around is not None and around.type == "expression_statement"
 
 
+_HANDLERS = ("catch_clause", "except_clause", "except_group_clause")
+
+
 def is_handled(node: Node) -> bool:
-    """Tell whether a ``try`` of the same function is around a node, which stands in its body."""
+    """Tell whether a ``try`` with a handler, of the same function, is around a node that stands in its body."""
     inner, found = node, node.parent
     while found is not None and found.type not in FUNCTIONS:
-        if found.type == "try_statement" and found.child_by_field_name("body") == inner:
+        # With ``finally`` alone everything goes on upwards.
+        is_tried = found.type == "try_statement" and found.child_by_field_name("body") == inner
+        if is_tried and any(one.type in _HANDLERS for one in found.children):
             return True
         inner, found = found, found.parent
     return False

@@ -89,7 +89,11 @@ class FileView:
         return {}
 
     def text(self, node: Node | None) -> str:
-        """Return the source of a node with its white space squeezed; empty for none."""
+        """Return the source of a node with its white space squeezed, and none inside of parentheses; empty for none."""
+        text = self._squeezed(node)
+        return text.replace("( ", "(").replace(" )", ")") if "( " in text or " )" in text else text
+
+    def _squeezed(self, node: Node | None) -> str:
         if node is None:
             return ""
         return " ".join(self.source[node.start_byte : node.end_byte].decode("utf-8", "replace").split())
@@ -102,7 +106,7 @@ class FileView:
             # The last character may have been cut in two.
             if len(text) > _LONGEST_CONTEXT:
                 return text[:_LONGEST_CONTEXT]
-        return self.text(node)[:_LONGEST_CONTEXT]
+        return self._squeezed(node)[:_LONGEST_CONTEXT]
 
     def place(self, position: int) -> tuple[int, int]:
         """Return the line and column, both 1-based, of a position in bytes."""

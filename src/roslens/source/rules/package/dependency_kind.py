@@ -69,7 +69,7 @@ def _is_brought(name: str, kinds: dict[str, set[str]]) -> bool:
 def _runs(use: Use, view: PackageView) -> bool:
     """Return whether a module is one that runs, and no setup.py or generator."""
     inside = view.inside(use.path)
-    return not inside.startswith(("setup.py", "cmake/", "doc", "test"))
+    return not inside.startswith(("setup.py", "cmake/", "doc/", "docs/", "test/", "tests/", "test_"))
 
 
 RULE = PackageRule(

@@ -7,11 +7,13 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.calls import LOOPS, body_of
+from roslens.source.rules.calls import body_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FIRMWARE, ROS_CPP, FileRule
 
+_FOREVER = re.compile(r"while ?\((?:true|1)|for ?\( ?; ?; ?")
+_LONGEST_HEAD = 30
 _ENDS = re.compile(
     rb"\b(break|return|goto|throw|exit|abort|co_await|co_return)\b|\b(ok|isShuttingDown|isStopRequested|is_canceling|"
     rb"isPreemptRequested|joinable|interruption_point)\s*\("
@@ -20,13 +22,12 @@ _ENDS = re.compile(
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a loop without a condition whose body neither leaves it nor asks whether the node is to end."""
-    loop = node
-    while loop.parent is not None and loop.type not in LOOPS:
-        loop = loop.parent
-    body = body_of(loop)
+    loop, body = node, body_of(node)
+    if body is None or not _FOREVER.fullmatch(view.text(loop)[:_LONGEST_HEAD].partition(")")[0]):
+        return
     if any(one in view.content for one in FIRMWARE):
         return
-    if loop.type not in LOOPS or body is None or _ENDS.search(view.code[body.start_byte : body.end_byte]):
+    if _ENDS.search(view.code[body.start_byte : body.end_byte]):
         return
     # A thread that is let go ends with the process, and so does what a handler of the signal ends.
     if b"signal(SIGINT" in view.code or (b"detach" in view.code and b"main" not in _function(node, view)):
@@ -59,7 +60,7 @@ RULE = FileRule(
     bad="#include <ros/ros.h>\nvoid f() { while (true) { work(); } }\n",
     good="#include <ros/ros.h>\nvoid f() { while (ros::ok()) { work(); } }\n",
     syntax="cpp",
-    anchors=("while (true)", "while(true)", "while (1)", "while(1)", "for (;;)", "for(;;)"),
+    kinds=("while_statement", "for_statement"),
     mentions=ROS_CPP,
     spares_tests=True,
     found=found,

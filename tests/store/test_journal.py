@@ -116,6 +116,13 @@ def test_several_writers_do_not_fork_it(path):
     assert not verify(path).wrong
 
 
+def test_several_threads_may_share_it(path):
+    with Journal(path) as journal, ThreadPoolExecutor(4) as pool:
+        list(pool.map(lambda number: journal.add("note", float(number)), range(80)))
+    assert verify(path).entries == 80
+    assert not verify(path).wrong
+
+
 def test_what_does_not_fit_on_the_disk_is_refused_and_leaves_a_whole_journal(path):
     fill(path)
     before = resource.getrlimit(resource.RLIMIT_FSIZE)

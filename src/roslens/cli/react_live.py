@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from roslens.live.agent.host_hand import HostHand
     from roslens.live.react.actor import Actor
     from roslens.live.react.all_hands import AllHands
+    from roslens.live.react.far_agents import FarAgents
     from roslens.live.react.gate import Limits
     from roslens.live.react.node_places import NodePlaces
     from roslens.live.react.ros_line import RosLine
@@ -191,12 +192,32 @@ class _Reacting:
 
         lines = [_ros_line(tool, self._options) for tool in tools]
         hands = AllHands(
-            lines, self._places, platform.node(), here=here.hand if here is not None else None, far=None,
-            monitor=self._by_monitor,
+            lines, self._places, platform.node(), here=here.hand if here is not None else None,
+            far=self._far_agents(), monitor=self._by_monitor,
         )  # fmt: skip
         if here is not None:
             here.told = hands.told
         return hands
+
+    def _far_agents(self) -> FarAgents | None:
+        if self._options.enrolled is None:
+            return None
+        from roslens.cli.commands.agent import DEFAULT_REQUESTS_PORT, address_of
+        from roslens.live.agent.enrol import read_monitor
+        from roslens.live.react.far_agents import FarAgents
+
+        listen = self._options.agents or f"0.0.0.0:{DEFAULT_REQUESTS_PORT}"
+        enrolment = read_monitor(self._options.enrolled)
+        try:
+            found = FarAgents(address_of(listen, DEFAULT_REQUESTS_PORT), enrolment, self._say)
+        except OSError as error:
+            raise UsageError(f"cannot listen on {listen!r}: {error.strerror or error}") from None
+        self._stack.callback(found.close)
+        return found
+
+    def _say(self, text: str) -> None:
+        if not self._options.quiet:
+            print(f"roslens: {text}", file=sys.stderr, flush=True)
 
     def _here(self) -> _Here | None:
         if self._options.allow is None:

@@ -1,13 +1,14 @@
 """The journal: an append-only file of what was decided and done, each entry bound to those before it by its hash.
 
 An entry is on the disk before :meth:`Journal.add` returns, so that what is announced is known even where the machine
-dies of what is done next. Several processes may write to one journal: a lock is held for each entry.
+dies of what is done next. Several threads and processes may write to one journal: a lock is held for each entry.
 """
 
 from __future__ import annotations
 
 import contextlib
 import os
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -34,6 +35,7 @@ class Journal:
         self._path = path
         self._last: Entry | None = None
         self._size = 0
+        self._turn = threading.Lock()
         flags = os.O_RDWR | os.O_APPEND | os.O_CREAT | os.O_CLOEXEC | os.O_NONBLOCK
         try:
             path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
@@ -66,7 +68,7 @@ class Journal:
         Raises:
             StoreError: it could not be written; nothing must be done that was not announced.
         """
-        with self._locked():
+        with self._turn, self._locked():
             self._catch_up()
             number, before = (self._last.n + 1, self._last.hash) if self._last else (0, "")
             entry, line = written(number, time, what, fields, before)

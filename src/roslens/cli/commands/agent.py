@@ -3,20 +3,30 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import platform
 import signal
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from roslens.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from roslens.live.agent.work import Agent
 
 TEXT = "Sample this host and its ROS processes, and tell what its nodes count, for a monitor."
 EXAMPLES = """\
   roslens agent --new-key ~/.roslens-key        once; copy the file to each host
   roslens agent base.local:7411 --key-file ~/.roslens-key
-  roslens watch --listen 192.168.1.2:7411 --key-file ~/.roslens-key    on the host of the monitor"""
+  roslens watch --listen 192.168.1.2:7411 --key-file ~/.roslens-key    on the host of the monitor
+  roslens agent --enrol keys --name arm         on the monitor's host; copy keys/arm to the host arm, and remove it here
+  roslens agent base.local:7411 --key-file ~/.roslens-key --enrolled ~/arm    it may act, as ~/arm/allow.yaml permits"""
 
 DEFAULT_PORT = 7411
+DEFAULT_REQUESTS_PORT = 7412
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,6 +35,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--key-file", type=Path, metavar="FILE", help="the key that monitor and agents share")
     parser.add_argument("--new-key", type=Path, metavar="FILE", help="write a key of 256 random bits and end")
     parser.add_argument("--make-key", dest="new_key", type=Path, metavar="FILE", help=argparse.SUPPRESS)
+    parser.add_argument("--enrol", type=Path, metavar="FOLDER", help="write what this host and its monitor need to act")
+    parser.add_argument("--enrolled", type=Path, metavar="FOLDER", help="take requests, as allow.yaml in it permits")
+    parser.add_argument(
+        "--requests", metavar="HOST[:PORT]", help=f"who asks (default: the monitor, port {DEFAULT_REQUESTS_PORT})"
+    )
+    parser.add_argument(
+        "--journal", type=Path, metavar="FILE", help="of requests (default: in this user's state folder)"
+    )
     parser.add_argument("--name", default=platform.node(), help="what to call this host (default: its host name)")
     parser.add_argument("--period", type=float, default=1.0, metavar="S", help="seconds between samples (default: 1)")
 
@@ -41,6 +59,16 @@ def run(options: argparse.Namespace) -> int:
         write_key(options.new_key)
         print(f"roslens: wrote {options.new_key}; copy it to each host, readable for its user alone", file=sys.stderr)
         return 0
+    if options.enrol is not None:
+        from roslens.live.agent.enrol import enrol
+
+        place = enrol(options.enrol, options.name)
+        print(
+            f"roslens: copy {place} to {options.name}, write there in allow.yaml what may be done, and remove it here; "
+            f"{options.enrol / 'monitor'} stays: roslens react … --enrolled {options.enrol / 'monitor'}",
+            file=sys.stderr,
+        )
+        return 0
     if options.monitor is None or options.key_file is None:
         raise UsageError(
             "no monitor" if options.monitor is None else "no key",
@@ -54,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def address_of(text: str) -> tuple[str, int]:
+def address_of(text: str, default_port: int = DEFAULT_PORT) -> tuple[str, int]:
     """Read ``host``, ``host:port``, ``[v6]:port`` or a bare IPv6 address.
 
     Raises:
@@ -62,13 +90,23 @@ def address_of(text: str) -> tuple[str, int]:
     """
     host, separator, port = text.rpartition(":")
     if not separator or text.endswith("]") or (":" in host and not host.startswith("[")):
-        host, port = text, str(DEFAULT_PORT)
+        host, port = text, str(default_port)
     if not port.isdigit() or not 0 <= int(port) < 65536 or not host:
         raise UsageError(f"{text!r} is no address", expected="HOST, HOST:PORT or [IPv6]:PORT")
     return host.strip("[]"), int(port)
 
 
 def _work(options: argparse.Namespace, address: tuple[str, int], key: bytes) -> None:
+    ended: list[int] = []
+    signal.signal(signal.SIGTERM, lambda number, _: ended.append(number))
+    with contextlib.ExitStack() as stack:
+        seen = _acting(options, address, stack) if options.enrolled is not None else lambda _: None
+        _agent(options, address, key, seen).run(lambda: bool(ended))
+
+
+def _agent(
+    options: argparse.Namespace, address: tuple[str, int], key: bytes, seen: Callable[[Iterable[int]], None]
+) -> Agent:
     import os
     import time
 
@@ -79,9 +117,7 @@ def _work(options: argparse.Namespace, address: tuple[str, int], key: bytes) -> 
     from roslens.live.agent.work import Agent
     from roslens.live.inside.host_counters import HostCounters
 
-    ended: list[int] = []
-    signal.signal(signal.SIGTERM, lambda number, _: ended.append(number))
-    Agent(
+    return Agent(
         options.name,
         HostSampler(options.name, gpu=gpu_reader()),
         ProcessSampler(options.name),
@@ -90,7 +126,38 @@ def _work(options: argparse.Namespace, address: tuple[str, int], key: bytes) -> 
         wall=time.time,
         steady=time.monotonic,
         period_s=options.period,
-        say=lambda text: print(f"roslens agent: {text}", file=sys.stderr, flush=True),
+        say=_say,
         counters=HostCounters(options.name, os.environ),
         identities=own_identities,
-    ).run(lambda: bool(ended))
+        seen=seen,
+    )
+
+
+def _say(text: str) -> None:
+    print(f"roslens agent: {text}", file=sys.stderr, flush=True)
+
+
+def _acting(
+    options: argparse.Namespace, address: tuple[str, int], stack: contextlib.ExitStack
+) -> Callable[[Iterable[int]], None]:
+    """Take requests until the stack ends; return what is told which processes hold nodes."""
+    import os
+    import time
+
+    from roslens.cli.hold_file import Held
+    from roslens.cli.user_folder import state_folder
+    from roslens.live.agent.acting import Acting
+    from roslens.live.agent.enrol import read_agent
+    from roslens.store.journal import Journal
+
+    requests = (address[0], DEFAULT_REQUESTS_PORT)
+    if options.requests is not None:
+        requests = address_of(options.requests, DEFAULT_REQUESTS_PORT)
+    state = state_folder(os.environ)
+    journal = stack.enter_context(Journal(options.journal or state / "agent-journal.jsonl"))
+    acting = Acting(
+        options.name, requests, read_agent(options.enrolled), journal, say=_say, wall=time.time,
+        output=state / "nodes", held=Held(os.environ),
+    )  # fmt: skip
+    stack.callback(acting.close)
+    return acting.records.keep

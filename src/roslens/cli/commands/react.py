@@ -34,6 +34,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="dry-run: only say it; ask: in the terminal; act: do it (default: dry-run)",
     )  # fmt: skip
     parser.add_argument("--allow", type=Path, metavar="FILE", help="what may be done to processes of this host")
+    parser.add_argument(
+        "--enrolled", type=Path, metavar="FOLDER", help="ask agents that `roslens agent --enrol` enrolled"
+    )
+    parser.add_argument("--agents", metavar="HOST[:PORT]", help="where they connect to (default: 0.0.0.0:7412)")
     parser.add_argument("--journal", type=Path, metavar="FILE", help="default: in the state folder of this user")
     parser.add_argument("--publish-journal", metavar="TOPIC", help="publish each entry in ROS, as JSON in a String")
     held = parser.add_mutually_exclusive_group()

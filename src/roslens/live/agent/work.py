@@ -51,11 +51,12 @@ class Agent:
         counters: Counters | None = None,
         identities: Callable[[], tuple[str, ...]] = tuple,
         spent: Callable[[], float] = time.thread_time,
+        seen: Callable[[Iterable[int]], None] = lambda _: None,
     ) -> None:
         """Work for the monitor at ``address``; ``wall`` is the clock of the host, ``steady`` one that never jumps.
 
         ``counters`` reads what the nodes of the host count, ``identities`` is what identifiers made here begin with,
-        ``spent`` the CPU time that the agent has taken.
+        ``spent`` the CPU time that the agent has taken. ``seen`` is told which processes hold nodes.
 
         Raises:
             LinkError: the key is too short.
@@ -73,6 +74,7 @@ class Agent:
         self._counters = counters
         self._identities = identities
         self._spent = spent
+        self._seen = seen
         self._outbox = Outbox()
         self._offset = ClockOffset()
         self._sequence = 0
@@ -161,6 +163,7 @@ class Agent:
             named = frozenset(nodes) | self._named
             self._processes.name(named)
             processes = with_nodes(processes, nodes)
+        self._seen(one.pid for one in processes)
         identities = self._identities()
         return Graph(
             "", hosts=(self._name,), processes=processes, identities={self._name: identities} if identities else {}

@@ -108,3 +108,22 @@ def test_percentiles_of_a_workspace(tmp_path, capsys, monkeypatch):
     assert main(["percentile", "--quantity", "beauty"]) == 2
     assert 'no quantity "beauty" in the field ros-2026' in capsys.readouterr().err
     assert main(["percentile", "--package", "other"]) == 2
+
+
+def test_evidence_of_a_package(tmp_path, capsys, monkeypatch):
+    (tmp_path / "package.xml").write_text(
+        "<package><name>arm</name><version>2.0.0</version><license>MIT</license></package>"
+    )
+    (tmp_path / "node.py").write_text("# Copyright 2026\n")
+    monkeypatch.chdir(tmp_path)
+    main(["check", "-q", "--fail-on", "never", "-o", "out.json"])
+    capsys.readouterr()
+    assert main(["evidence", "arm"]) == 0
+    out = capsys.readouterr().out
+    assert "✓ met        RRRR  3.iv    states a copyright in each source file" in out
+    assert "✗ not met    RRRR  3.iii   declares its licence" in out
+    page = tmp_path / "page.html"
+    assert main(["evidence", "arm", "--format", "html", "-o", str(page)]) == 0
+    assert "Evidence on arm" in page.read_text()
+    assert main(["evidence", "arms"]) == 2
+    assert 'no package "arms" in this run; expected such as arm' in capsys.readouterr().err

@@ -1,0 +1,1 @@
+"""What shows, in a package and its repository, which requirements of REP-2004 are met."""

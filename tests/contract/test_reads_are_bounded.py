@@ -42,6 +42,7 @@ OWN = {
     "source/syntax/macros.py": "comes with roslens",
     "source/tools/tool_checks.py": "comes with roslens",
     "store/migrate.py": "comes with roslens",
+    "store/postgres/migrate.py": "comes with roslens",
 }
 _WHOLE = {"read_bytes", "read_text"}
 _OPENS = {"open", "fdopen"}

@@ -42,6 +42,7 @@ class Configuration(msgspec.Struct, frozen=True):
     ``fail_on`` is the severity from which findings fail a check (``never`` for none);
     ``gate`` holds conditions besides, and where it is set ``fail_on`` is ``never`` unless it is set too;
     ``engine`` is where packages are measured: here, or on a cluster;
+    ``store`` is a database in which runs are kept, in place of a file;
     ``accept_partial`` lets a check pass although parts of files could not be parsed.
     """
 
@@ -51,6 +52,7 @@ class Configuration(msgspec.Struct, frozen=True):
     accept_partial: bool = False
     jobs: int = 0
     engine: str = ""
+    store: str = ""
     fetch: FetchSettings = FetchSettings()
     path: str = ""
     base: str = ""
@@ -66,6 +68,7 @@ _TOP: dict[str, Any] = {
     "accept_partial": bool,
     "jobs": int,
     "engine": str,
+    "store": str,
     "ignore": tuple[IgnoreRule, ...],
 }
 _TABLES: dict[str, type[msgspec.Struct]] = {
@@ -196,9 +199,13 @@ class _Reader:
             )
         if "gate_roles" in top:
             top["gate_roles"] = tuple(role.value for role in top["gate_roles"])
-        own: dict[str, Any] = {key: top.pop(key) for key in ("accept_partial", "jobs", "engine") if key in top}
+        own: dict[str, Any] = {key: top.pop(key) for key in ("accept_partial", "jobs", "engine", "store") if key in top}
         if "fetch" in document:
             own["fetch"] = self._table("fetch", document["fetch"], FetchSettings)
+        if own.get("store") and not own["store"].startswith(("postgresql://", "postgres://")):
+            raise DocumentError(
+                f"store = {own['store']!r}", where=self._where(("store",)), expected="postgresql://HOST/DATABASE"
+            )
         source = SourceSettings(**top, **tables, options=self._options(document.get("options", {})))
         return Configuration(source, fail_on, gate, path=str(self._path), base=str(self._path.parent), **own)
 

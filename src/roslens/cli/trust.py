@@ -29,10 +29,16 @@ class Trusted(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def code_of(configuration: Configuration) -> tuple[str, ...]:
-    """Return what the configuration would have run: paths of plug-ins and commands of tools, as it names them."""
+    """Return what the configuration would have run: paths of plug-ins, commands of tools, servers."""
     tools = configuration.source.tools.commands
     commands = (f"[tools.{name}] {shlex.join(one.command)}" for name, one in sorted(tools.items()))
-    return (*configuration.source.plugins, *commands)
+    return (*configuration.source.plugins, *commands, *servers_of(configuration))
+
+
+def servers_of(configuration: Configuration) -> tuple[str, ...]:
+    """Return the servers that it names, as it names them: what is found would go there, and what they say is taken."""
+    named = (("store", configuration.store), ("engine", configuration.engine))
+    return tuple(f"{key} = {value}" for key, value in named if "://" in value)
 
 
 def hash_of(configuration: Configuration) -> str:
@@ -49,6 +55,8 @@ def hash_of(configuration: Configuration) -> str:
             # A script of the workspace is what would run, whether it comes first or behind an interpreter.
             if (base / word).is_file():
                 digest.update(_content(base / word))
+    for server in servers_of(configuration):
+        digest.update(f"server {server}\0".encode("utf-8", "surrogateescape"))
     return digest.hexdigest()
 
 
@@ -147,19 +155,21 @@ def admitted(
 
 
 def withheld(configuration: Configuration) -> Configuration:
-    """Return the configuration without its plug-ins and commands, which are named in it as not trusted."""
+    """Return the configuration without servers, plug-ins and commands; the latter are named as not trusted."""
     tools = configuration.source.tools
     tools = msgspec.structs.replace(tools, commands={}, untrusted=tuple(sorted(tools.commands)))
     source = msgspec.structs.replace(
         configuration.source, plugins=(), untrusted=configuration.source.plugins, tools=tools
     )
-    return msgspec.structs.replace(configuration, source=source)
+    engine = "" if "://" in configuration.engine else configuration.engine
+    return msgspec.structs.replace(configuration, source=source, store="", engine=engine)
 
 
 def _question(configuration: Configuration) -> str:
     listed = "".join(f"  {name}\n" for name in code_of(configuration))
     return (
-        f"{configuration.path} names plug-ins or commands, which are programs that would run as you:\n{listed}"
+        f"{configuration.path} names plug-ins or commands, which are programs that would run as you, or servers:\n"
+        f"{listed}"
         f"Trust them as they are now? [y/N] "
     )
 

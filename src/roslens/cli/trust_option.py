@@ -25,11 +25,19 @@ def admitted_by(options: argparse.Namespace, configuration: Configuration) -> Co
         UsageError: what the user trusts cannot be read.
     """
     import os
+    import sys
 
-    if not (configuration.source.plugins or configuration.source.tools.commands):
+    if not (
+        configuration.source.plugins
+        or configuration.source.tools.commands
+        or "://" in configuration.store + configuration.engine
+    ):
         return configuration
-    from roslens.cli.trust import admitted, asked_on_terminal
+    from roslens.cli.trust import admitted, asked_on_terminal, servers_of
 
     quiet = bool(getattr(options, "quiet", False))
     given = bool(getattr(options, "trust", False))
-    return admitted(configuration, given=given, environment=os.environ, ask=asked_on_terminal(quiet=quiet))
+    found = admitted(configuration, given=given, environment=os.environ, ask=asked_on_terminal(quiet=quiet))
+    for server in sorted({*servers_of(configuration)} - {*servers_of(found)}):
+        print(f"roslens: {server} of {configuration.path} is not used until `roslens trust`", file=sys.stderr)
+    return found

@@ -19,6 +19,8 @@ FOLDER = ".roslens"
 STORE = "store.sqlite"
 CACHE = "cache.sqlite"
 ANSWERS = "forges"
+SHARED = "store.shared"
+"""Stands where the runs of a workspace are in a database: a note for people of which."""
 
 
 def add_workspace_argument(parser: argparse.ArgumentParser) -> None:
@@ -48,7 +50,8 @@ def find_folder(start: str) -> Path:
 def some_folder(start: str) -> Path | None:
     """Return the ``.roslens`` folder with a store that ``start`` is in, whoever made it; None where there is none."""
     path = Path(start).resolve()
-    return next((above / FOLDER for above in (path, *path.parents) if (above / FOLDER / STORE).is_file()), None)
+    folders = (above / FOLDER for above in (path, *path.parents))
+    return next((one for one in folders if (one / STORE).is_file() or (one / SHARED).is_file()), None)
 
 
 def own_folder(root: Path) -> Path:
@@ -72,6 +75,9 @@ def open_store(start: str) -> Store:
         UsageError: nothing was checked there yet.
         StoreError: the store cannot be read.
     """
+    from roslens.cli.shared_store import shared_address
     from roslens.store.runs import Store
 
+    if address := shared_address(start):
+        return Store.open_shared(address)
     return Store.open(find_folder(start) / STORE)

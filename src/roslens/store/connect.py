@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from threading import Lock
@@ -49,9 +49,16 @@ class Readers:
     A store in memory has but one connection; there only one thread may read.
     """
 
-    def __init__(self, path: Path | None, main: sqlite3.Connection, wait_s: float) -> None:
-        """``main`` is the connection of the store itself."""
+    def __init__(
+        self,
+        path: Path | None,
+        main: sqlite3.Connection,
+        wait_s: float,
+        open_one: Callable[[], sqlite3.Connection] | None = None,
+    ) -> None:
+        """``main`` is the connection of the store itself; ``open_one`` makes one where the store is no file."""
         self._path = path
+        self._open_one = open_one
         self._main = main
         self._wait_s = wait_s
         self._idle: list[sqlite3.Connection] = []
@@ -67,7 +74,7 @@ class Readers:
         Raises:
             sqlite3.Error: the file cannot be opened, or the store was closed.
         """
-        if self._path is None:
+        if self._path is None and self._open_one is None:
             yield self._main
             return
         with self._lock:
@@ -77,7 +84,9 @@ class Readers:
                 # A copy of the process that opened them must neither use nor close its connections.
                 self._of_parent, self._idle, self._process = self._idle, [], os.getpid()
             connection = self._idle.pop() if self._idle else None
-        if connection is None:
+        if connection is None and self._open_one is not None:
+            connection = self._open_one()
+        elif connection is None:
             connection = connect(self._path, wait_s=self._wait_s, writable=False)
         try:
             yield connection

@@ -9,12 +9,13 @@ from pathlib import Path
 
 from roslens.model.errors import StoreError
 from roslens.store.connect import roll_back
+from roslens.store.postgres.connection import SharedConnection
 from roslens.store.sqlite_errors import as_store_errors
 
 _POLL_MS = 100
 
 
-def claim(connection: sqlite3.Connection, path: Path | None, started: str, wait_s: float) -> None:
+def claim(connection: sqlite3.Connection, path: Path | str | None, started: str, wait_s: float) -> None:
     """Begin the one transaction that may write, or wait for the one that does.
 
     Who holds the lock must be readable by those who wait, so its name is committed first; the lock is then taken
@@ -23,6 +24,16 @@ def claim(connection: sqlite3.Connection, path: Path | None, started: str, wait_
     Raises:
         StoreError: the lock was not free in time; names the process that holds it.
     """
+    if not isinstance(connection, SharedConnection):
+        _claim(connection, path, started, wait_s)
+        return
+    from roslens.store.postgres.claim import claim_shared
+
+    with as_store_errors(path):
+        claim_shared(connection, str(path), started, wait_s)
+
+
+def _claim(connection: sqlite3.Connection, path: Path | str | None, started: str, wait_s: float) -> None:
     me = (os.getpid(), started)
     deadline = time.monotonic() + wait_s
     with as_store_errors(path):
@@ -45,10 +56,15 @@ def claim(connection: sqlite3.Connection, path: Path | None, started: str, wait_
 
 def release(connection: sqlite3.Connection) -> None:
     """Discard what was not committed."""
+    if isinstance(connection, SharedConnection):
+        from roslens.store.postgres.claim import release_shared
+
+        release_shared(connection)
+        return
     roll_back(connection)
 
 
-def _begin(connection: sqlite3.Connection, path: Path | None, deadline: float, wait_s: float) -> None:
+def _begin(connection: sqlite3.Connection, path: Path | str | None, deadline: float, wait_s: float) -> None:
     while True:
         try:
             connection.execute("BEGIN IMMEDIATE")
@@ -61,7 +77,7 @@ def _begin(connection: sqlite3.Connection, path: Path | None, deadline: float, w
             return
 
 
-def _taken(connection: sqlite3.Connection, path: Path | None, wait_s: float) -> StoreError:
+def _taken(connection: sqlite3.Connection, path: Path | str | None, wait_s: float) -> StoreError:
     pid, started = connection.execute("SELECT pid, started FROM writer").fetchone() or ("unknown", "")
     since = f", started {started}" if started else ""
     return StoreError(

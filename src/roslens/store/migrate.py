@@ -29,7 +29,7 @@ def migrate(connection: sqlite3.Connection, path: Path | None, schema: Path = SC
         StoreError: the file belongs to another program, or a newer roslens wrote it.
         sqlite3.Error: a migration failed; the store is as it was before.
     """
-    steps = _migrations(schema)
+    steps = migrations(schema)
     newest = max(steps)
     # In one transaction: between two look-ups another process may make the store.
     connection.execute("BEGIN")
@@ -46,7 +46,7 @@ def migrate(connection: sqlite3.Connection, path: Path | None, schema: Path = SC
         try:
             # Another process may have done it while this one waited for the lock.
             if _checked_version(connection, path, newest) < number:
-                for statement in _statements(steps[number].read_text("utf-8")):
+                for statement in statements(steps[number].read_text("utf-8")):
                     connection.execute(statement)
                 connection.execute(f"PRAGMA application_id = {APPLICATION_ID}")
                 connection.execute(f"PRAGMA user_version = {number}")
@@ -56,7 +56,8 @@ def migrate(connection: sqlite3.Connection, path: Path | None, schema: Path = SC
             raise
 
 
-def _migrations(schema: Path) -> dict[int, Path]:
+def migrations(schema: Path) -> dict[int, Path]:
+    """Return the migrations by their number."""
     return {int(file.name[:4]): file for file in schema.glob("[0-9][0-9][0-9][0-9]_*.sql")}
 
 
@@ -83,7 +84,8 @@ def _checked_version(connection: sqlite3.Connection, path: Path | None, newest: 
     return version
 
 
-def _statements(script: str) -> Iterator[str]:
+def statements(script: str) -> Iterator[str]:
+    """Yield the statements of a migration."""
     statement = ""
     for line in script.splitlines(keepends=True):
         statement += line

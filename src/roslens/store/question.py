@@ -56,7 +56,7 @@ class Conditions:
 class Run:
     """The rows of one complete run."""
 
-    def __init__(self, readers: Readers, path: Path | None, number: int) -> None:
+    def __init__(self, readers: Readers, path: Path | str | None, number: int) -> None:
         """``path`` is that of the store, for messages."""
         self._readers = readers
         self._path = path

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
+from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
@@ -46,12 +47,18 @@ class Store:
     One thread uses the store itself; any number of threads may read through its views (in memory: one).
     """
 
-    def __init__(self, connection: sqlite3.Connection, path: Path | None, wait_s: float) -> None:
-        """Use :meth:`open`."""
+    def __init__(
+        self,
+        connection: sqlite3.Connection,
+        path: Path | str | None,
+        wait_s: float,
+        open_one: Callable[[], sqlite3.Connection] | None = None,
+    ) -> None:
+        """Use :meth:`open` or :meth:`open_shared`."""
         self._connection = connection
         self._path = path
         self._wait_s = wait_s
-        self._readers = Readers(path, connection, wait_s)
+        self._readers = Readers(path if isinstance(path, Path) else None, connection, wait_s, open_one)
 
     @classmethod
     def open(cls, path: Path | None, *, wait_s: float = WAIT_S) -> Store:
@@ -74,6 +81,31 @@ class Store:
                 connection.close()
                 raise
         return cls(connection, path, wait_s)
+
+    @classmethod
+    def open_shared(cls, address: str, *, wait_s: float = WAIT_S) -> Store:
+        """Open the store in a database of PostgreSQL; its tables are made if they are missing.
+
+        Args:
+            address: ``postgresql://…``; ``?schema=NAME`` tells the stores of several workspaces apart.
+            wait_s: how long to wait for the server, and for another process that is writing.
+
+        Raises:
+            UsageError: psycopg is not installed, or the address is none.
+            StoreError: the server does not let in, or a newer roslens wrote the store.
+        """
+        from roslens.store.postgres.connection import connect_shared, shown
+        from roslens.store.postgres.migrate import migrate_shared
+
+        where = shown(address)
+        with as_store_errors(where):
+            connection = connect_shared(address, wait_s=wait_s)
+            try:
+                migrate_shared(connection, where)
+            except BaseException:
+                connection.close()
+                raise
+        return cls(connection, where, wait_s, lambda: connect_shared(address, wait_s=wait_s))
 
     def close(self) -> None:
         """Close the file; views of this store are of no more use."""
@@ -219,7 +251,8 @@ class Store:
                 self._connection.execute("DELETE FROM graph WHERE id NOT IN (SELECT graph FROM configuration)")
                 self._connection.execute("DELETE FROM process WHERE id NOT IN (SELECT process FROM run_process)")
                 self._connection.execute("COMMIT")
-                shrink(self._connection)
+                if isinstance(self._path, Path):
+                    shrink(self._connection)
         finally:
             release(self._connection)
         return removed

@@ -10,7 +10,16 @@ from pathlib import Path
 from roslens.model.errors import StoreError
 from roslens.store.full_disk import full_file_system
 
+SERVER = "database server"
+"""What every error of a shared store's server says."""
+
 _ADVICE = (
+    (
+        SERVER,
+        "the shared store cannot be used",
+        "a server that answers, and a database that may be written",
+        "Run the same command again: what was learned of files is kept on this machine; or run with --no-store",
+    ),
     # (what SQLite's message contains, what was found, what was expected, what to do next)
     (
         "disk is full",
@@ -55,7 +64,7 @@ _PERHAPS_FULL = ("disk is full", "disk I/O error", "unable to open")
 """What SQLite says where there is no room: for the file itself, or for what it writes beside it."""
 
 
-def store_error(path: Path | None, error: Exception) -> StoreError | None:
+def store_error(path: Path | str | None, error: Exception) -> StoreError | None:
     """Return the error in the message form; None for one that only a bug of roslens explains."""
     where = str(path) if path else "the store in memory"
     if isinstance(error, OSError):
@@ -66,7 +75,11 @@ def store_error(path: Path | None, error: Exception) -> StoreError | None:
             advice="Check its permissions, or run with --no-store",
         )
     text = str(error)
-    if any(said in text for said in _PERHAPS_FULL) and (full := full_file_system((path,) if path else ())):
+    if (
+        SERVER not in text
+        and any(said in text for said in _PERHAPS_FULL)
+        and (full := full_file_system((Path(path),) if path else ()))
+    ):
         return StoreError(
             f"the file system is full: {full} ({text!r})",
             where=where,
@@ -80,7 +93,7 @@ def store_error(path: Path | None, error: Exception) -> StoreError | None:
 
 
 @contextmanager
-def as_store_errors(path: Path | None) -> Iterator[None]:
+def as_store_errors(path: Path | str | None) -> Iterator[None]:
     """Turn errors of SQLite inside the block into errors that say what to do.
 
     Raises:

@@ -35,7 +35,7 @@ class RunWriter:
     without :meth:`complete` discards everything, and so does the death of the process.
     """
 
-    def __init__(self, connection: sqlite3.Connection, path: Path | None, started: str, wait_s: float) -> None:
+    def __init__(self, connection: sqlite3.Connection, path: Path | str | None, started: str, wait_s: float) -> None:
         """``started`` tells a waiting process whom it waits for; ``wait_s`` is how long this one waits."""
         self._connection = connection
         self._path = path

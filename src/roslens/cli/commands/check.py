@@ -104,11 +104,11 @@ def run(options: argparse.Namespace) -> int:
 
     from roslens.cli.analysed import analysed
     from roslens.cli.configuration import find_configuration
+    from roslens.cli.shared_store import store_for
     from roslens.model.errors import UsageError
     from roslens.model.tags import parse_tags
     from roslens.report.reported import Wanted
     from roslens.source.workspace.find import root_of
-    from roslens.store.runs import Store
 
     begun = time.monotonic()
     tags = parse_tags(options.tag or "")
@@ -128,7 +128,7 @@ def run(options: argparse.Namespace) -> int:
         return take_back(options, root)
     unchanged = unchanged_files(options, root)
     kept = None if options.no_store or unchanged is not None else own_folder(root) / STORE
-    with Store.open(kept) as store:
+    with store_for(kept, configuration) as store:
 
         def look() -> tuple[Answer, Scope]:
             answer = analysed(

@@ -1,8 +1,9 @@
-"""Makes a reference of a specification of ARNI, and says what became of each of its lines.
+"""Makes a reference of a file of ARNI, and says what became of each of its lines.
 
 ARNI keeps lists of ``<id>: {<field>: <limits>}`` at ``/arni/specifications``, one list or one under each of several
 names. Ids are ``h!host``, ``n!node``, ``t!topic`` and ``c!subscriber!topic!publisher``. Limits are ``[low, high]`` in
-any order, or ``[centre, part, relative]``, or a list of such.
+any order, or ``[centre, part, relative]``, or a list of such. Its countermeasures become reactions
+(``import_arni_reactions.py``).
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from roslens.judge.arni_fields import FIELDS, ArniField, field_of
 from roslens.judge.arni_ids import Selected, read_id
 from roslens.judge.arni_limits import number_of, read_limits
 from roslens.judge.document import described
+from roslens.judge.import_arni_reactions import has_countermeasures, reactions_of
 from roslens.judge.yaml_tree import Items, Node, Place, Table, Tree, read_tree
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
@@ -82,6 +84,8 @@ def imported(tree: Tree, name: str, known: Mapping[str, Quantity]) -> tuple[str,
     slug = re.sub(r"[^a-z0-9_-]+", "-", name.lower()).strip("-_0123456789")[:60] or "imported"
     lines = ["kind: reference", f"name: {slug}", f"title: {_quoted(f'Imported from {Path(tree.shown).name}')}"]
     lines += ["constraints:" if work.constraints else "constraints: []", *work.text()]
+    if reactions := reactions_of(tree.root, work.tell):
+        lines += ["reactions:", *reactions]
     return "\n".join(lines) + "\n", tuple(sorted(work.entries, key=lambda entry: work.order[entry.place]))
 
 
@@ -106,10 +110,13 @@ class _Import:
         self._known = known
         self._seen: dict[tuple[tuple[str, str], ...], str] = {}
         self._said: dict[tuple[object, ...], tuple[_Constraint, str]] = {}
+        self._specified = False
 
     def modules(self) -> Iterator[tuple[str, Items]]:
         """Yield the lists of the specification by name; the name of a list alone is empty."""
         node = self._specifications(self._tree.root)
+        if has_countermeasures(self._tree.root) and not self._specified:
+            return
         if isinstance(node, Items):
             yield "", node
             return
@@ -152,16 +159,18 @@ class _Import:
                 inner = next((one for one in (f"/{key}", key, f"{key}/") if one in node.nodes), "")
                 both = next((one for one in ("/arni/specifications", "arni/specifications") if one in node.nodes), "")
                 if both:
+                    self._specified = True
                     self._others(node, both)
                     return node.nodes[both]
                 if inner:
+                    self._specified = self._specified or key == "specifications"
                     self._others(node, inner)
                     node = node.nodes[inner]
         return node
 
     def _others(self, table: Table, taken: str) -> None:
         for key, place in table.keys.items():
-            if key != taken:
+            if key != taken and key.strip("/") not in ("countermeasure", "arni/countermeasure"):
                 self._tell(place, Outcome.LEFT_OUT, key, "it is no part of the specifications")
 
     def _entity(self, module: str, seuid: str, fields: Node, place: Place) -> None:
@@ -244,6 +253,10 @@ class _Import:
         self._said[theme] = (constraint, self._where(place))
         constraint.lines.update(lines)
         return note
+
+    def tell(self, place: Place, outcome: str, what: str, why: str) -> None:
+        """Keep what became of a line."""
+        self._tell(place, Outcome(outcome), what, why)
 
     def _where(self, place: Place) -> str:
         where = str(self._tree.location(place))

@@ -73,6 +73,9 @@ def fixed_scope(
         scope = look()
         if result.failures:
             break
+    if options.each:
+        options.each = False
+        scope = look()
     failures = tuple(dict.fromkeys(failure for result in results for failure in result.failures))
     tell(options, summary(results), ())
     if any(result.files for result in results) and not options.quiet:

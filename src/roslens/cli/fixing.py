@@ -20,6 +20,7 @@ from roslens.model.finding import Finding
 from roslens.source.fix.last_fix import FILE_NAME, LastFix, keep_last_fix, take_back
 from roslens.source.fix.mended_files import Left, Mended, mended
 from roslens.source.fix.write_files import write_files
+from roslens.source.tools.tool_edits import with_tool_edits
 
 if TYPE_CHECKING:
     from roslens.cli.check_scope import Scope
@@ -30,9 +31,9 @@ MOST_REASONS = 4
 """Reasons for what is left that the summary names."""
 
 
-def is_meant(finding: Finding, options: argparse.Namespace) -> bool:
-    """Return whether a finding that has a fix is to be mended: it counts, and its rule is one that was asked for."""
-    if not finding.edits or not finding.gated:
+def is_asked_for(finding: Finding, options: argparse.Namespace) -> bool:
+    """Return whether a finding is to be mended, if it has a fix: it counts, and its rule is one that was asked for."""
+    if not finding.gated:
         return False
     return not options.fix_rule or any(fnmatchcase(finding.rule, one) for one in options.fix_rule)
 
@@ -44,23 +45,27 @@ def mended_scope(options: argparse.Namespace, root: Path, configuration: Configu
         RoslensError: the workspace cannot be looked at again.
     """
     view, tags = scope.shown, scope.wanted.tags
-    owned = [(package, one) for package, one in view.owned_findings(tags) if is_meant(one, options)]
-    if not owned:
-        return Mended()
     files = {file.path: file for _, file in view.files()}
+    settings = settings_of(options, configuration, os.environ)
+    shown = [one for _, one in view.owned_findings(tags) if is_asked_for(one, options)]
+    found, failures = with_tool_edits(shown, files, str(root), settings)
+    owned = [one for one in found if one.edits]
+    if not owned:
+        return Mended(failures=failures)
     packages = {file.path: package for package, file in view.files()}
     looker = _Looker(options, root, configuration, files, packages)
-    first = {one.path for _, one in owned}
+    first = {one.path for one in owned}
     # A finding that another one brought to light is mended where those of the run are: in these files, of these tags.
     narrow = options.changed is not None or options.new_only
-    rules = {one.rule for _, one in owned}
+    rules = {one.rule for one in owned}
 
     def again(texts: Mapping[str, bytes]) -> Iterator[Finding]:
         for one in looker.look(texts):
-            if is_meant(one, options) and tags.matches(one.tags) and (not narrow or _is_near(one, first, rules)):
+            if is_asked_for(one, options) and tags.matches(one.tags) and (not narrow or _is_near(one, first, rules)):
                 yield one
 
-    return mended((one for _, one in owned), files, root, configuration.source.macros, again)
+    result = mended(owned, files, root, settings.macros, again)
+    return msgspec.structs.replace(result, failures=(*failures, *result.failures))
 
 
 def _is_near(finding: Finding, paths: set[str], rules: set[str]) -> bool:

@@ -33,7 +33,10 @@ def add_tools_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def with_tools(options: argparse.Namespace, settings: SourceSettings) -> SourceSettings:
-    """Return the settings with the tools and SARIF files of the command line."""
+    """Return the settings with the tools and SARIF files of the command line.
+
+    ``options.each`` is there where findings about layout are wanted one by one: to mend them.
+    """
     import msgspec
 
     tools = settings.tools
@@ -47,6 +50,8 @@ def with_tools(options: argparse.Namespace, settings: SourceSettings) -> SourceS
         # Those of the configuration start from its folder, these from the current one.
         here = tuple(str(Path(name).absolute()) for name in imports)
         tools = msgspec.structs.replace(tools, imports=(*tools.imports, *here))
+    if getattr(options, "each", False):
+        tools = msgspec.structs.replace(tools, layout="each")
     return msgspec.structs.replace(settings, tools=tools)
 
 

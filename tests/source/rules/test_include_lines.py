@@ -10,7 +10,7 @@ def lines_of(text):
 
 
 def with_header(text, header, own=""):
-    at, added = place_for_standard(lines_of(text), header, own=own)
+    at, added = place_for_standard(text.encode(), lines_of(text), header, own=own)
     return text[:at] + added + text[at:]
 
 
@@ -28,7 +28,12 @@ def test_conditions_are_known_and_a_guard_is_none():
     [
         ("#include <a>\n#include <z>\n", "", "#include <a>\n#include <m>\n#include <z>\n"),
         ("#include <a>\n\n#include <b>\n", "", "#include <a>\n#include <m>\n\n#include <b>\n"),
-        ('#include "x/arm.hpp"\n#include "b.h"\n', "arm", '#include "x/arm.hpp"\n\n#include <m>\n#include "b.h"\n'),
+        ('#include "x/arm.hpp"\n#include "b.h"\n', "arm", '#include "x/arm.hpp"\n\n#include <m>\n\n#include "b.h"\n'),
+        ('#include "x/arm.hpp"\n\n#include "b.h"\n', "arm", '#include "x/arm.hpp"\n\n#include <m>\n\n#include "b.h"\n'),
+        ("#include <x/arm.h>\n", "arm", "#include <m>\n\n#include <x/arm.h>\n"),
+        ('int a;\n\n// of b\n#include "b.h"\n', "", 'int a;\n\n#include <m>\n\n// of b\n#include "b.h"\n'),
+        ('// of all\n#include "b.h"\n', "", '// of all\n#include <m>\n\n#include "b.h"\n'),
+        ('*/\n// of b\n#include "b.h"\n', "", '*/\n// of b\n#include <m>\n\n#include "b.h"\n'),
         ('#include "b.h"\n', "arm", '#include <m>\n\n#include "b.h"\n'),
         ("#pragma once\nint a;\n", "", "#pragma once\n\n#include <m>\nint a;\n"),
         ("// of me\nint a;\n", "", "// of me\n\n#include <m>\nint a;\n"),

@@ -157,6 +157,7 @@ def run(options: argparse.Namespace) -> int:
             options.fail_on or configuration.fail_on,
             configuration.accept_partial if options.accept_partial is None else options.accept_partial,
         )
+        options.each = (options.fix or options.diff) and bool(options.tools or configuration.source.tools.use)
         outcome, scope = look()
         if options.diff:
             return show_diff(options, root, configuration, scope)

@@ -94,14 +94,15 @@ def include_lines(content: bytes, code: bytes) -> IncludeLines:
     return IncludeLines(tuple(found), tuple(other), top)
 
 
-def place_for_standard(lines: IncludeLines, header: str, *, own: str = "") -> tuple[int, str]:
+def place_for_standard(content: bytes, lines: IncludeLines, header: str, *, own: str = "") -> tuple[int, str]:
     """Return where a header of the C++ library is best included, and the text that includes it there.
 
     It comes into the first group of such headers in the order of names, else behind the own header of the file, else
     before the first include.
 
     Args:
-        lines: of the file.
+        content: of the file.
+        lines: of it.
         header: name without angles.
         own: stem of the names of the file and its own header.
     """
@@ -115,9 +116,25 @@ def place_for_standard(lines: IncludeLines, header: str, *, own: str = "") -> tu
     if not lines.firm:
         return lines.top, f"\n{text}"
     first = lines.firm[0]
-    if own and first.name.strip('<>"').rpartition("/")[2].partition(".")[0] == own:
-        return first.end, f"\n{text}"
-    return first.start, f"{text}\n"
+    if own and first.name.startswith('"') and first.name.strip('"').rpartition("/")[2].partition(".")[0] == own:
+        blank = "" if content[first.end : first.end + 2].lstrip(b"\r")[:1] in (b"", b"\n") else "\n"
+        return first.end, f"\n{text}{blank}"
+    return above_comments(content, first.start), f"{text}\n"
+
+
+def above_comments(content: bytes, start: int) -> int:
+    """Return the beginning of a line, or of the comments of a line each that stand right above it and are about it.
+
+    A comment that reaches up to where the file begins is about the file.
+    """
+    at = start
+    while at:
+        before = content.rfind(b"\n", 0, at - 1) + 1
+        line = content[before:at].strip()
+        if not line.startswith(b"//"):
+            return at if not line else start
+        at = before
+    return start
 
 
 def _first_group(standard: Sequence[IncludeLine]) -> Sequence[IncludeLine]:

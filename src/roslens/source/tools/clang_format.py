@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from roslens.model.edit import Edit, edit_at
 from roslens.model.source import SourceFile
 from roslens.plugins.points import Option
 from roslens.source.tools.run_tool import Ended, ToolError
 from roslens.source.tools.settings_files import SettingsFiles
-from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, own_paths, unreadable
+from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, ToolFix, below_root, own_paths, unreadable
+from roslens.source.tools.xml_output import number, xml_root
 
 _FINDING = re.compile(
     r"(?P<path>.+?):(?P<line>\d+):(?P<column>\d+): \w+: (?P<message>.*) \[-Wclang-format-violations\]$"
@@ -33,6 +36,7 @@ class ClangFormat(Tool):
     oldest = (10,)
     settings_files = (".clang-format", "_clang-format", ".clang-format-ignore")
     clean_codes = frozenset({0})
+    fixes_at_once = 1
     options = (Option("style", "str", "Google, LLVM …, or `file` for the .clang-format above each file.", FILE),)
 
     def prepared(self, root: str, files: Sequence[SourceFile], options: Mapping[str, Any]) -> Any:
@@ -73,6 +77,24 @@ class ClangFormat(Tool):
             raise unreadable(ended.stderr, "`Formatting FILE` for each file")
         skipped = {path: "it does not say that it looked at it" for path in own_paths(request) if path not in passed}
         return Reading(tuple(found.values()), skipped)
+
+    def words_for_fixes(self, request: Request) -> list[str]:
+        """Return the call that tells replacements as XML."""
+        style = request.options["style"]
+        words = ["--output-replacements-xml", f"--style={style}", "--fallback-style=none", "--", *request.files]
+        return [request.program, *words]
+
+    def read_fixes(self, ended: Ended, request: Request, contents: Mapping[str, bytes]) -> Iterator[ToolFix]:
+        """Yield the replacements of one file, those that begin in one line together."""
+        (path,) = own_paths(request)
+        content = contents[path]
+        by_line: dict[int, list[Edit]] = defaultdict(list)
+        for one in xml_root(ended.stdout, "replacements").iter("replacement"):
+            start = number(one.get("offset"))
+            edit = edit_at(content, start, start + number(one.get("length")), one.text or "", path)
+            by_line[edit.line].append(edit)
+        for line, edits in sorted(by_line.items()):
+            yield ToolFix(path, line, 0, CHECK, tuple(edits))
 
 
 plugin = ClangFormat()

@@ -2,20 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import msgspec
 
+from roslens.model.edit import Edit, edit_at
 from roslens.plugins.points import Option
 from roslens.source.tools.run_tool import Ended
-from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, below_root, unreadable
+from roslens.source.tools.tool import Reading, Request, Tool, ToolFinding, ToolFix, below_root, unreadable
 
 _SYNTAX = "syntax-error"
+_MARK = b"\xef\xbb\xbf"
 
 
 class _Place(msgspec.Struct, frozen=True):
     row: int
     column: int
+
+
+class _Edit(msgspec.Struct, frozen=True):
+    content: str
+    location: _Place
+    end_location: _Place
+
+
+class _Fix(msgspec.Struct, frozen=True):
+    applicability: str
+    edits: tuple[_Edit, ...] = ()
 
 
 class _Finding(msgspec.Struct, frozen=True):
@@ -25,6 +38,7 @@ class _Finding(msgspec.Struct, frozen=True):
     code: str | None = None
     name: str | None = None
     end_location: _Place | None = None
+    fix: _Fix | None = None
 
 
 class Ruff(Tool):
@@ -40,6 +54,7 @@ class Ruff(Tool):
     settings_files = ("pyproject.toml", "ruff.toml", ".ruff.toml")
     parallel = False
     at_once = 4000
+    fixes_at_once = 4000
     options = (
         Option("select", "list", "Rules or families; empty: what the project's settings say, or ruff's own.", []),
     )
@@ -66,6 +81,38 @@ class Ruff(Tool):
         except msgspec.DecodeError:
             raise unreadable(ended.stdout, "a JSON array of findings") from None
         return Reading(tuple(_once_where_unreadable(tuple(_finding(one, request.root) for one in found))))
+
+    def read_fixes(self, ended: Ended, request: Request, contents: Mapping[str, bytes]) -> Iterator[ToolFix]:
+        """Yield the fixes that ruff calls safe; of a file with a byte order mark or other line ends none."""
+        try:
+            found = msgspec.json.decode(ended.stdout, type=list[_Finding])
+        except msgspec.DecodeError:
+            raise unreadable(ended.stdout, "a JSON array of findings") from None
+        for one in found:
+            path = below_root(one.filename, request.root)
+            content = contents.get(path)
+            if content is None or one.fix is None or one.fix.applicability != "safe" or one.code is None:
+                continue
+            if content.startswith(_MARK) or b"\r" in content or b"\x0c" in content:
+                continue
+            lines = content.splitlines(keepends=True)
+            try:
+                edits = tuple(_edit(edit, content, lines, path) for edit in one.fix.edits)
+            except UnicodeDecodeError:
+                continue
+            yield ToolFix(path, one.location.row, one.location.column, one.code, edits)
+
+
+def _edit(one: _Edit, content: bytes, lines: list[bytes], path: str) -> Edit:
+    start, end = _offset(one.location, lines), _offset(one.end_location, lines)
+    return edit_at(content, start, end, one.content, path)
+
+
+def _offset(place: _Place, lines: list[bytes]) -> int:
+    """Return the offset of a place that ruff counts in lines and letters, both from 1."""
+    before = sum(map(len, lines[: place.row - 1]))
+    line = lines[place.row - 1] if place.row <= len(lines) else b""
+    return before + len(line.decode()[: place.column - 1].encode())
 
 
 def _finding(one: _Finding, root: str) -> ToolFinding:

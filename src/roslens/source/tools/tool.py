@@ -14,6 +14,7 @@ from typing import Any
 
 import msgspec
 
+from roslens.model.edit import Edit
 from roslens.model.source import Role, SourceFile
 from roslens.plugins.points import INTERFACE_VERSION, Manifest, Option
 from roslens.source.tools.run_tool import Ended, ToolError, ended_how
@@ -74,6 +75,19 @@ class Reading(msgspec.Struct, frozen=True):
     trouble: tuple[str, ...] = ()
 
 
+class ToolFix(msgspec.Struct, frozen=True):
+    """What mends a finding of a tool: the finding's place as the tool tells it, and the edits of its file.
+
+    A ``column`` of 0 is any: what the tool reports once a line is mended as a whole.
+    """
+
+    path: str
+    line: int
+    column: int
+    check: str
+    edits: tuple[Edit, ...]
+
+
 class Tool(ABC):
     """A foreign tool; a subclass is one file in this folder."""
 
@@ -112,6 +126,9 @@ class Tool(ABC):
 
     asks_the_net = False
     """Whether it fetches anything: ``all`` does not stand for such a tool, it must be named."""
+
+    fixes_at_once = 0
+    """Files that one call which asks for fixes gets at most; 0 for a tool that has none, or none that are safe."""
 
     clean_codes: frozenset[int] = frozenset({0, 1})
     """Exit codes of a call that did its work."""
@@ -172,6 +189,18 @@ class Tool(ABC):
         Raises:
             ToolError: the output is none of this tool.
         """
+
+    def words_for_fixes(self, request: Request) -> list[str]:
+        """Return the call that tells fixes."""
+        return self.words(request)
+
+    def read_fixes(self, ended: Ended, request: Request, contents: Mapping[str, bytes]) -> Iterable[ToolFix]:  # noqa: ARG002 - most tools have none
+        """Return the safe fixes that such a call tells of files with these contents, by path.
+
+        Raises:
+            ToolError: the output is none of this tool.
+        """
+        return ()
 
     def checked(self, ended: Ended) -> Ended:
         """Return what a call left.

@@ -57,7 +57,7 @@ def _missing(path: str, content: bytes, included: set[str]) -> Iterator[Hit]:
         line = code.count(b"\n", 0, match.start()) + 1
         message = f"`std::{name}` without `<{header}>`; expected `#include <{header}>`"
         lines = lines or include_lines(content, code)
-        at, text = place_for_standard(lines, header, own=PurePosixPath(path).stem)
+        at, text = place_for_standard(content, lines, header, own=PurePosixPath(path).stem)
         edits = (edit_at(content, at, at, text, path),) if at <= match.start() else ()
         yield Hit("cpp.missing_include", message, line, context=header, path=path, edits=edits)
 

@@ -10,7 +10,7 @@ from roslens.model.edit import Edit, edit_at
 from roslens.model.finding import Severity
 from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.include_lines import include_lines
+from roslens.source.rules.include_lines import above_comments, include_lines
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 from roslens.source.syntax.comments import blank_comments
@@ -69,9 +69,11 @@ def _moved(content: bytes, name: str, path: str) -> tuple[Edit, ...]:
     end = own.end
     if content[: own.start].replace(b"\r", b"").endswith(b"\n\n") and content[end : end + 2].lstrip(b"\r")[:1] == b"\n":
         end = content.index(b"\n", end) + 1
-    blank = "" if content[first.end : first.end + 2].lstrip(b"\r")[:1] == b"\n" and own == lines.lines[1] else "\n"
+    at = above_comments(content, first.start)
+    is_next = own == lines.lines[1] and at == first.start
+    blank = "" if is_next and content[first.end : first.end + 2].lstrip(b"\r")[:1] == b"\n" else "\n"
     return (
-        edit_at(content, first.start, first.start, f"{text}\n{blank}", path),
+        edit_at(content, at, at, f"{text}\n{blank}", path),
         edit_at(content, own.start, end, "", path),
     )
 

@@ -114,6 +114,7 @@ def _cmake(content: bytes) -> None:
 def _yaml(content: bytes) -> None:
     from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
     from roslens.judge.read_reference import GivenText, load_reference
+    from roslens.judge.read_time_line import parse_time_lines
     from roslens.live.signals import BY_KEY
     from roslens.model.errors import RoslensError
     from roslens.source.extract.parameter_file import ros1_parameters, ros2_parameters
@@ -123,6 +124,7 @@ def _yaml(content: bytes) -> None:
         (lambda text: ros1_parameters(text, "a.yaml"), RoslensError),
         (lambda text: ros2_parameters(text, "a.yaml"), RoslensError),
         (lambda text: load_reference([GivenText("a.yaml", text)], BY_KEY), RoslensError),
+        (lambda text: parse_time_lines(text, "a.yaml"), RoslensError),
     ):
         try:
             read(content)

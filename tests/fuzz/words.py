@@ -28,7 +28,8 @@ CMAKE = (
 YAML = (
     "a: - [ ] { } , & &a *a !! !!python/object:os.system !!binary | > |2- ' \" # --- ... ? <<: *a ~ null "
     ".inf .nan 1e999 0x 0o7 1_000 2001-01-01 12:30:45 \n \n   \n- \t % @ ` ros__parameters: /**: kind: "
-    "select: rate: constraints: \ufeff \x00 ÿ \u2028"
+    "select: rate: constraints: reactions: when: all: any: not: at_least: among: within: is: gone for: 1s do: "
+    "restart: {entity} verify: given: at: expect: \ufeff \x00 ÿ \u2028"
 )
 BAG = (
     "#ROSBAG V2.0\n op=\x02 op=\x03 op=\x04 op=\x05 op=\x06 op=\x07 conn= time= compression=bz2 "

@@ -117,7 +117,10 @@ def decision_lines(decision: Decision, start: float) -> list[str]:
 
 
 def _words(because: Because, start: float, at: float) -> str:
-    value = "" if because.value is None else f" ({because.quantity} {because.value:.6g})"
+    from roslens.live.react.value_words import value_words
+
+    shown = value_words(because.value, because.quantity)
+    value = f" ({because.quantity} {shown})" if shown else ""
     since = f" since {because.since - start:.2f} s" if start <= because.since < at else ""
     evidence = f": {because.evidence}" if because.evidence else ""
     return f"{because.entity} is {because.state}{value}{since}{evidence}"

@@ -14,7 +14,7 @@ FIELDS = {
     "host": "host on which it is",
     "state": "how it stands: `absent`, `low`, `gone`…",
     "signal": "key of the signal that is wrong",
-    "value": "value that was judged, in the unit of the signal",
+    "value": "value that was judged, with its unit",
     "since": "for how many seconds it has been so",
     "cause": "name of the first cause",
     "evidence": "what shows it, in words",

@@ -142,3 +142,22 @@ def test_explain_for_programs(base: Path, recorded: str, capsys: pytest.CaptureF
     assert main(["reference", "explain", str(base), "topic:/cmd_vel", "--bag", recorded, "--json"]) == 0
     (wrong,) = json.loads(capsys.readouterr().out)["wrong"]
     assert (wrong["state"], wrong["first_cause"], round(wrong["at"])) == ("low", True, 60)
+
+
+def test_check_lists_reactions_and_refuses_actions_on_what_is_not_in_a_graph(
+    base: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+):
+    base.write_text(
+        "kind: reference\nname: base\nreactions:\n"
+        "- {id: lidar, when: {node: /lidar, is: gone}, do: [{notify: gone}, {restart: /lidar}]}\n"
+    )
+    assert main(["reference", "check", str(base)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[-2].split() == ["base.lidar", "notify", "→", "restart", f"{base}:4:3"]
+    assert lines[-1] == "1 reaction"
+    graph = tmp_path / "graph.yaml"
+    graph.write_text("nodes:\n- name: /lidar\n")
+    assert main(["reference", "check", "-q", str(base), "--graph", str(graph)]) == 0
+    graph.write_text("nodes:\n- name: /lidar_driver\n")
+    assert main(["reference", "check", "-q", str(base), "--graph", str(graph)]) == 2
+    assert f"roslens: {base}:4:69: `restart` of '/lidar'; expected a node that is there" in capsys.readouterr().err

@@ -22,6 +22,7 @@ TEXT = "Check, explain, draft, test, mutate or import references: documents that
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
   roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
+  roslens reference check robot.yaml --graph graph.yaml      and refuse actions on what is not there
   roslens reference explain base.yaml topic:/scan
   roslens reference explain base.yaml topic:/scan --bag drive.bag    and what was wrong with it there, and why
   roslens reference draft --bag drive.bag -o robot.yaml
@@ -48,6 +49,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     check.add_argument("files", nargs="+", metavar="FILE", help="references, later ones taking precedence")
     check.add_argument(
         "--bag", type=Path, nargs="+", metavar="FILE", help="say what of it is about nothing in a recording"
+    )
+    check.add_argument(
+        "--graph", metavar="GRAPH", help="refuse what is not in a graph: of a run, `3:drive.launch.xml`, or in a file"
     )
     check.add_argument("-q", "--quiet", action="store_true", help="no table of what is expected")
     check.set_defaults(act=_check)
@@ -90,22 +94,41 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _check(options: argparse.Namespace) -> int:
+    from roslens.cli.reference_reactions import reactions_table
+
     merged = _merged(options.files)
     for contradiction in merged.contradictions:
         print(f"roslens: {contradiction.error()}", file=sys.stderr)
     if not options.quiet:
         print(_table(merged))
-    for text in _about_nothing(merged, options.bag) if options.bag else ():
+        if reactions := reactions_table(merged.reference.reactions):
+            print(reactions)
+    for text in _about_nothing(merged, options) if options.bag or options.graph else ():
         print(f"roslens: {text}", file=sys.stderr)
     return BAD_INPUT if merged.contradictions else CLEAN
 
 
-def _about_nothing(merged: Merged, bag: Sequence[Path]) -> list[str]:
+def _about_nothing(merged: Merged, options: argparse.Namespace) -> list[str]:
     from roslens.cli.about_nothing import RECORDED
+    from roslens.cli.reference_reactions import given_graph
     from roslens.judge.unmatched import subjects_of, unmatched
+    from roslens.judge.unmatched_reactions import refuse_unknown_targets, unmatched_statements
     from roslens.live.adapters.bag.open_bag import open_bag
+    from roslens.model.entity import EntityKind
 
-    return [str(one) for one in unmatched(merged.reference, subjects_of(open_bag(bag).graph()), RECORDED)]
+    reference = merged.reference
+    told: list[str] = []
+    if options.graph:
+        there = subjects_of(given_graph(options.graph))
+        refuse_unknown_targets(reference.reactions, there)
+        known = (EntityKind.NODE, EntityKind.TOPIC, EntityKind.CONNECTION, EntityKind.SERVICE)
+        told += [str(one) for one in unmatched(reference, there, known)]
+        told += unmatched_statements(reference.reactions, there, known)
+    if options.bag:
+        there = subjects_of(open_bag(options.bag).graph())
+        told += [str(one) for one in unmatched(reference, there, RECORDED)]
+        told += unmatched_statements(reference.reactions, there, RECORDED)
+    return told
 
 
 def _explain(options: argparse.Namespace) -> int:

@@ -14,6 +14,7 @@ from roslens.live.react.chain import Chain, Stage
 from roslens.live.react.evaluation import Chosen, Evaluation
 from roslens.live.react.known import Known
 from roslens.live.react.truth import Truth
+from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
 from roslens.live.session import Step
 from roslens.model.condition import Matching, Stated
@@ -215,7 +216,7 @@ class Reactor:
             **known,
             "state": shown.state,
             "signal": shown.quantity,
-            "value": "" if shown.value is None else f"{shown.value:.6g}",
+            "value": value_words(shown.value, shown.quantity),
             "since": f"{max(self._now - shown.since, 0.0):.1f}",
             "evidence": shown.evidence,
         }

@@ -22,6 +22,7 @@ from roslens.cli.until_stopped import when_stopped
 from roslens.cli.user_folder import state_folder
 from roslens.cli.watch_live import length_of, sources_of
 from roslens.cli.watch_screen import time_of_day
+from roslens.live.publish.json_lines import verdict_line
 from roslens.live.session import Session, Step, run
 from roslens.model.errors import DocumentError, UsageError
 
@@ -102,7 +103,8 @@ class _Telling:
         from roslens.report.journal_text import journal_line
 
         entry = self._journal.add(what, time, **fields)
-        text = msgspec.json.encode(entry).decode()
+        told = msgspec.to_builtins(entry)
+        text = msgspec.json.encode({"is": "journal", **told}).decode()
         print(text if self._json else journal_line(entry, time_of_day), flush=True)
         self.publish(text)
         return entry
@@ -153,7 +155,13 @@ class _Reacting:
             references=[str(one) for one in self._options.reference],
         )  # fmt: skip
         try:
-            run(session, sources, wall=time.time, stopped=stretch.over, told=partial(self._told, actor, here))
+            run(
+                session,
+                [*sources, _Wakes(hands)],
+                wall=time.time,
+                stopped=stretch.over,
+                told=partial(self._told, actor, here),
+            )
         finally:
             self._journal.add("ended", time.time(), text="nothing is done any more")
         for failure in never_saw(sources, stretch.passed):
@@ -166,6 +174,9 @@ class _Reacting:
             self._log.append(f"{time_of_day(step.time)} {failure}")
             if not self._options.quiet:
                 print(f"roslens: {failure}", file=sys.stderr)
+        if self._options.json and self._options.verbose:
+            for one in step.changes:
+                print(verdict_line(one), flush=True)
         self._log.extend(f"{time_of_day(one.time)} {one.entity} {one.change.value} {one.detail}" for one in step.events)
         self._log.extend(
             f"{time_of_day(one.time)} {one.entity} {one.quantity} {one.state.value}" for one in step.changes
@@ -193,7 +204,7 @@ class _Reacting:
         lines = [_ros_line(tool, self._options) for tool in tools]
         hands = AllHands(
             lines, self._places, platform.node(), here=here.hand if here is not None else None,
-            far=self._far_agents(), monitor=self._by_monitor,
+            far=self._far_agents(), recordings=self._folder / "recordings", monitor=self._by_monitor,
         )  # fmt: skip
         if here is not None:
             here.told = hands.told
@@ -252,6 +263,20 @@ class _Reacting:
             time.sleep(0.02)
         for place, why in hands.unready().items():
             raise DocumentError(f"what is to be done cannot be: {why}", where=place)
+
+
+class _Wakes:
+    """A source that has nothing to tell, and ends the session's waiting when something was carried out."""
+
+    def __init__(self, hands: AllHands) -> None:
+        self.descriptors = hands.descriptors
+
+    def poll(self, _: float) -> tuple[()]:
+        """Return nothing."""
+        return ()
+
+    def close(self) -> None:
+        """Nothing is open."""
 
 
 class _Here:

@@ -50,7 +50,10 @@ class ScriptedRos:
     def log(self, level, text):
         self._did("log", level, text)
 
-    def record(self, key, patterns, before_s, path, after_s):
+    def ready_to_log(self):
+        self._did("ready to log")
+
+    def record(self, patterns, before_s, path, after_s):
         self._did("record", patterns, before_s, path, after_s)
         return "recorded"
 
@@ -120,6 +123,18 @@ def test_notices_go_where_they_are_asked_for(act):
         2,
         "roslens reaction: r",
     )
+
+
+def test_what_was_said_is_kept_from_the_beginning_and_written_when_it_is_asked_for(act):
+    acting = act()
+    told = {"topics": ["/scan", "/tf*"], "before": 5.0, "after": 0.0}
+    assert acting.order("record", verb=Verb.PREPARE, **told).done
+    assert acting.order("record", **told, path="/x/r.mcap").text == "recorded"
+    assert acting.ros.did == [
+        ("record", ("/scan", "/tf*"), 5.0, "", 0.0),
+        ("record", ("/scan", "/tf*"), 5.0, "/x/r.mcap", 0.0),
+    ]
+    assert "up to 120 s each" in acting.order("record", verb=Verb.PREPARE, **{**told, "after": 1000.0}).text
 
 
 @pytest.mark.parametrize("value", [{"a": 1}, [1, "a"], None])

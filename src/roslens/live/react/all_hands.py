@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import queue
+import re
 import threading
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Protocol
 
 from roslens.live.react.actor import CarriedOut
@@ -18,6 +20,14 @@ from roslens.model.errors import RoslensError
 from roslens.model.host_request import HostRequest
 from roslens.model.order import Verb
 from roslens.model.reaction import ActionCall, Decision, Reaction
+
+_NAME = re.compile(r"[^A-Za-z0-9._-]+")
+
+
+def name_of(decision: Decision) -> str:
+    """Return a name for what is kept of a decision: when it was made, and its id."""
+    stamp = time.strftime("%Y%m%dT%H%M%S", time.gmtime(decision.at_s))
+    return f"{stamp}-{_NAME.sub('_', decision.id)[:80]}"
 
 
 class HostHands(Protocol):
@@ -46,13 +56,14 @@ class AllHands:
         host: name of this host.
         here: acts on this host; None where there is no allow-list for it.
         far: agents of other hosts.
+        recordings: folder for what ``record`` writes.
         monitor: looks at what it needs for what needs neither ROS nor a host, and returns what carries it out.
         steady: a clock that never jumps.
     """
 
     def __init__(
         self, lines: Sequence[RosLine], places: NodePlaces, host: str, *, here: HostHands | None,
-        far: FarHosts | None, monitor: Callable[[Decision], Callable[[], str]],
+        far: FarHosts | None, recordings: Path, monitor: Callable[[Decision], Callable[[], str]],
         steady: Callable[[], float] = time.monotonic,
     ) -> None:  # fmt: skip
         self._lines = list(lines)
@@ -60,6 +71,7 @@ class AllHands:
         self._host = host
         self._here = here
         self._far = far
+        self._recordings = recordings
         self._monitor = monitor
         self._steady = steady
         self._came: queue.SimpleQueue[CarriedOut] = queue.SimpleQueue()
@@ -118,6 +130,10 @@ class AllHands:
                 return
             threading.Thread(target=self._here_and_now, args=(decision, work), name=decision.id, daemon=True).start()
 
+    def descriptors(self) -> list[int]:
+        """Return what becomes readable when something was carried out through ROS."""
+        return [file for line in self._lines if (file := line.fileno()) is not None]
+
     def poll(self) -> list[CarriedOut]:
         """Return what was carried out since the last time."""
         found: list[CarriedOut] = []
@@ -169,8 +185,11 @@ class AllHands:
         self._waited_for[decision.id] = len(lines)
         target = call.target.name if call.target is not None else ""
         for line in lines:
+            told = kind.filled(call.arguments)
+            if call.kind == "record":
+                told["path"] = str(self._recordings / f"{name_of(decision)}-ros{line.generation}.mcap")
             try:
-                line.do(decision.id, call.kind, target, kind.filled(call.arguments))
+                line.do(decision.id, call.kind, target, told)
             except ValueError as error:
                 self.told(CarriedOut(decision.id, False, str(error)))
 

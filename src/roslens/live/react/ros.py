@@ -36,10 +36,13 @@ class Ros(Protocol):
     def set_parameter(self, node: str, name: str, value: Any, timeout_s: float) -> None:
         """Set a parameter."""
 
+    def ready_to_log(self) -> None:
+        """Get ready to say something on /rosout."""
+
     def log(self, level: str, text: str) -> None:
         """Say something on /rosout; ``level`` is info, warning or error."""
 
-    def record(self, key: str, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
+    def record(self, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
         """Write what was said in the last ``before_s`` and in the next ``after_s``; return what was written.
 
         Without a ``path`` it only begins to keep what is said.

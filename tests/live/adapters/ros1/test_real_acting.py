@@ -44,6 +44,21 @@ rospy.Service('/broken', SetBool, lambda one: None)
 said('ready')
 rospy.spin()
 """
+SPEAKER = [
+    "/usr/bin/python3",
+    "-c",
+    """
+import rospy
+from std_msgs.msg import Bool
+rospy.init_node('speaker')
+speaker = rospy.Publisher('/kept_bool', Bool, queue_size=1)
+print('speaks', flush=True)
+rate = rospy.Rate(100)
+while not rospy.is_shutdown():
+    speaker.publish(Bool(data=True))
+    rate.sleep()
+""",
+]
 SPARE_S = 20.0
 
 
@@ -197,3 +212,30 @@ def test_a_master_that_was_started_again_knows_the_publishers(line):
         assert time.monotonic() < end
         time.sleep(0.1)
     asked_master.close()
+
+
+def test_what_was_said_before_and_after_is_recorded(line, tmp_path):
+    from roslens.live.adapters.bag.open_bag import open_bag
+
+    told = {"topics": ["/kept*"], "before": 60.0}
+    speak = subprocess.Popen(SPEAKER, env=line.rover.environment, stdout=subprocess.PIPE, text=True)
+    try:
+        assert speak.stdout.readline() == "speaks\n"
+        assert asked(line, "record", verb=Verb.PREPARE, **told, after=0.0).done
+        path = tmp_path / "r.mcap"
+        end = time.monotonic() + SPARE_S
+        while True:
+            found = asked(line, "record", **told, after=0.3, path=str(path))
+            assert found.done, found.text
+            bag = open_bag(path)
+            if bag.messages > 10:
+                break
+            assert time.monotonic() < end
+            path.unlink()
+    finally:
+        speak.kill()
+        speak.wait()
+        speak.stdout.close()
+    assert bag.failures == ()
+    assert [(one.name, one.type) for one in bag.topics] == [("/kept_bool", "std_msgs/Bool")]
+    assert list(bag.fields({"/kept_bool": ["data"]}))

@@ -34,6 +34,16 @@ node.create_subscription(DiagnosticArray, '/diagnostics', lambda one: said(f'tol
 said('ready')
 rclpy.spin(node)
 """
+SPEAK = """
+import rclpy
+from std_msgs.msg import Bool
+rclpy.init()
+node = rclpy.create_node('speaker')
+speaker = node.create_publisher(Bool, '/kept_bool', 10)
+node.create_timer(0.01, lambda: speaker.publish(Bool(data=True)))
+print('speaks', flush=True)
+rclpy.spin(node)
+"""
 SPARE_S = 20.0
 
 
@@ -41,6 +51,7 @@ class Rover:
     """The node, and what it says."""
 
     def __init__(self, python, environment):
+        self.python, self.environment = python, environment
         self.process = subprocess.Popen(
             [python, "-c", NODE], env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
         )
@@ -169,3 +180,32 @@ def test_what_acts_is_started_again_and_knows_what_was_prepared(line):
     assert again, line.said
     assert asked(line, "publish", **told).done
     assert line.rover.heard() == "stop False"
+
+
+def test_what_was_said_before_and_after_is_recorded(line, tmp_path):
+    from roslens.live.adapters.bag.open_bag import open_bag
+
+    told = {"topics": ["/kept*"], "before": 60.0}
+    speak = subprocess.Popen(
+        [line.rover.python, "-c", SPEAK], env=line.rover.environment, stdout=subprocess.PIPE, text=True
+    )
+    try:
+        assert speak.stdout.readline() == "speaks\n"
+        assert asked(line, "record", verb=Verb.PREPARE, **told, after=0.0).done
+        path = tmp_path / "r.mcap"
+        end = time.monotonic() + SPARE_S
+        while True:
+            found = asked(line, "record", **told, after=0.3, path=str(path))
+            assert found.done, found.text
+            bag = open_bag(path)
+            if bag.messages > 10:
+                break
+            assert time.monotonic() < end
+            path.unlink()
+    finally:
+        speak.kill()
+        speak.wait()
+        speak.stdout.close()
+    assert bag.failures == ()
+    assert [(one.name, one.type) for one in bag.topics] == [("/kept_bool", "std_msgs/msg/Bool")]
+    assert list(bag.fields({"/kept_bool": ["data"]}))

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
 
+from roslens.live.adapters.ros1.hearing import Hearing
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.message_form import MessageForms
 from roslens.live.adapters.ros1.resolve import Resolver
@@ -15,6 +16,7 @@ from roslens.live.adapters.ros1.service_call import call_service
 from roslens.live.adapters.ros1.told import Answer
 from roslens.live.adapters.ros1.topic_server import Published, TopicServer
 from roslens.live.adapters.ros1.xml_rpc import Caller, CallError, unwrap
+from roslens.live.react.keeping import Keeping
 from roslens.live.react.ros import ActionError
 
 FOLLOW_S = 1.0
@@ -53,7 +55,8 @@ class Ros1Hand:
         self._lock = threading.RLock()
         self._topics: dict[str, Published] = {}
         self._server = TopicServer(address, caller, self._topics)
-        self._sequence = 0
+        self._kept: dict[tuple[tuple[str, ...], float], Keeping] = {}
+        self._hearing: list[Hearing] = []
         self._master_pid = 0
         self._ended = threading.Event()
 
@@ -144,6 +147,14 @@ class Ros1Hand:
         key = name if name.startswith("/") else f"{node}/{name}"
         self._asked("setParam", key, list(value) if isinstance(value, tuple) else value, timeout_s=timeout_s)
 
+    def ready_to_log(self) -> None:
+        """Register as a publisher of /rosout.
+
+        Raises:
+            ActionError: the master does not register it.
+        """
+        self.advertise(_ROSOUT, _LOG, {}, latched=False)
+
     def log(self, level: str, text: str) -> None:
         """Say something on /rosout.
 
@@ -153,13 +164,24 @@ class Ros1Hand:
         fields = {"level": _LEVELS[level], "name": self._caller, "msg": text, "file": "", "function": ""}
         self.publish(_ROSOUT, _LOG, fields, latched=False)
 
-    def record(self, key: str, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
-        """Record topics; see :class:`~roslens.live.react.ros.Ros`."""
-        raise ActionError(f"{key}: nothing is kept of {', '.join(patterns)}: {before_s:g} s, {path}, {after_s:g} s")
+    def record(self, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
+        """Keep what is said on some topics, and write it once there is a path; see ``live/react/ros.py``.
+
+        Raises:
+            ActionError: a pattern is none, or the recording cannot be written.
+        """
+        with self._lock:
+            keeping = self._kept.get((patterns, before_s))
+            if keeping is None:
+                keeping = self._kept[patterns, before_s] = Keeping(before_s)
+                self._hearing.append(Hearing(self._uri, self._caller, self._resolver, patterns, keeping.heard))
+        return keeping.write(path, "ros1", after_s) if path else "kept from now on"
 
     def close(self) -> None:
         """Take the registrations back and publish no more."""
         self._ended.set()
+        for one in self._hearing:
+            one.close()
         master = self._master(0.5)
         with suppress(CallError):
             for topic in self._topics:

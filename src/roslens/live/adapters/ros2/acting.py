@@ -42,9 +42,11 @@ def main(words: list[str]) -> int:
 
     spinning = threading.Thread(target=spin, name="spin", daemon=True)
     spinning.start()
+    hand = Ros2Hand(node)
     try:
-        serve(0, replies, lambda say: Orders(Ros2Hand(node), say))
+        serve(0, replies, lambda say: Orders(hand, say))
     finally:
+        hand.close()
         rclpy.try_shutdown()
         spinning.join(1.0)
     return 0

@@ -8,6 +8,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from roslens.live.adapters.ros2.fields import filled, interface, plain
+from roslens.live.adapters.ros2.listening import Listening
+from roslens.live.react.keeping import Keeping
 from roslens.live.react.parameter_value import parameter_fields
 from roslens.live.react.ros import ActionError
 
@@ -37,6 +39,8 @@ class Ros2Hand:
         self._grown = time.monotonic() + _YOUNG_S
         self._publishers: dict[tuple[str, str, bool], Any] = {}
         self._clients: dict[tuple[str, str], Any] = {}
+        self._kept: dict[tuple[tuple[str, ...], float], Keeping] = {}
+        self._listening: list[Listening] = []
 
     def advertise(self, topic: str, type_: str, fields: Mapping[str, Any], *, latched: bool) -> None:
         """Make a publisher.
@@ -106,6 +110,9 @@ class Ros2Hand:
         if not result["successful"]:
             raise ActionError(f"{node} does not take {name}: {value!r}: {result['reason'] or 'no reason given'}")
 
+    def ready_to_log(self) -> None:
+        """The node logs from its beginning on."""
+
     def log(self, level: str, text: str) -> None:
         """Say something on /rosout."""
         logger = self._node.get_logger()
@@ -117,9 +124,23 @@ class Ros2Hand:
         else:
             logger.info(text)
 
-    def record(self, key: str, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
-        """Record topics; see :class:`~roslens.live.react.ros.Ros`."""
-        raise ActionError(f"{key}: nothing is kept of {', '.join(patterns)}: {before_s:g} s, {path}, {after_s:g} s")
+    def record(self, patterns: tuple[str, ...], before_s: float, path: str, after_s: float) -> str:
+        """Keep what is said on some topics, and write it once there is a path; see ``live/react/ros.py``.
+
+        Raises:
+            ActionError: a pattern is none, or the recording cannot be written.
+        """
+        with self._lock:
+            keeping = self._kept.get((patterns, before_s))
+            if keeping is None:
+                keeping = self._kept[patterns, before_s] = Keeping(before_s)
+                self._listening.append(Listening(self._node, patterns, keeping.heard))
+        return keeping.write(path, "ros2", after_s) if path else "kept from now on"
+
+    def close(self) -> None:
+        """Hear no more."""
+        for one in self._listening:
+            one.close()
 
     def _publisher(self, topic: str, type_: str, *, latched: bool) -> Any:
         from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy

@@ -11,11 +11,13 @@ _LEVELS = {"info": 0, "warning": 1, "error": 2}
 
 
 def prepare(ros: Ros, asked: Asked) -> None:
-    """Make the publisher of diagnostics, where they are asked for.
+    """Make the publishers that are asked for.
 
     Raises:
-        ActionError: there are no diagnostic_msgs.
+        ActionError: there are no diagnostic_msgs, or the master does not register it.
     """
+    if "rosout" in asked.arguments["to"]:
+        ros.ready_to_log()
     if "diagnostics" in asked.arguments["to"]:
         ros.advertise(_TOPIC, _TYPE, _array(asked), latched=False)
 

@@ -82,6 +82,13 @@ def pages_of(site: Site) -> Iterator[PageRef]:
     for page in ("overview", "graph", "packages", "findings", "metrics", "rules", "failures", "search", "help"):
         yield PageRef(page)
     yield from site.book.refs()
+    if site.view.process:
+        yield PageRef("hotspots")
+    if site.past is not None:
+        yield PageRef("history")
+        yield PageRef("difference")
+        for key in site.past.keys:
+            yield PageRef("trend", key)
     for package in site.packages:
         yield PageRef("package", package.id)
     for key in site.quantities:

@@ -9,11 +9,14 @@ import msgspec
 from roslens.dashboard.address import PLACES
 from roslens.dashboard.computation import element_pages, graph_page
 from roslens.dashboard.pages import (
+    difference,
     failures,
     file,
     findings,
     graph,
     help,  # noqa: A004 - the page's name
+    history,
+    hotspots,
     metric,
     metrics,
     overview,
@@ -22,6 +25,7 @@ from roslens.dashboard.pages import (
     rule,
     rules,
     search,
+    trend,
 )
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Request, View
@@ -36,6 +40,10 @@ PAGES: dict[str, Callable[[Site, Request], View | None]] = {
     "package": package.build,
     "file": file.build,
     "findings": findings.build,
+    "history": history.build,
+    "trend": trend.build,
+    "difference": difference.build,
+    "hotspots": hotspots.build,
     "metrics": metrics.build,
     "metric": metric.build,
     "rules": rules.build,
@@ -45,6 +53,10 @@ PAGES: dict[str, Callable[[Site, Request], View | None]] = {
     "help": help.build,
 }
 """Every page by name; a new page is a module of ``pages``, a template of the same name and a line here."""
+
+
+OF_THE_PAST = frozenset({"history", "trend", "difference", "hotspots"})
+"""Pages that a run has only where past revisions were analysed, or git's history was looked at."""
 
 
 class Target(msgspec.Struct, frozen=True):

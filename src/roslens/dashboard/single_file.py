@@ -25,6 +25,7 @@ LARGEST = 4_800_000
 
 SOURCE_BUDGET = 1_500_000
 GRAPH_BUDGET = 1_600_000
+_PAST = ("history", "difference", "hotspots")
 _MAIN = ("overview", "graph", "packages", "findings", "metrics", "rules", "failures", "help")
 _FEW, _MANY = (
     Limits(findings=24, per_group=4, groups=12, entities=8, rows=25, lines=800, excerpts=False),
@@ -104,7 +105,8 @@ def write_page(text: str, out: Path, option: str) -> None:
 def single_page(site: Site) -> str:
     """Return the text of the file."""
     book = _Book(site)
-    for page in _MAIN:
+    shown = {"hotspots": bool(site.view.process), "history": site.past is not None, "difference": site.past is not None}
+    for page in (*_MAIN, *(page for page in _PAST if shown[page])):
         book.add(PageRef(page), book.render(PageRef(page), _MAIN_LIMITS))
     graphs = _graphs(book)
     frame = _frame(book, "", ())

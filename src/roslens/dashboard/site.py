@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from roslens.dashboard.computation.book import Book
     from roslens.dashboard.graph_model import PackageGraph
     from roslens.dashboard.layout.lay_out import Layout
+    from roslens.dashboard.past import Past
     from roslens.judge.quality_model import QualityModel
     from roslens.model.configuration import Configuration
     from roslens.store.read import RunView
@@ -92,6 +93,8 @@ class Site:
         self._graph_note = graph_note
         self._graphs_counted = graphs_counted
         self._unstarted = tuple(unstarted)
+        self.past: Past | None = None
+        """Past revisions; None where none were analysed."""
         self.reading = ""
         """What of the graphs is being read still; empty where all of them are there."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
@@ -200,8 +200,9 @@ class Store:
             raise StoreError("no run was completed yet", where=where, advice="Run `roslens check` first")
         with as_store_errors(self._path):
             found = self._connection.execute(f"SELECT {rows.RUN} FROM run WHERE id = ?", (number,)).fetchone()  # noqa: S608 - column names of rows.py
-            known = [row[0] for row in self._connection.execute("SELECT id FROM run ORDER BY id")]
         if found is None:
+            with as_store_errors(self._path):
+                known = [row[0] for row in self._connection.execute("SELECT id FROM run ORDER BY id")]
             raise StoreError(
                 f"there is no run {number}",
                 where=where,
@@ -231,6 +232,19 @@ class Store:
 
         with as_store_errors(self._path):
             return read_revisions(self._connection)
+
+    def summaries(self, runs: Sequence[int]) -> dict[int, tuple[PackageSummary, ...]]:
+        """Return the summaries of the packages of several runs; what runs share is read once.
+
+        What only all packages together show is among their values; their findings are those of their own units.
+
+        Raises:
+            StoreError: the store cannot be read.
+        """
+        from roslens.store.shared_summaries import read_summaries
+
+        with as_store_errors(self._path):
+            return read_summaries(self._connection, runs)
 
     def prune(self, keep: int) -> int:
         """Remove all but the newest ``keep`` runs with everything only they hold; return how many were removed.

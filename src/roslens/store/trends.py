@@ -73,7 +73,9 @@ class Trends:
 
     @cached_property
     def _packages(self) -> tuple[tuple[PackageSummary, ...], ...]:
-        return tuple(view.packages() for view in self.views)
+        past = self._past.summaries([one.run for one in self.points if not one.now])
+        now = self._now.packages() if self._now is not None else ()
+        return tuple(now if one.now else past[one.run] for one in self.points)
 
     @cached_property
     def _repositories(self) -> tuple[dict[str, float], ...]:
@@ -107,6 +109,11 @@ class Trends:
         for place in range(1, len(headers)):
             found += _changes(place, headers[place - 1], headers[place])
         return tuple(sorted(found, key=lambda one: (one.point, one.kind)))
+
+    def load(self) -> Trends:
+        """Read everything now, in the thread that opened the stores, and return the trends."""
+        _ = (self._packages, self._repositories, self.events, self.keys)
+        return self
 
     def of(self, key: str) -> Trend:
         """Return how a quantity went; one that nobody measured has no values."""

@@ -38,13 +38,15 @@ def run(options: argparse.Namespace) -> int:
         StoreError: the store cannot be read.
     """
     from roslens.cli.shown_graphs import site_with_graphs
+    from roslens.cli.shown_past import shown_past
     from roslens.cli.shown_run import shown_run
 
     if options.jobs is not None and options.jobs < 0:
         raise UsageError(f"--jobs {options.jobs}", expected="0 (one per processor) or a positive number")
     progress = progress_for(options)
-    with shown_run(options, progress) as view:
+    with shown_run(options, progress) as view, shown_past(options, view) as past:
         site = site_with_graphs(view, options, progress)
+        site.past = past
         try:
             if options.single_file:
                 from roslens.dashboard.single_file import single_file

@@ -49,12 +49,14 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
     from roslens.cli.live_beside import live_beside
     from roslens.cli.shown_graphs import site_at_once
+    from roslens.cli.shown_past import shown_past
     from roslens.cli.shown_run import shown_run
     from roslens.dashboard.server import serve
 
     progress = progress_for(options)
-    with shown_run(options, progress) as view:
+    with shown_run(options, progress) as view, shown_past(options, view) as past:
         site, read_graphs = site_at_once(view, options, progress)
+        site.past = past
 
         def ready(url: str) -> None:
             print(f"roslens: {url} (Ctrl-C ends it)", file=sys.stderr, flush=True)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.figures import plural
+from roslens.dashboard.line_chart import day
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
@@ -55,8 +56,31 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
             "tools": dict(header.tools),
         },
         tables=(_worst(site), _rules(site), _conditions(site)),
-        shown={"severities": severities, "counts": counts},
+        shown={"severities": severities, "counts": counts, "since": since_release(site)},
     )
+
+
+def since_release(site: Site) -> dict[str, object] | None:
+    """Return what is different since the last release; None where no past revision is one."""
+    past = site.past
+    release = past.last_release if past is not None else None
+    if past is None or release is None:
+        return None
+    last = len(past.points) - 1
+    found = past.difference(release, last)
+    before, after = past.points[release], past.points[last]
+    loc = past.known("loc")
+    ends = [loc.whole[place] for place in (release, last)] if loc is not None else []
+    known = [one for one in ends if one is not None]
+    return {
+        "name": before.name,
+        "until": after.name,
+        "date": day(before),
+        "new": len(found.findings.new),
+        "resolved": len(found.findings.gone),
+        "loc": f"{known[1] - known[0]:+,.0f}" if len(known) == 2 else "",
+        "ref": PageRef("difference", query=(("before", before.commit), ("after", after.commit))),
+    }
 
 
 def _first(site: Site) -> tuple[RuleCount, ...]:

@@ -11,12 +11,14 @@ import { startSections } from "./sections.js";
 import { startShell } from "./shell.js";
 import { startSource } from "./source.js";
 import { startTables } from "./tables.js";
+import { startTrend } from "./trend.js";
 
 function improve(root) {
   const chips = startChips(root);
   startTables(root);
   startFilters(root, replace);
   startSource(root);
+  startTrend(root);
   const graph = root.querySelector("[data-graph]")?.dataset.graph;
   if (graph === "packages") startGraph(root, chips);
   if (graph === "computation") startComputation(root);

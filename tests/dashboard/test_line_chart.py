@@ -1,0 +1,70 @@
+"""Where curves, ticks and marks stand."""
+
+from itertools import pairwise
+
+from roslens.dashboard.line_chart import HEIGHT, MOST_POINTS, WIDTH, line_chart
+from roslens.model.trend import TrendEvent, TrendPoint
+
+
+def points(count: int) -> list[TrendPoint]:
+    return [TrendPoint(place, f"c{place}", 86_400.0 * place, f"c{place}") for place in range(count)]
+
+
+def test_a_curve_goes_from_corner_to_corner():
+    chart = line_chart(points(3), [("all", [0, 5, 10])], [], 0)
+    assert chart is not None
+    (line,) = chart.lines
+    assert line.paths == (f"M0.0,{HEIGHT} L{WIDTH / 2},{HEIGHT / 2} L{WIDTH},0.0",)
+    assert line.places[1][2] == "c1, 1970-01-02: 5"
+    assert (line.last, [text for _, text in chart.up]) == ("10", ["0", "5", "10"])
+    assert [text for _, text in chart.across] == ["1970-01-01", "1970-01-02", "1970-01-03"]
+
+
+def test_a_gap_is_a_gap():
+    chart = line_chart(points(5), [("all", [1, 2, None, 3, 4]), ("none", [None] * 5)], [], 0)
+    assert chart is not None
+    assert [len(line.paths) for line in chart.lines] == [2]
+
+
+def test_nothing_to_draw():
+    assert line_chart(points(2), [("none", [None, None])], [], 0) is None
+    assert line_chart([], [], [], 0) is None
+
+
+def test_amounts_begin_at_nought_unless_they_are_far_from_it():
+    near = line_chart(points(2), [("a", [10, 100])], [], 0)
+    far = line_chart(points(2), [("a", [7000, 7100])], [], 0)
+    assert near is not None
+    assert far is not None
+    assert (near.up[0][1], far.up[0][1]) == ("0", "7,000")
+
+
+def test_what_never_changes_has_a_line():
+    for value in (0.0, 7.0, -3.0):
+        chart = line_chart(points(2), [("a", [value, value])], [], 0)
+        assert chart is not None
+        assert all(0 <= y <= HEIGHT for _, y, _ in chart.lines[0].places)
+    single = line_chart(points(1), [("a", [7.0])], [], 0)
+    assert single is not None
+    assert single.lines[0].places[0][0] == WIDTH / 2
+
+
+def test_many_points_are_thinned_and_events_kept():
+    many = 3 * MOST_POINTS
+    chart = line_chart(points(many), [("a", list(range(many)))], [TrendEvent(100, "release", "1.0")], 0)
+    assert chart is not None
+    places = chart.lines[0].places
+    assert len(places) <= MOST_POINTS + 1
+    assert (places[0][0], places[-1][0]) == (0.0, WIDTH)
+    assert chart.marks[0].x in [x for x, _, _ in places]
+
+
+def test_texts_of_marks_do_not_stand_on_each_other():
+    events = [TrendEvent(place, "release", f"1.{place}.0") for place in range(40)]
+    chart = line_chart(points(40), [("a", [1.0] * 40)], events, 0)
+    assert chart is not None
+    shown = [mark for mark in chart.marks if mark.labelled]
+    assert 5 < len(shown) < 40
+    begins = [mark.x - 40 if mark.left else mark.x for mark in shown]
+    assert all(second - first >= 40 for first, second in pairwise(begins))
+    assert chart.dense

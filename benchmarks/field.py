@@ -88,9 +88,10 @@ def measured(folder: Path) -> tuple[Values, dict[str, Quantity], list[FieldRepos
     known: dict[str, Quantity] = {}
     repositories: list[FieldRepository] = []
     packages = 0
-    for generation, path in LISTS.items():
-        listed = yaml.safe_load(path.read_text())["repositories"]
-        with Store.open(folder / generation / ".roslens" / "store.sqlite") as store:
+    listed = {name: yaml.safe_load(path.read_text())["repositories"] for name, path in LISTS.items()}
+    generations = {name: generation for generation, one in listed.items() for name in one}
+    for folder_of_list in LISTS:
+        with Store.open(folder / folder_of_list / ".roslens" / "store.sqlite") as store:
             view = store.view(None)
             known |= {one.key: one for one in view.quantities()}
             for summary in view.packages():
@@ -98,11 +99,13 @@ def measured(folder: Path) -> tuple[Values, dict[str, Quantity], list[FieldRepos
                 if result is None or summary.id == OUTSIDE_PACKAGES:
                     continue
                 packages += 1
+                generation = generations[summary.repository]
                 for key, value in values_of(result, language_of(summary), generation):
                     values.setdefault(key, []).append(value)
-        days = _days(folder / generation)
+    days = {name: day for one in LISTS for name, day in _days(folder / one).items()}
+    for generation, of_list in listed.items():
         repositories += [
-            FieldRepository(name, one["url"], one["version"], days[name], generation) for name, one in listed.items()
+            FieldRepository(name, one["url"], one["version"], days[name], generation) for name, one in of_list.items()
         ]
     return values, known, repositories, packages
 

@@ -55,8 +55,8 @@ def add_baseline_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         const="HEAD",
         metavar="REV",
-        help="look only at packages with files that differ from a revision (default: HEAD), and show only findings in "
-        "these files; nothing of it is kept",
+        help="look only at files that differ from a revision (default: HEAD), and show only findings in these; what "
+        "needs the other files of a package is left out, and nothing of it is kept",
     )
 
 

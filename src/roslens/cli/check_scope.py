@@ -55,6 +55,15 @@ def unchanged_files(options: argparse.Namespace, root: Path) -> Mapping[str, str
     return blobs_of(revision_of(root, options.changed))
 
 
+def left_to_whole_run(files: int) -> str:
+    """Return what is said where unchanged files of the packages were not looked at."""
+    many = "1 unchanged file" if files == 1 else f"{files:,} unchanged files"
+    return (
+        f"{many} of these packages left out, and with them limits on classes and packages, and lines that are copied: "
+        "a run without --changed has these"
+    )
+
+
 def scope_of(
     options: argparse.Namespace,
     view: RunView,

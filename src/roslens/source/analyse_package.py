@@ -40,7 +40,8 @@ class PackageTask(msgspec.Struct, frozen=True):
     ``facts_keys`` names the cached analysis of each file that has a syntax; ``cache`` is the path
     of the cache, empty for none. ``program_keys`` names the cached programs likewise, where they are wanted:
     those that are missing are taken from the same parse. ``others`` are paths of files that have no language.
-    ``texts`` are contents that count instead of what files hold, by path.
+    ``texts`` are contents that count instead of what files hold, by path. ``left_out`` are paths of sources that are
+    not looked at, because only what is found in the others is wanted.
     """
 
     package: Package
@@ -55,10 +56,14 @@ class PackageTask(msgspec.Struct, frozen=True):
     wanted: frozenset[str] | None = None
     others: tuple[str, ...] = ()
     texts: dict[str, bytes] = {}
+    left_out: frozenset[str] = frozenset()
 
 
 class MeasuredPackage(msgspec.Struct, frozen=True):
-    """What a worker gives back; ``analyses`` and programs are those that were not in the cache, encoded."""
+    """What a worker gives back; ``analyses`` and programs are those that were not in the cache, encoded.
+
+    ``in_part`` says that not all of its sources were looked at.
+    """
 
     package: str
     entities: tuple[Entity, ...]
@@ -66,6 +71,7 @@ class MeasuredPackage(msgspec.Struct, frozen=True):
     suppressions: dict[str, tuple[Suppression, ...]]
     analyses: dict[str, bytes]
     findings: tuple[Finding, ...] = ()
+    in_part: bool = False
 
 
 def measure_task(task: PackageTask, remembered: RememberedFacts | None = None) -> MeasuredPackage:
@@ -135,11 +141,19 @@ def _measure(task: PackageTask, remembered: RememberedFacts) -> MeasuredPackage:
         measured.append((file, analysis.facts, entities))
     remembered.remember(task.package.id, kept)
     entities = measure_package(task.package, measured, task.counting)
+    known_callbacks: frozenset[str] | set[str] = callbacks
+    if task.left_out:
+        from roslens.source.part_of_package import registered_elsewhere, without_the_whole
+
+        entities = without_the_whole(entities)
+        known_callbacks = registered_elsewhere(task, hits, callbacks)
     of_files = {file.path: facts for file, facts, _ in measured}
     view = PackageView(task.package, task.root, task.files, of_files, task.texts, task.others)
-    findings = rule_findings(view, task.rules, hits, callbacks, entities, failures)
+    findings = rule_findings(view, task.rules, hits, known_callbacks, entities, failures)
     suppressions.update(_of_other_files(task, findings))
-    return MeasuredPackage(task.package.id, entities, tuple(failures), suppressions, new, findings)
+    return MeasuredPackage(
+        task.package.id, entities, tuple(failures), suppressions, new, findings, in_part=bool(task.left_out)
+    )
 
 
 _COMMENTED = frozenset({Language.CMAKE, Language.MANIFEST, Language.LAUNCH_XML, Language.LAUNCH_YAML})

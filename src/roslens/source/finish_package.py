@@ -22,7 +22,7 @@ from roslens.source.settings import SourceSettings
 from roslens.source.tools.layout import RULE as LAYOUT
 from roslens.source.tools.layout import layout_folded
 from roslens.source.tools.witnesses import joined
-from roslens.source.workspace.silence import Nameable, Silence, about_comments
+from roslens.source.workspace.silence import UNUSED, Nameable, Silence, about_comments
 
 
 class Finisher:
@@ -64,10 +64,9 @@ class Finisher:
             (*measured.findings, *outcome.findings, *judge_entities(self._models, entities))
         )
         if measured.suppressions:
-            judged = (
-                *judged,
-                *about_comments(measured.suppressions, (*judged, *fold_limits(judged)), self._rules(package)),
-            )
+            about = about_comments(measured.suppressions, (*judged, *fold_limits(judged)), self._rules(package))
+            # What only the whole package shows may be what a comment hides.
+            judged = (*judged, *(one for one in about if not (measured.in_part and one.rule == UNUSED.id)))
         sorted_out = self._silence.sorted_out(
             judged, measured.suppressions, folder=package.path, package=measured.package
         )

@@ -25,6 +25,7 @@ def package_task(
     kept: str,
     program_keys: Mapping[str, str] | None = None,
     texts: Mapping[str, bytes] | None = None,
+    left_out: frozenset[str] = frozenset(),
 ) -> PackageTask:
     """Return the task of measuring a package.
 
@@ -37,6 +38,7 @@ def package_task(
         kept: path of the cache; empty for none.
         program_keys: names of cached programs, where they are wanted.
         texts: contents that count instead of what files hold, by path.
+        left_out: paths of sources that are not looked at.
     """
     from roslens.source.analyse_package import PackageTask
 
@@ -49,7 +51,7 @@ def package_task(
         facts_keys={
             file.path: f"{file.content_hash}:{file.language.value}:{syntax}"
             for file in files
-            if file.language.parsed_as
+            if file.language.parsed_as and file.path not in left_out
         },
         counting=settings.counting,
         macros=settings.macros,
@@ -59,6 +61,7 @@ def package_task(
         cache=kept,
         program_keys=dict(program_keys or {}),
         texts=dict(texts or {}),
+        left_out=left_out,
     )
 
 

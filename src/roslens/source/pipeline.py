@@ -18,7 +18,7 @@ from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
 from roslens.model.source import number_of_packages
 from roslens.plugins.options import check_options
-from roslens.source.changed_packages import with_changes
+from roslens.source.changed_packages import left_out_of, with_changes
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
 from roslens.source.fetch.fetched_set import FetchedSet, read_fetched_set
@@ -97,12 +97,16 @@ class Beyond(msgspec.Struct, frozen=True):
 
 
 class Answer(msgspec.Struct, frozen=True):
-    """Which run answers the question, whether it had to be made, and how many packages were measured for it."""
+    """Which run answers the question, whether it had to be made, and how many packages were measured for it.
+
+    ``left_out`` is how many sources of these packages were not looked at, because they are unchanged.
+    """
 
     run: int
     fresh: bool
     measured: int
     packages: int
+    left_out: int = 0
 
 
 def analyse(
@@ -138,7 +142,8 @@ def analyse(
         log: where output of plug-ins and tracebacks go.
         programs: whether files are also kept as the programs from which a graph is extracted, from the same parse.
         beyond: a look at all of it that is part of the run.
-        unchanged: hashes of files by path; packages of which all files have these are left out.
+        unchanged: hashes of files by path; packages of which all files have these are left out, and so are, where only
+            sources changed, the other sources of the package.
         look_back: gives the histories that process metrics are told of; None for none.
         revision: what the folders hold where that is a past revision of another folder.
         kept_runs: how many of the newest runs stay in the store; None for all.
@@ -160,8 +165,11 @@ def analyse(
     known = cache.stats(now_s=clock.epoch_s)
     inventory = take_inventory(workspace, settings.workspace, known)
     everything = workspace.packages
+    left_out: dict[str, frozenset[str]] = {}
     if unchanged is not None:
         workspace = with_changes(workspace, inventory.files, unchanged)
+        names = [found.package.id for found in workspace.packages]
+        left_out = {name: left_out_of(inventory.files[name], unchanged) for name in names}
     plugins = discover_plugins(settings, base, log)
     if settings.options:
         check_options(_manifests(settings, plugins), settings.options)
@@ -174,7 +182,15 @@ def analyse(
     if is_wide([member for member in plugins.members if not member.builtin]):
         # What such a plug-in says of one package may come from a file of any other.
         shaping = key_of(shaping, [found.package for found in workspace.packages], inventory.files)
-    tools = tool_stage(settings, workspace, inventory.files, cache, base=base, jobs=jobs or os.cpu_count() or 1)
+    tools = tool_stage(
+        settings,
+        workspace,
+        inventory.files,
+        cache,
+        base=base,
+        jobs=jobs or os.cpu_count() or 1,
+        left_out=frozenset().union(*left_out.values()),
+    )
     silence = Silence(settings.ignore, acceptances_of(accepted, inventory.files))
     units = {
         found.package.id: key_of(
@@ -183,6 +199,7 @@ def analyse(
             inventory.files[found.package.id],
             inventory.others[found.package.id],
             packaging(found),
+            *(sorted(left_out.get(found.package.id, ()))),
             *([tools.key_of_package(found.package.id)] if tools else ()),
             *silence.acceptances.shaping(file.path for file in found.files),
         )
@@ -221,6 +238,7 @@ def analyse(
             revision,
             kept_runs,
             engine,
+            left_out,
         ),
         store,
         cache,
@@ -248,6 +266,7 @@ class _Run(msgspec.Struct, frozen=True):
     revision: PastRevision | None
     kept_runs: int | None
     engine: str
+    left_out: Mapping[str, frozenset[str]] = {}
 
     def key_kept(self, key: str) -> str:
         """Return the key under which a result is kept: where a tool failed, one of its own: it is tried again."""
@@ -356,6 +375,7 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
         fresh=True,
         measured=number_of_packages(found.package.id for found in changed),
         packages=number_of_packages(run.units),
+        left_out=sum(map(len, run.left_out.values())),
     )
 
 
@@ -388,6 +408,7 @@ def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
         settings=run.settings,
         kept=str(cache.path) if cache.path else "",
         program_keys=_program_keys(run, files) if run.programs else {},
+        left_out=run.left_out.get(found.package.id, frozenset()),
     )
 
 

@@ -12,7 +12,7 @@ from roslens.cli.check_fix import fixed_scope, show_diff, take_back
 from roslens.cli.check_gate import gated
 from roslens.cli.check_graph import add_graph_argument
 from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
-from roslens.cli.check_scope import scope_of, unchanged_files
+from roslens.cli.check_scope import left_to_whole_run, scope_of, unchanged_files
 from roslens.cli.check_watch import add_watch_argument, refuse_others, watch_files
 from roslens.cli.fetch_first import fetch_first
 from roslens.cli.fetch_options import add_fetch_arguments, refuse_without_fetch
@@ -167,6 +167,8 @@ def run(options: argparse.Namespace) -> int:
         write_outputs(chosen, options, scope.shown, scope.wanted)
         if not options.quiet:
             tell_not_run(scope.whole.header)
+            if outcome.left_out:
+                print(f"roslens: {left_to_whole_run(outcome.left_out)}", file=sys.stderr)
             took = time.monotonic() - begun
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)

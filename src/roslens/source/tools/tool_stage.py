@@ -66,11 +66,13 @@ class ToolStage:
         jobs: int,
         base: Path,
         runner: ToolRunner | None = None,
+        left_out: frozenset[str] = frozenset(),
     ) -> None:
         """Find out which of ``tools`` can run; why others cannot is among :attr:`failures`."""
         self._settings = settings
         self._workspace = workspace
         self._files = files
+        self._spared = left_out
         self._cache = cache
         self._jobs = jobs
         self._runner = runner or ToolRunner()
@@ -120,6 +122,8 @@ class ToolStage:
         for ready in self._ready:
             packages = sorted(self._files) if ready.tool.across_packages and wanted else wanted
             read = [file for package in packages for file in self._files[package] if ready.tool.reads(file)]
+            if not (ready.tool.whole_packages or ready.tool.across_packages):
+                read = [file for file in read if file.path not in self._spared]
             files = {file.path: file for file in read if ready.tool.covers(file, ready.beside)}
             self._tell_uncovered(ready.tool, [file for file in read if file.path not in files])
             keys = {path: self._key_of_file(ready, file) for path, file in files.items()}

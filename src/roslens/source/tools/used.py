@@ -47,8 +47,11 @@ def tool_stage(
     *,
     base: Path,
     jobs: int,
+    left_out: frozenset[str] = frozenset(),
 ) -> ToolStage | None:
     """Return the tools that a run uses; None for none.
+
+    ``left_out`` are paths of files that no tool looks at which can look at others alone.
 
     Raises:
         UsageError: a tool is unknown.
@@ -60,4 +63,4 @@ def tool_stage(
     from roslens.source.tools.tool_stage import ToolStage
 
     chosen = chosen_tools(tools.use, settings.disable, (*tools.commands, *tools.untrusted))
-    return ToolStage(chosen, settings, workspace, files, cache, base=base, jobs=jobs)
+    return ToolStage(chosen, settings, workspace, files, cache, base=base, jobs=jobs, left_out=left_out)

@@ -1,0 +1,70 @@
+"""A package of which only some files are looked at: what holds all the same, and what is left to a whole look."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.intake.bounded_file import read_bounded
+from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
+from roslens.model.entity import Entity, EntityKind
+from roslens.source.metrics import duplicated_lines
+from roslens.source.metrics.table import metrics_with
+from roslens.source.parsed_file import parse_file
+from roslens.source.rules.callbacks import REGISTERING_CPP, REGISTERING_PYTHON, STREAM, callbacks_of
+from roslens.source.rules.hit import Hit
+
+if TYPE_CHECKING:
+    from roslens.source.analyse_package import PackageTask
+
+
+def registered_elsewhere(
+    task: PackageTask, hits: Mapping[str, Sequence[Hit]], callbacks: Iterable[str]
+) -> frozenset[str]:
+    """Return the callbacks that files that are left out register, as far as what was found depends on them.
+
+    A file is parsed only where it names such a function and something that registers one.
+
+    Args:
+        task: the package, with the paths that are left out.
+        hits: in the files that were looked at.
+        callbacks: that these register.
+    """
+    known = frozenset(callbacks)
+    names = {hit.callback for found in hits.values() for hit in found if hit.callback} - known
+    words = {name.removeprefix(STREAM).replace("::", ".").rpartition(".")[2].encode() for name in names}
+    if not words:
+        return known
+    return known.union(*_registered(task, words))
+
+
+def _registered(task: PackageTask, words: set[bytes]) -> Iterator[tuple[str, ...]]:
+    registering = {"cpp": REGISTERING_CPP, "python": REGISTERING_PYTHON}
+    for file in task.files:
+        if file.path not in task.left_out:
+            continue
+        with suppress(OSError, OverBudgetError):
+            content = read_bounded(f"{task.root}/{file.path}")
+            names = registering.get(file.language.parsed_as, frozenset())
+            if any(word in content for word in words) and any(name.encode() in content for name in names):
+                with time_budget(SOURCE_FILE_S):
+                    yield callbacks_of(parse_file(content, file.language, task.macros).view())
+
+
+def without_the_whole(entities: Sequence[Entity]) -> tuple[Entity, ...]:
+    """Return entities without the values that need all files of the package: of the package, of classes, of copies."""
+    of_classes = tuple(metric.QUANTITY.key for metric in metrics_with("of_class"))
+    return tuple(_without(one, of_classes) for one in entities)
+
+
+def _without(entity: Entity, of_classes: Sequence[str]) -> Entity:
+    if entity.kind in (EntityKind.PACKAGE, EntityKind.CLASS):
+        return msgspec.structs.replace(entity, values={})
+    if entity.kind is not EntityKind.FILE:
+        return entity
+    gone = {duplicated_lines.QUANTITY.key, *of_classes}
+    values = {key: value for key, value in entity.values.items() if key.partition(".")[0] not in gone}
+    return msgspec.structs.replace(entity, values=values)

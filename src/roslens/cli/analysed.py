@@ -16,7 +16,7 @@ from roslens.cli.workplace import ANSWERS, CACHE, FOLDER, own_folder
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
     from roslens.cli.streams import LineProgress, NoProgress, TerminalProgress
-    from roslens.source.pipeline import Answer
+    from roslens.source.answer import Answer
     from roslens.source.settings import SourceSettings
     from roslens.store.runs import Store
 

@@ -18,6 +18,7 @@ from roslens.model.failure import Failure
 from roslens.model.result import RunHeader, WorkspaceResult
 from roslens.model.source import number_of_packages
 from roslens.plugins.options import check_options
+from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
@@ -94,19 +95,6 @@ class Beyond(msgspec.Struct, frozen=True):
     key: str
     rules: tuple[RuleInfo, ...]
     look: Callable[[], Sight]
-
-
-class Answer(msgspec.Struct, frozen=True):
-    """Which run answers the question, whether it had to be made, and how many packages were measured for it.
-
-    ``left_out`` is how many sources of these packages were not looked at, because they are unchanged.
-    """
-
-    run: int
-    fresh: bool
-    measured: int
-    packages: int
-    left_out: int = 0
 
 
 def analyse(

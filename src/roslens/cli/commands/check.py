@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from roslens.model.result import RuleCount
     from roslens.model.tags import TagFilter
     from roslens.report.reported import Wanted
-    from roslens.source.pipeline import Answer
+    from roslens.source.answer import Answer
     from roslens.store.read import RunView
 
 TEXT = "Measure and judge the packages below the given folders."

@@ -118,35 +118,47 @@ def main() -> int:
                 for name, places in (("cpplint", there - here), ("roslens", here - there)):
                     for path, line in sorted(places)[:6]:
                         print(f"{category} only {name}: {folder.name}/{path}:{line}")
-    PAGE.write_text(page([one.name for one in given.folders], by_category, total))
+    said = subprocess.run([given.cpplint, "--version"], capture_output=True, text=True, check=False).stdout
+    version = (re.findall(r"\d+(?:\.\d+)+", said) or ["of an unknown version"])[0]
+    PAGE.write_text(page([one.name for one in given.folders], version, by_category, total))
     print(PAGE)
     return 0
 
 
-def page(names: list[str], by_category: Mapping[str, tuple[str, ...]], total: Mapping[str, Counter[str]]) -> str:
+def page(
+    names: list[str], version: str, by_category: Mapping[str, tuple[str, ...]], total: Mapping[str, Counter[str]]
+) -> str:
     """Return the page."""
     folders = ", ".join(f"`{one.replace('+', '/')}`" for one in names)
     text = f"""\
 # Native rules against cpplint
 
-Cloned repositories: {folders}. By category of cpplint 2.0.2, places that both name, that only cpplint names and that
-only the native rules name, by file and line (within {NEAR} lines). Files that are vendored,
+Cloned repositories: {folders}.
+By category of cpplint {version}, places that both name, that only cpplint names and that
+only the native rules name, by file and line (within {NEAR} lines); *recall* is the share of what cpplint names that the
+rules name, *agreed* the share of what the rules name that cpplint names. Files that are vendored,
 generated or of no package are left out. Which rule answers which category is in
 [the table of standards](reference/standards.md). `python benchmarks/cpplint_agreement.py FOLDER… --cpplint COMMAND`
 writes this page; the reasons (`benchmarks/cpplint_agreement.json`) are judged by reading what only one of the two
 reports (`--examples`).
 
-| category | both | only cpplint | only roslens | why |
-| --- | --- | --- | --- | --- |
+| category | both | only cpplint | only roslens | recall | agreed | why |
+| --- | --: | --: | --: | --: | --: | --- |
 """
     for category in sorted(by_category):
         count = total[category]
         if not sum(count.values()):
             continue
         reason = REASONS.get(category, "")
-        text += f"| `{category}` | {count['both']} | {count['cpplint']} | {count['roslens']} | {reason} |\n"
+        shares = " | ".join(share(count["both"], count["both"] + count[other]) for other in ("cpplint", "roslens"))
+        text += f"| `{category}` | {count['both']} | {count['cpplint']} | {count['roslens']} | {shares} | {reason} |\n"
     silent = sorted(f"`{one}`" for one in by_category if not sum(total[one].values()))
     return text + f"\nNeither reports anything in {', '.join(silent)}.\n"
+
+
+def share(part: int, whole: int) -> str:
+    """Return a share as the page writes it."""
+    return f"{100 * part / whole:.0f} %" if whole else "-"
 
 
 if __name__ == "__main__":

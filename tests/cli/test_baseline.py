@@ -104,6 +104,21 @@ def test_a_kept_run(walking, capsys):
     assert "gone: 0" in text
 
 
+def test_what_is_new_is_to_be_mended_first(walking, capsys):
+    check(walking, capsys, code=1)
+    deep = "".join(f"{'    ' * depth}if step > {depth}:\n" for depth in range(1, 9))
+    (walking / "talk/talk/fresh.py").write_text(f"def dig(step):\n{deep}{'    ' * 9}step.move()\n")
+    text = check(walking, capsys, "--baseline", "last", code=1, form="text")
+    first = text.partition("Fix first\n")[2].partition("\n\n")[0]
+    assert "talk/talk/fresh.py" in first.partition("  2.")[0]
+    assert "new: ros." in first.partition("  2.")[0]
+    assert "new: " not in first.rpartition("talk/setup.py")[2]
+
+
+def test_a_baseline_that_is_not_there_ends_with_3_whatever_is_found(walking, capsys):
+    check(walking, capsys, "--baseline", "no-such-branch", code=3)
+
+
 @pytest.mark.parametrize(
     ("name", "said"),
     [

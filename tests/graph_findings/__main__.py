@@ -7,6 +7,7 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+from graph_findings.again import left_of, write_again
 from graph_findings.collecting import GRAPH, NATIVE, NotReadError, findings_of
 from graph_findings.judgements import NATIVE_TABLES, Sample, drawn, read, samples, taken_over, write
 from graph_findings.page import MEASURED, PAGE, RULES_PAGE, measured, page, rules_page
@@ -32,6 +33,10 @@ def main() -> int:
     verbs.add_parser("page", help=f"write {PAGE.name}, {RULES_PAGE.name}, and what is known of rules").set_defaults(
         run=_page
     )
+    again = verbs.add_parser("again", help="look which findings of a table on coding rules are still reported")
+    again.add_argument("folder", type=Path, help="with the clones that the table was drawn of")
+    again.add_argument("table", help="name of the table: held_out_one")
+    again.set_defaults(run=_again)
     options = parser.parse_args()
     code: int = options.run(options)
     return code
@@ -63,6 +68,26 @@ def _sample(options: argparse.Namespace) -> int:
         ),
         options.output,
     )  # fmt: skip
+    return 0
+
+
+def _again(options: argparse.Namespace) -> int:
+    table = NATIVE_TABLES / f"{options.table}.yaml"
+    if not table.is_file():
+        sys.stderr.write(f"{table} is no table\n")
+        return 2
+    sample, found = read(table), {}
+    for one in repositories(options.folder):
+        if one.name not in sample.repositories:
+            continue
+        if one.commit != sample.repositories[one.name]:
+            sys.stderr.write(f"{one.name} is at {one.commit}; expected {sample.repositories[one.name]}\n")
+            return 2
+        found[one.name] = findings_of(one, NATIVE)
+    if missing := sorted(set(sample.repositories) - set(found)):
+        sys.stderr.write(f"not in {options.folder}: {', '.join(missing)}\n")
+        return 2
+    write_again(options.table, left_of(sample, found))
     return 0
 
 

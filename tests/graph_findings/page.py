@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
 
+from graph_findings.again import read_again
+from graph_findings.first_findings import read_shown, section
 from graph_findings.judgements import ROOT, Judgement, Sample
+from graph_findings.tool_findings import read_tools, tool_section
 from roslens.model.finding import Severity
 from roslens.source.rules.graph.findings import RULES
 from roslens.source.rules.table import native_rules
@@ -68,7 +71,21 @@ def rules_page(found: Mapping[str, Sample]) -> str:
     errors = {rule.id for rule in rules.values() if rule.profiles and rule.severity is Severity.ERROR}
     by_default = {rule.id for rule in rules.values() if {"ros1", "ros2"} & set(rule.profiles)}
     together = _together(found, [one for one in on if one in by_default], errors)
-    return _page("\n".join((_NATIVE_HEAD, *together)), on, found)
+    return _page(
+        "\n".join((_NATIVE_HEAD, *together, *section(read_shown()), *_again(), *tool_section(read_tools()))), on, found
+    )
+
+
+def _again() -> list[str]:
+    """Return how many of the findings that were read are left after what they showed was mended."""
+    lines = ["## After the mending", ""]
+    lines.append("Findings that were read, and those of them that the rules as they are now still report:")
+    lines += ["", "| table | true | not true | true now | not true now | share now |"]
+    lines.append("| --- | --: | --: | --: | --: | --: |")
+    for name, (true, false, now_true, now_false) in sorted(read_again().items()):
+        share = 100 * now_true / (now_true + now_false)
+        lines.append(f"| {name.replace('_', ' ')} | {true} | {false} | {now_true} | {now_false} | {share:.0f} % |")
+    return [*lines, "", "The rules were changed because of these repositories: it is no measurement of other ones.", ""]
 
 
 def _together(found: Mapping[str, Sample], on: Sequence[str], errors: Container[str]) -> list[str]:

@@ -42,6 +42,8 @@ SILENT = {
     "node.unlocked_state": (r"mutex|atomic|lock|[rR]ealtime", "the file has a lock"),
     "node.rate_without_thread": (r"[tT]hread|spin|asyncio", "the file spins elsewhere"),
     "node.console_output": (r"main\b|argc|printf", "the file is a tool for the command line"),
+    "python.python2_name": (r"xrange|six|__future__|version_info", "the file is written for Python 3 too"),
+    "node.print_in_node": (r"argparse|optparse|argv|input|print", "the file talks to somebody on the console"),
     "python.work_on_import": (r"init_node|rclpy\.init|\.spin\(", "the file does it already, and it is said once"),
 }
 """Rules that a whole file silences on purpose: what real files must not have, and what it tells."""

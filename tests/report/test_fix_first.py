@@ -34,6 +34,18 @@ def test_a_limit_of_a_model_waits_for_what_is_plainly_wrong():
     assert chosen(count("limit", excess=4.0, tags=("metrics",)), count("rule")) == ["rule", "limit"]
 
 
+def test_a_limit_that_is_exceeded_a_thousand_times_waits_too():
+    assert chosen(count("limit", excess=4000.0, tags=("metrics",)), count("node.a")) == ["node.a", "limit"]
+
+
+def test_what_happens_on_the_robot_comes_before_what_happens_in_a_build():
+    assert chosen(count("cmake.a"), count("cpp.a"), count("node.a"), count("package.a")) == [
+        "node.a",
+        "cpp.a",
+        "cmake.a",
+    ]
+
+
 def test_three_of_different_rules_that_count():
     rules = [count(f"r{number}") for number in range(5)]
     assert chosen(*rules) == ["r0", "r1", "r2"]

@@ -13,6 +13,7 @@ from roslens.cli.streams import wants_color, width_of
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from roslens.model.result import RuleCount
     from roslens.report.reported import Wanted
     from roslens.store.read import RunView
 
@@ -153,12 +154,24 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
             findings=view.workspace.findings,
             set_aside=Counter(one.state.value for one in view.set_aside(tags=wanted.tags)),
             since=tuple(_since(view, wanted)),
+            new=_new(view, wanted),
             tags=wanted.tags,
             width=width_of(stream),
             color=wants_color(options, stream),
             unicode=(stream.encoding or "").lower().replace("-", "") == "utf8",
         )
     )
+
+
+def _new(view: RunView, wanted: Wanted) -> tuple[RuleCount, ...]:
+    """Return what to mend first of what is new since a baseline."""
+    from roslens.report.fix_first import first_to_fix
+    from roslens.store.narrowed import NarrowedView
+
+    if wanted.new is None:
+        return ()
+    new = NarrowedView(view, wanted.is_new)
+    return first_to_fix(new.packages(), new.workspace.findings, {one.id: one for one in view.rules()}, wanted.tags)
 
 
 def _since(view: RunView, wanted: Wanted) -> Iterator[str]:

@@ -16,6 +16,10 @@ UNMEASURED = 0.75
 """Share of true findings that is supposed of a rule whose precision nobody measured."""
 LIMIT = 0.4
 """The same of a limit of a quality model: it is exceeded, but what to mend is for the reader to see."""
+FURTHEST = 16.0
+"""How far beyond a limit still counts: what is a thousand times beyond is no more urgent than that."""
+_REACH = {"node": 1.2, "graph": 1.2, "cpp": 1.1, "python": 1.1, "launch": 1.1}
+"""What happens on the robot goes before what happens where it is built, by the family of the rule."""
 _WEIGHTS = {Severity.ERROR: 100.0, Severity.WARNING: 10.0, Severity.NOTE: 1.0}
 
 
@@ -27,8 +31,9 @@ def first_to_fix(
 ) -> tuple[RuleCount, ...]:
     """Return at most :data:`MOST` findings, each as the count of its rule with the worst as its example.
 
-    Ordered by severity times the measured precision of the rule times how far the limit is exceeded; notes are left
-    out, and of each rule only the worst is named. What changed lately is not weighed: a run does not know it.
+    Ordered by severity times the measured precision of the rule times where it shows times how far the limit is
+    exceeded; notes are left out, and of each rule only the worst is named. What changed lately is not weighed: a
+    run does not know it.
 
     Args:
         packages: summaries, whose examples are the worst of each rule.
@@ -57,8 +62,9 @@ def _score(one: RuleCount, rule: RuleInfo | None) -> float:
     if rule is not None and rule.precision:
         precision = rule.precision
     # What is too little cannot be less than nothing: how many times says little.
-    excess = 1.0 if one.rule.endswith(".min") else max(one.excess, 1.0)
-    return _WEIGHTS[one.severity] * precision * (1 + log2(excess) / 4)
+    excess = 1.0 if one.rule.endswith(".min") else min(max(one.excess, 1.0), FURTHEST)
+    reach = _REACH.get(one.rule.partition(".")[0], 1.0)
+    return _WEIGHTS[one.severity] * precision * reach * (1 + log2(excess) / 4)
 
 
 def _counted(finding: Finding) -> RuleCount:

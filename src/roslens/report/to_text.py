@@ -16,7 +16,7 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount, RunHeader
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.model.tags import TagFilter
-from roslens.report.fix_first import first_to_fix
+from roslens.report.fix_first import METRICS, MOST, first_to_fix
 from roslens.report.package_table import PackageCounts, count_packages, package_table
 from roslens.report.terminal import Terminal, columns, left, right
 
@@ -38,6 +38,7 @@ class _Group(msgspec.Struct):
     packages: int = 0
     example: str = ""
     excess: float = 0.0
+    is_limit: bool = False
 
 
 def to_text(
@@ -49,6 +50,7 @@ def to_text(
     findings: Sequence[Finding] = (),
     set_aside: Mapping[str, int] | None = None,
     since: Sequence[str] = (),
+    new: Sequence[RuleCount] = (),
     tags: TagFilter | None = None,
     width: int = 100,
     color: bool = False,
@@ -64,6 +66,7 @@ def to_text(
         findings: those of no package.
         set_aside: how many findings count nowhere, by :class:`roslens.model.set_aside.Disposition`.
         since: what is new since a baseline and whether the gate is passed, a line each.
+        new: what to mend first of what is new since a baseline; it goes before everything else.
         tags: which findings are meant; all for None.
         width: columns of the terminal; less than :data:`LEAST_WIDTH` counts as that.
         color: whether the terminal shows colours.
@@ -79,7 +82,7 @@ def to_text(
     hushed = _set_aside(terminal, set_aside or {})
     sections = [
         list(_head(terminal, header, packages)),
-        list(_fix_first(terminal, first_to_fix(packages, of_workspace, about, wanted))),
+        list(_fix_first(terminal, new, first_to_fix(packages, of_workspace, about, wanted))),
         list(_packages(terminal, counted)),
         [
             *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
@@ -198,7 +201,9 @@ def _notes_text(notes: Sequence[_Group]) -> str:
     return f"{_plural(count, 'note')} of {rules}, most of {most.rule} ({most.count:,})"
 
 
-def _fix_first(terminal: Terminal, chosen: Sequence[RuleCount]) -> Iterator[str]:
+def _fix_first(terminal: Terminal, new: Sequence[RuleCount], others: Sequence[RuleCount]) -> Iterator[str]:
+    known = {(one.rule, one.example) for one in new}
+    chosen = [*new, *(one for one in others if (one.rule, one.example) not in known)][:MOST]
     if not chosen:
         return
     yield terminal.paint("Fix first", "title")
@@ -207,7 +212,8 @@ def _fix_first(terminal: Terminal, chosen: Sequence[RuleCount]) -> Iterator[str]
         lines = terminal.wrap(terminal.clean(one.example), " " * 7) or [""]
         yield f"  {number}. {mark} {lines[0].lstrip()}"
         yield from lines[1:]
-        yield " " * 7 + terminal.paint(terminal.cut(terminal.clean(one.rule), terminal.width - 7), "quiet")
+        rule = f"new: {terminal.clean(one.rule)}" if number <= len(new) else terminal.clean(one.rule)
+        yield " " * 7 + terminal.paint(terminal.cut(rule, terminal.width - 7), "quiet")
 
 
 def _rule(terminal: Terminal, group: _Group, rule: RuleInfo | None, count_width: int, rule_width: int) -> Iterator[str]:
@@ -290,7 +296,7 @@ def _next(
 
 
 def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tags: TagFilter) -> list[_Group]:
-    """Return the findings that count, by rule and severity: most severe first, then most frequent."""
+    """Return the findings that count, by rule and severity: most severe first, then mistakes before limits."""
     groups: dict[tuple[str, Severity], _Group] = {}
     for package in packages:
         seen: set[tuple[str, Severity]] = set()
@@ -300,6 +306,7 @@ def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tag
             key = (rule.rule, rule.severity)
             group = groups.setdefault(key, _Group(*key))
             group.count += rule.gated
+            group.is_limit = METRICS in rule.tags
             group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
             if not group.example or rule.excess > group.excess:
                 group.example, group.excess = rule.example, rule.excess
@@ -310,7 +317,7 @@ def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tag
         group.count += 1
         place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
         group.example = group.example or (f"{place}: {finding.message}" if place else finding.message)
-    return sorted(groups.values(), key=lambda group: (-group.severity.rank, -group.count, group.rule))
+    return sorted(groups.values(), key=lambda group: (-group.severity.rank, group.is_limit, -group.count, group.rule))
 
 
 def _fixable(terminal: Terminal, packages: Iterable[PackageSummary], tags: TagFilter) -> Iterator[str]:

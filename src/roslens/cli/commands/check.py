@@ -173,6 +173,10 @@ def run(options: argparse.Namespace) -> int:
             how = f"{outcome.measured} of {outcome.packages} packages measured" if outcome.fresh else "nothing changed"
             print(f"roslens: {how}, {took:.1f} s", file=sys.stderr)
         code = _exit_code(scope.judged, scope.wanted) or (NOT_ANALYSED if missing else CLEAN)
+        if options.baseline and scope.baseline is None:
+            # What was asked is not answered: that there are findings is not what the user wanted to know.
+            print(f"roslens: nothing was compared with --baseline {options.baseline!r}; see above", file=sys.stderr)
+            code = NOT_ANALYSED
     if options.watch:
         watch_files(options, root, configuration)
     return code

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_conditional, loop_around
 from roslens.source.rules.file_view import FileView
@@ -37,7 +38,15 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
             call,
             f"`{view.text(node)}` in {spoken(callback)}, each time that it runs; {expected}",
             callback=callback,
+            severity=Severity.NOTE if _is_renewed(call, view) else None,
         )
+
+
+def _is_renewed(call: Node, view: FileView) -> bool:
+    """Tell whether a member keeps the endpoint, and lets the one before go: what is asked for may change."""
+    around = call.parent
+    kept = around.child_by_field_name("left") if around is not None and around.type == "assignment_expression" else None
+    return kept is not None and re.search(r"(?:^this->\w+|_)$", view.text(kept)) is not None
 
 
 def _left(call: Node, body: Node, view: FileView) -> bool:

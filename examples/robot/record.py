@@ -1,6 +1,7 @@
 """Writes a recording of a small robot with three nodes and three faults, for `roslens watch --bag`.
 
     python examples/robot/record.py robot.bag
+    python examples/robot/record.py robot.bag --healthy     without the faults, for `roslens reference mutate`
 
 /lidar says /scan at 25 Hz, /odometry says /odom at 50 Hz, /planner says /cmd_vel at 20 Hz and /planner/status every
 3.3 s. At 30 s the lidar slows down to 10 Hz for six seconds; at 45 s the odometry is silent for 0.3 s; at 60 s the
@@ -81,13 +82,16 @@ def status(number: int, time: float) -> Any:
 
 def main() -> int:
     """Write the recording."""
-    path = Path(sys.argv[1] if len(sys.argv) > 1 else "robot.bag")
+    given = [argument for argument in sys.argv[1:] if argument != "--healthy"]
+    healthy = "--healthy" in sys.argv
+    path = Path(given[0] if given else "robot.bag")
     path.unlink(missing_ok=True)
+    until = LENGTH_S if healthy else 60
     parts = [
-        ("/scan", "sensor_msgs/msg/LaserScan", "/lidar", scan, scan_times()),
-        ("/odom", "sensor_msgs/msg/Imu", "/odometry", imu, odometry_times()),
-        ("/cmd_vel", "geometry_msgs/msg/Twist", "/planner", velocity, moments(20, 0.003, 3, until=60)),
-        ("/planner/status", "std_msgs/msg/String", "/planner", status, moments(0.3, 0.01, 4, until=60)),
+        ("/scan", "sensor_msgs/msg/LaserScan", "/lidar", scan, moments(25, 0.002, 1) if healthy else scan_times()),
+        ("/odom", "sensor_msgs/msg/Imu", "/odometry", imu, moments(50, 0.001, 2) if healthy else odometry_times()),
+        ("/cmd_vel", "geometry_msgs/msg/Twist", "/planner", velocity, moments(20, 0.003, 3, until)),
+        ("/planner/status", "std_msgs/msg/String", "/planner", status, moments(0.3, 0.01, 4, until)),
     ]
     with Writer(path) as bag:
         messages = []

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
     from roslens.judge.expectation import Reference
     from roslens.live.adapters.bag.excerpt import Kept
-    from roslens.live.adapters.bag.steps import Lane
     from roslens.live.alarms import Alarm
     from roslens.live.mutation.fault import Fault
     from roslens.live.mutation.score import Cell, Score
@@ -92,14 +91,14 @@ def mutate(options: argparse.Namespace) -> int:
 def _tried(options: argparse.Namespace, reference: Reference, kept: Kept, budget_s: float) -> Score:
     from roslens.live.alarms import AlarmLog
     from roslens.live.mutation.score import score
-    from roslens.live.mutation.trial import count_planned, margins, planned
+    from roslens.live.mutation.trial import margins, planned
     from roslens.live.replay import replay
     from roslens.model.errors import UsageError
 
     lanes = _lanes(options.topic or (), kept)
     before_s, after_s = margins(reference)
-    total = count_planned(len(lanes), kept.start, kept.end, before_s, after_s)
-    if not total:
+    plan = list(planned(lanes, kept.start, kept.end, before_s, after_s))
+    if not plan:
         raise UsageError(
             f"a recording of {kept.end - kept.start:.1f} s",
             expected=f"at least {before_s + after_s + 5:.0f} s, so that there is time before and after a fault",
@@ -111,13 +110,13 @@ def _tried(options: argparse.Namespace, reference: Reference, kept: Kept, budget
     trials: list[Trial] = []
     told = began
     runner = _Runner(reference, kept, (before_s, after_s))
-    for fault in planned([(lane.topic, lane.publisher) for lane in lanes], kept.start, kept.end, before_s, after_s):
+    for fault in plan:
         now = time.monotonic()
         if now - began > budget_s:
             break
         if not options.quiet and now - told > _TELL_S:
             told = now
-            print(f"roslens: {len(trials)} of {total} faults tried in {now - began:.0f} s", file=sys.stderr)
+            print(f"roslens: {len(trials)} of {len(plan)} faults tried in {now - began:.0f} s", file=sys.stderr)
         trials.append(runner.run(fault))
     return score(
         trials,
@@ -125,7 +124,7 @@ def _tried(options: argparse.Namespace, reference: Reference, kept: Kept, budget
         recording=[str(path) for path in options.bag],
         references=options.files,
         seconds=kept.end - kept.start,
-        planned=total,
+        planned=len(plan),
     )
 
 
@@ -151,7 +150,8 @@ class _Runner:
         return self._trials.run(fault, concerned)
 
 
-def _lanes(patterns: Sequence[str], kept: Kept) -> list[Lane]:
+def _lanes(patterns: Sequence[str], kept: Kept) -> dict[tuple[str, str], float]:
+    """Return the mean period in seconds by topic and publisher."""
     from roslens.judge.pattern import Pattern
     from roslens.model.errors import UsageError
 
@@ -159,11 +159,11 @@ def _lanes(patterns: Sequence[str], kept: Kept) -> list[Lane]:
         chosen = [Pattern.parse(text) for text in patterns]
     except ValueError as error:
         raise UsageError(f"--topic: {error}") from None
-    lanes = [
-        lane
+    lanes = {
+        (lane.topic, lane.publisher): float(times[-1] - times[0]) / 1e9 / (len(times) - 1)
         for lane, (times, _, _) in kept.lanes.items()
         if len(times) > 1 and (not chosen or any(pattern.matches(lane.topic) for pattern in chosen))
-    ]
+    }
     if not lanes:
         raise UsageError("no topic to put faults into", expected="one with two messages or more")
     return lanes

@@ -108,6 +108,7 @@ expected of one entity, and where that stands; `roslens reference import FILE` m
 ARNI. This page is made from `src/roslens/judge/`; `make docs` writes it anew.
 [`reference.schema.json`](reference.schema.json) lets editors check and complete such documents. What is done where
 something does not hold stands in the same documents: [reactions](reactions.md).
+[Trying references](trying_references.md) says what they see in a recording, what they miss, and what they would do.
 
 ```yaml
 """

@@ -15,7 +15,7 @@ from roslens.live.adapters.bag.steps import Lane
 from roslens.live.adapters.bag.topic import BagTopic
 from roslens.live.mutation.fault import Fault, FaultKind
 from roslens.live.mutation.score import score
-from roslens.live.mutation.trial import LENGTH_S, Trials, count_planned, margins, planned
+from roslens.live.mutation.trial import LENGTH_S, Trials, margins, planned
 from roslens.live.signals import BY_KEY
 from roslens.model.graph import Graph
 
@@ -78,14 +78,21 @@ def test_a_check_of_a_field_sees_a_wrong_value():
 
 
 def test_every_kind_of_every_topic_is_tried_once_before_any_is_tried_twice():
-    lanes = [(name, "") for name in HZ]
+    lanes = {(name, ""): 1 / hz for name, hz in HZ.items()}
     plan = list(planned(lanes, 0.0, 60.0, 12.0, 10.0))
-    assert count_planned(len(lanes), 0.0, 60.0, 12.0, 10.0) == len(plan)
     first = plan[: len(FaultKind) * len(lanes)]
     assert set(Counter((one.topic, one.kind) for one in first).values()) == {1}
     assert len(set(plan)) == len(plan)
     assert {one.begin_s for one in plan} == {12.0 + LENGTH_S * n for n in range(7)}
     assert list(planned(lanes, 0.0, 20.0, 12.0, 10.0)) == []
+
+
+@pytest.mark.parametrize(("period", "length"), [(0.1, 5.0), (3.0, 15.0), (60.0, 38.0)])
+def test_a_fault_of_a_slow_topic_lasts_longer_where_there_is_room(period, length):
+    plan = list(planned({("/slow", ""): period}, 0.0, 60.0, 12.0, 10.0))
+    assert {one.end_s - one.begin_s for one in plan} == {length}
+    assert max(one.end_s for one in plan) <= 50.0
+    assert min(one.begin_s for one in plan) >= 12.0
 
 
 def test_the_score_counts_what_was_seen():

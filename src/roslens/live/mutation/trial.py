@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import msgspec
 
@@ -18,7 +18,9 @@ BEFORE_S = 10.0
 """So much of a recording is replayed before a fault, besides the longest grace and window of the reference."""
 AFTER_S = 10.0
 LENGTH_S = 5.0
-"""How long a fault lasts."""
+"""How long a fault lasts, of a topic that is not slow."""
+LEAST_PERIODS = 5
+"""Of a slow topic it lasts for so many of its periods, as far as the recording has room."""
 EARLY_S = 1.0
 """An alarm may begin so long before the fault, because gaps begin with the message before."""
 
@@ -57,18 +59,18 @@ def margins(reference: Reference) -> tuple[float, float]:
 
 
 def planned(
-    lanes: Iterable[tuple[str, str]], start: float, end: float, before_s: float, after_s: float
+    lanes: Mapping[tuple[str, str], float], start: float, end: float, before_s: float, after_s: float
 ) -> Iterator[Fault]:
     """Yield the faults to try: each kind of each topic once before any of them a second time, elsewhere.
 
     Args:
-        lanes: topics and publishers of the recording.
+        lanes: by topic and publisher the mean period in seconds.
         start: seconds of its first message.
         end: seconds of its last message.
         before_s: how much of it has to be there before a fault.
         after_s: how much after it.
     """
-    every = sorted(lanes)
+    every, told = sorted(lanes), set[Fault]()
     room = end - start - before_s - LENGTH_S - after_s
     places = max(int(room // LENGTH_S) + 1, 1) if room >= 0 else 0
     for turn in range(places):
@@ -76,12 +78,12 @@ def planned(
             for place, kind in enumerate(FaultKind):
                 # Neighbours in the plan are far apart in the recording.
                 begin = start + before_s + LENGTH_S * ((turn + 7 * number + 3 * place) % places)
-                yield Fault(kind, topic, publisher, begin, begin + LENGTH_S)
-
-
-def count_planned(lanes: int, start: float, end: float, before_s: float, after_s: float) -> int:
-    """Return how many faults `planned` yields."""
-    return sum(1 for _ in planned([(str(lane), "") for lane in range(lanes)], start, end, before_s, after_s))
+                length = min(max(LENGTH_S, LEAST_PERIODS * lanes[topic, publisher]), LENGTH_S + room)
+                begin = min(begin, end - after_s - length)
+                fault = Fault(kind, topic, publisher, begin, begin + length)
+                if fault not in told:
+                    told.add(fault)
+                    yield fault
 
 
 class Trials:
@@ -91,7 +93,7 @@ class Trials:
         self._reference = reference
         self._opened = opened
         self._before_s, self._after_s = margins_s
-        self._healthy: dict[float, frozenset[tuple[str, str]]] = {}
+        self._healthy: dict[tuple[float, float], frozenset[tuple[str, str]]] = {}
 
     def run(self, fault: Fault, concerned: Sequence[tuple[str, str]]) -> Trial:
         """Try a fault; ``concerned`` are topics and publishers that it changes.
@@ -100,10 +102,10 @@ class Trials:
             UsageError: the recording does not have what it says.
         """
         begin, end = fault.begin_s - self._before_s, fault.end_s + self._after_s
-        if fault.begin_s not in self._healthy:
+        healthy = self._healthy.get((begin, end))
+        if healthy is None:
             alarms = _alarms(self._opened(begin, end, None), self._reference)
-            self._healthy[fault.begin_s] = frozenset(_key(one) for one in alarms)
-        healthy = self._healthy[fault.begin_s]
+            healthy = self._healthy[begin, end] = frozenset(_key(one) for one in alarms)
         found = [one for one in _alarms(self._opened(begin, end, fault), self._reference) if _key(one) not in healthy]
         topics = {topic for topic, _ in concerned}
         nodes = {publisher for _, publisher in concerned if publisher}

@@ -94,6 +94,10 @@ class Evaluation:
         """Return whether what it is about is still so: without hold times, and whatever is the cause."""
         return self._plainly(self._condition, bound)
 
+    def tracked(self) -> set[EntityId]:
+        """Return the bound entities of which something is remembered over time."""
+        return {bound for _, bound, _ in self._since if bound is not None}
+
     def forget(self, bound: EntityId | None = None) -> None:
         """Begin all hold times anew; with an entity those of what is bound to it."""
         self._since = {} if bound is None else {key: at for key, at in self._since.items() if key[1] != bound}

@@ -59,6 +59,7 @@ class Known:
         self._returned: dict[str, float] = {}
         self._ends: dict[str, tuple[set[str], set[str]]] = {}
         self._halted: dict[tuple[EntityId, bool], float] = {}
+        self._bad: set[EntityId] = set()
 
     def take(self, step: Step, now: float) -> None:
         """Take what a step tells."""
@@ -72,6 +73,16 @@ class Known:
             self._take_graph(step.graph, now)
         if step.halted is not None:
             self._halted = {(one.entity, one.hung): one.since for one in step.halted}
+
+    def suspect(self, entity: EntityId) -> bool:
+        """Whether anything may be wrong with an entity: of all others no fault is held."""
+        return (
+            entity in self._bad
+            or self.presences.troubled(entity)
+            or (entity, True) in self._halted
+            or (entity, False) in self._halted
+            or (entity.kind is EntityKind.TOPIC and self._misfits.get(entity.name, 0) > 0)
+        )
 
     def verdicts(self, entity: EntityId) -> Iterable[Held]:
         """Return what is held of an entity."""
@@ -163,12 +174,20 @@ class Known:
         if verdict.state is State.UNKNOWN and entity.kind in _FLEETING:
             # Of what comes and goes nothing is kept that says nothing.
             mine.pop(verdict.expectation, None)
+            if not any(one.verdict.state.bad for one in mine.values()):
+                self._bad.discard(entity)
             return
         before = mine.get(verdict.expectation)
         same = before is not None and (before.verdict.state.bad, before.verdict.cause) == (
             verdict.state.bad,
             verdict.cause,
         )
+        if verdict.state.bad:
+            self._bad.add(entity)
+        elif entity in self._bad and not any(
+            one.verdict.state.bad for key, one in mine.items() if key != verdict.expectation
+        ):
+            self._bad.discard(entity)
         mine[verdict.expectation] = Held(verdict, before.settled_at if before is not None and same else self.now)
 
     def _take_graph(self, graph: Graph, now: float) -> None:

@@ -51,6 +51,10 @@ class Presences:
         at = self._befell.get((entity, change))
         return at if at is not None and now - at <= BEFELL_S else None
 
+    def troubled(self, entity: EntityId) -> bool:
+        """Whether something is gone, or was ever restarted or found to flap."""
+        return entity in self._gone or any((entity, change) in self._befell for change in _BEFELL)
+
     def went_with_host(self, node: EntityId) -> bool:
         """Whether all nodes of the host went with a node: its host is off, or somebody ended them all."""
         at, host = self._gone.get(node), self._hosts.get(node.name, "")

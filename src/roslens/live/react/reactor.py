@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import msgspec
 
@@ -17,7 +17,7 @@ from roslens.live.react.truth import Truth
 from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
 from roslens.live.session import Step
-from roslens.model.condition import Matching, Stated
+from roslens.model.condition import AllOf, AnyOf, Being, Condition, Matching, Stated
 from roslens.model.entity import EntityId
 from roslens.model.reaction import ActionCall, Because, Checked, Decision, EscalationStep, Outcome, Reaction
 
@@ -102,7 +102,12 @@ class Reactor:
         if plan.each is None:
             return [None]
         going = {one for name, one in self._chains if name == plan.reaction.name and one is not None}
-        return [*sorted({*self._chosen.of(plan.each.selector), *going})]
+        chosen: Iterable[EntityId] = self._chosen.of(plan.each.selector)
+        if plan.only_suspects:
+            # Most of what a pattern chooses is fine: it is not looked at ten times a second.
+            suspects = (one for one in chosen if self._known.suspect(one))
+            chosen = (*suspects, *plan.tracked())
+        return [*sorted({*chosen, *going})]
 
     def _consider(self, plan: _Plan, entity: EntityId | None) -> list[Decision]:
         key = (plan.reaction.name, entity)
@@ -244,6 +249,7 @@ class _Plan:
         self.statements = tuple(statements(reaction.when))
         self.bound = bound(reaction.when)
         self.each: Stated | None = next((one for one in self.statements if one.matching is Matching.EACH), None)
+        self.only_suspects = self.each is not None and _needs_fault(reaction.when, self.each)
         self._when = Evaluation(reaction.when, reaction.settled_s, known, chosen, start)
         self._armed = reaction.only_while and Evaluation(reaction.only_while, 0.0, known, chosen, start)
         self._unless = reaction.unless and Evaluation(reaction.unless, 0.0, known, chosen, start, effects=True)
@@ -261,8 +267,24 @@ class _Plan:
         """Return whether what it is about is still so."""
         return self._when.lasts(entity)
 
+    def tracked(self) -> set[EntityId]:
+        """Return the entities of which something is remembered over time."""
+        return self._when.tracked().union(*(one.tracked() for one in (self._armed, self._unless) if one))
+
     def forget(self) -> None:
         """Begin all hold times anew."""
         for one in (self._when, self._armed, self._unless):
             if one:
                 one.forget()
+
+
+_FAULTS = frozenset(("low", "high", "absent", "bad", *(one.value for one in Being if one is not Being.THERE)))
+
+
+def _needs_fault(condition: Condition, each: Stated) -> bool:
+    """Whether a condition can only be true of an entity with which something is wrong."""
+    if isinstance(condition, Stated):
+        return condition is each and condition.unknown is not True and _FAULTS.issuperset(condition.states)
+    if isinstance(condition, AllOf):
+        return any(_needs_fault(part, each) for part in condition.parts)
+    return isinstance(condition, AnyOf) and all(_needs_fault(part, each) for part in condition.parts)

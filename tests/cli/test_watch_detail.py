@@ -9,7 +9,7 @@ from roslens.live.tree import SystemView
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.finding import Severity
 from roslens.model.tally import Observer
-from roslens.model.verdict import State, Verdict
+from roslens.model.verdict import Link, State, Verdict
 
 SCAN = EntityId(EntityKind.TOPIC, "/scan")
 
@@ -53,3 +53,10 @@ def test_what_is_wrong_below_is_told(whole):
 
 def test_every_way_of_observing_has_words():
     assert OBSERVED.keys() == {one.value for one in Observer}
+
+
+def test_the_way_to_the_cause_is_told_in_words(whole):
+    way = (Link("node:/lidar", "is published by"), Link("host:base", "runs on", "is gone"))
+    low = Verdict(SCAN, "r.rate", "rate", State.LOW, 3.0, 9.0, 4.0, cause="host:base", why=way)
+    (found,) = detail_of("topic:/scan", whole, [low], " 9 s ", lambda time: f"{time:.0f} s").judgements
+    assert found.why == "topic:/scan is published by node:/lidar, which runs on host:base (is gone)"

@@ -95,6 +95,10 @@ enough. `not` of unknown is unknown; `all` is false where one part is false, els
 where one part is true, else unknown where one is. A statement may say what unknown is taken for (`unknown: false`),
 and that something *is* unknown can be asked for (`is: unknown`).
 
+Nodes that go together with all others of their host, within 10 s, are unknown as well: the host is off, or somebody
+ended them, and starting each of them again would be wrong. What an observer watches stays unknown until 3 s after it is
+heard again.
+
 Everything is unknown while the monitor itself is not well: in its first seconds, while its looks come late, while it
 sheds records, and after its clock was set. A hold time (`for`) then begins anew.
 

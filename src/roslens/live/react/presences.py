@@ -60,8 +60,9 @@ class Presences:
         at, host = self._gone.get(node), self._hosts.get(node.name, "")
         if at is None or not host:
             return False
-        others = [EntityId(EntityKind.NODE, name) for name, where in self._hosts.items() if where == host]
-        return len(others) > 1 and all(abs(self._gone.get(one, float("inf")) - at) <= TOGETHER_S for one in others)
+        nodes = [EntityId(EntityKind.NODE, name) for name, where in self._hosts.items() if where == host]
+        together = sum(abs(self._gone.get(one, float("inf")) - at) <= TOGETHER_S for one in nodes)
+        return together > 1 and not any(one in self._there for one in nodes)
 
     def host_of(self, node: str) -> str:
         """Return where a node is or was; empty where that is unknown."""

@@ -17,7 +17,7 @@ from roslens.live.react.truth import Truth
 from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
 from roslens.live.session import Step
-from roslens.model.condition import AllOf, AnyOf, Being, Condition, Matching, Stated
+from roslens.model.condition import About, AllOf, AnyOf, Being, Condition, Matching, Stated
 from roslens.model.entity import EntityId
 from roslens.model.reaction import ActionCall, Because, Checked, Decision, EscalationStep, Outcome, Reaction
 
@@ -284,7 +284,8 @@ _FAULTS = frozenset(("low", "high", "absent", "bad", *(one.value for one in Bein
 def _needs_fault(condition: Condition, each: Stated) -> bool:
     """Whether a condition can only be true of an entity with which something is wrong."""
     if isinstance(condition, Stated):
-        return condition is each and condition.unknown is not True and _FAULTS.issuperset(condition.states)
+        faults = condition.about in (About.VERDICT, About.BEING) and _FAULTS.issuperset(condition.states)
+        return condition is each and faults and condition.unknown is not True
     if isinstance(condition, AllOf):
         return any(_needs_fault(part, each) for part in condition.parts)
     return isinstance(condition, AnyOf) and all(_needs_fault(part, each) for part in condition.parts)

@@ -103,13 +103,16 @@ def matrix(rows: Sequence[tuple[str, str, str, frozenset[str]]]) -> tuple[list[s
     return names, marks, np.array([ROLES.index(row[2]) for row in rows])
 
 
-def left_out(rows: Sequence[tuple[str, str, str, frozenset[str]]]) -> list[str]:
-    """Return the role that each package gets by weights made without its repository."""
+def left_out(rows: Sequence[tuple[str, str, str, frozenset[str]]], only: Sequence[str] = ()) -> list[str]:
+    """Return the role that each package gets by weights made without its repository.
+
+    With ``only`` some repositories, packages of others get what they have by hand.
+    """
     names, marks, roles = matrix(rows)
     repositories = np.array([row[1] for row in rows])
-    told = np.zeros(len(rows), dtype=int)
+    told = roles.copy()
     near = fit(names, marks, roles)
-    for repository in sorted(set(repositories)):
+    for repository in only or sorted(set(repositories)):
         here = repositories == repository
         told[here] = (marks[here] @ fit(names, marks[~here], roles[~here], near)).argmax(1)
     return [ROLES[number] for number in told]

@@ -1,6 +1,7 @@
 """The command as a user gives it."""
 
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -127,3 +128,20 @@ def test_evidence_of_a_package(tmp_path, capsys, monkeypatch):
     assert "Evidence on arm" in page.read_text()
     assert main(["evidence", "arms"]) == 2
     assert 'no package "arms" in this run; expected such as arm' in capsys.readouterr().err
+
+
+def test_process_metrics_are_of_repositories(tmp_path, capsys, monkeypatch):
+    words = ["git", "-c", "user.name=a", "-c", "user.email=a@b.example", "-C"]
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+        (tmp_path / name / "node.py").write_text("x = 1\n")
+        for more in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "first"]):
+            subprocess.run([*words, tmp_path / name, *more], check=True)
+    monkeypatch.chdir(tmp_path)
+    main(["check", "-q", "--process-metrics", "--fail-on", "never", "-o", "out.json"])
+    capsys.readouterr()
+    assert main(["study", "--quantity", "revisions", "--quantity", "loc"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("2 packages of 2 repositories; commits, contributors and issues are those of repositories")
+    assert re.search(r"^Revisions +2 +1 +1 +0 ", out, re.MULTILINE)

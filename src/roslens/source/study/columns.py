@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 
 from roslens.judge.quality_model import QualityModel
 from roslens.judge.range import Range
+from roslens.model.entity import EntityKind
 from roslens.model.quantity import Fold, Quantity
 from roslens.model.study import Column
 
@@ -14,10 +15,14 @@ _COUNTED = frozenset({"rqv", "rcv", "paper2016.rqv"})
 
 
 def column_of(quantity: Quantity, models: Sequence[QualityModel] = ()) -> Column:
-    """Return the column of a quantity; its threshold is that of the first model that has one."""
+    """Return the column of a quantity; its threshold is that of the first model that has one.
+
+    A bound of functions, classes or files is one of a package's mean too, as in the 2016 study, but not of its sum.
+    """
+    is_sum = bool(quantity.folds and quantity.folds[0] is Fold.SUM)
     for model in models:
         for constraint in model.constraints:
-            if constraint.quantity == quantity.key:
+            if constraint.quantity == quantity.key and (constraint.kind is EntityKind.PACKAGE or not is_sum):
                 return _column(quantity, constraint.range, f"{constraint.range} ({model.name})")
     return _column(quantity, Range(), "")
 
@@ -26,7 +31,7 @@ def _column(quantity: Quantity, bounds: Range, threshold: str) -> Column:
     return Column(
         quantity.key,
         quantity.title,
-        quantity.unit,
+        "" if quantity.unit == "1" else quantity.unit,
         minimum=bounds.minimum,
         maximum=bounds.maximum,
         threshold=threshold,

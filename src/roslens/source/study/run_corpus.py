@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
+import msgspec
+
 from roslens.judge.quality_model import QualityModel
 from roslens.model.errors import UsageError
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageSummary
 from roslens.model.source import OUTSIDE_PACKAGES
-from roslens.model.study import Broken, Corpus, Subject
+from roslens.model.study import REPOSITORY, Broken, Corpus, Subject
 from roslens.source.study.columns import column_of, size_among
 from roslens.store.read import RunView
 
@@ -25,7 +27,7 @@ def corpus_of_runs(
     role_of: RoleOf,
     wanted: Sequence[str] = (),
 ) -> Corpus:
-    """Return the corpus of runs.
+    """Return the corpus of runs; what histories say is of repositories, all else of packages.
 
     Args:
         runs: each with the name of its distribution, by which several can be told apart.
@@ -40,8 +42,10 @@ def corpus_of_runs(
     known = {one.key: one for _, view in runs for one in view.quantities()}
     chosen = _chosen(known, models, wanted)
     packages: list[Subject] = []
+    repositories: list[Subject] = []
     broken: list[Broken] = []
     for name, view in runs:
+        repositories += [Subject(one.path, one.path, "", name, values=one.values) for one in view.process]
         for summary in view.packages():
             if summary.id == OUTSIDE_PACKAGES:
                 continue
@@ -52,9 +56,17 @@ def corpus_of_runs(
     if not any(one.values for one in packages):
         raise UsageError("no package with a value", expected="packages with source", advice="Check other folders")
     measured = {key for one in packages for key in one.values}
-    columns = tuple(column_of(one, models) for one in chosen if one.key in measured)
+    told = {key for one in repositories for key in one.values}
+    columns = tuple(column_of(one, models) for one in chosen if one.key in measured - told)
+    process = (known[key] for key in known if key in told and (not wanted or key in wanted))
     return Corpus(
-        KIND, tuple(name for name, _ in runs), columns, tuple(packages), (), tuple(broken), size_among(measured)
+        KIND,
+        tuple(name for name, _ in runs),
+        (*columns, *(msgspec.structs.replace(column_of(one), of=REPOSITORY) for one in process)),
+        tuple(packages),
+        tuple(repositories),
+        tuple(broken),
+        size_among(measured),
     )
 
 

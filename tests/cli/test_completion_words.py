@@ -7,8 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from process_metrics.small_repository import MANIFEST, SmallRepository
 
-from roslens.cli.completion_words import arguments, ids, launches
+from roslens.cli.completion_words import arguments, ids, launches, quantities, revisions
 from roslens.cli.main import main
 from roslens.model.errors import UsageError
 
@@ -39,6 +40,17 @@ def test_arguments_are_offered_with_values_that_hold_anywhere(workspace):
     ]  # fmt: skip
     with pytest.raises(UsageError, match="no launch file"):
         list(arguments(str(workspace), "talk/none.launch.xml"))
+
+
+def test_runs_and_quantities_of_past_revisions_are_offered(tmp_path):
+    made = SmallRepository(tmp_path / "r")
+    made.commit("one", day=0, package_DOT_xml=MANIFEST.format("p"))
+    made.git("tag", "1.0.0")
+    assert list(revisions(str(made.root))) == ["now", "release", "main", "1.0.0"]
+    with pytest.raises(UsageError, match="no past revisions"):
+        list(quantities(str(made.root)))
+    assert main(["history", str(made.root), "--every", "release", "-q"]) == 0
+    assert {"loc", "findings", "revisions"} <= set(quantities(str(made.root)))
 
 
 def test_what_can_be_explained_is_offered(workspace):

@@ -179,3 +179,38 @@ def test_a_part_of_a_repository(tmp_path, capsys):
     assert found["packages"] == {"p": [1, 2]}
     churn = json.loads(out(capsys, "trend", "churn", made.root / "src", "--format", "json"))
     assert churn["packages"]["p"] == [2, 3]
+
+
+def test_a_command_that_was_ended_goes_on_where_it_was(tmp_path, capsys, monkeypatch):
+    from roslens.cli.past_runs import PastRuns
+
+    made = SmallRepository(tmp_path / "r")
+    for day in range(4):
+        made.commit(f"day {day}", day=day, package_DOT_xml=MANIFEST.format("p"), a_DOT_py="x = 1\n" * (day + 1))
+    whole, asked = PastRuns._analysed, []
+
+    def ended(runs, commit, begun):
+        asked.append(commit.id)
+        if len(asked) == 3:
+            raise KeyboardInterrupt
+        return whole(runs, commit, begun)
+
+    monkeypatch.setattr(PastRuns, "_analysed", ended)
+    assert main(["history", str(made.root), "--every", "1", "-q"]) == 130
+    assert len(runs(made)) == 2
+    assert main(["history", str(made.root), "--every", "1", "-q"]) == 0
+    assert len(asked) == 5
+    found = json.loads(out(capsys, "trend", "loc", made.root, "--format", "json"))
+    assert found["whole"] == [1, 2, 3, 4]
+
+
+def test_revisions_without_a_package_and_with_a_broken_one(tmp_path, capsys):
+    made = SmallRepository(tmp_path / "r")
+    made.commit("nothing", day=0, README="read me\n")
+    made.commit("broken", day=1, package_DOT_xml="<package><name>", a_DOT_py="def f(:\n")
+    made.commit("mended", day=2, package_DOT_xml=MANIFEST.format("p"), a_DOT_py="x = 1\n")
+    assert main(["history", str(made.root), "--every", "1"]) == 0
+    assert "could not be analysed in part" in capsys.readouterr().err
+    found = json.loads(out(capsys, "trend", "files", made.root, "--format", "json"))
+    assert found["packages"]["p"][-1] == 1
+    assert "package p" in out(capsys, "compare", made.git("rev-parse", "HEAD~2"), "HEAD", made.root)

@@ -15,6 +15,12 @@ ARGUMENTS = {"bash": "_roslens_arguments", "zsh": "_roslens_arguments"}
 IDS = {"bash": "_roslens_ids", "zsh": "_roslens_ids"}
 """Those that complete the id of what can be explained."""
 
+QUANTITIES = {"bash": "_roslens_quantities", "zsh": "_roslens_quantities"}
+"""Those that complete what can be followed over past revisions."""
+
+REVISIONS = {"bash": "_roslens_revisions", "zsh": "_roslens_revisions"}
+"""Those that complete a run that can be compared."""
+
 PREAMBLE = {
     "bash": """\
 _roslens_asked() {
@@ -39,6 +45,12 @@ _roslens_arguments() {
 }
 _roslens_ids() {
   compgen -W "$(roslens completion ids 2>/dev/null)" -- "$1"
+}
+_roslens_quantities() {
+  compgen -W "$(roslens completion quantities 2>/dev/null)" -- "$1"
+}
+_roslens_revisions() {
+  compgen -W "$(roslens completion revisions 2>/dev/null)" -- "$1"
 }
 """,
     "zsh": """\
@@ -65,6 +77,16 @@ _roslens_arguments() {
 _roslens_ids() {
   local -a found
   found=(${(f)"$(roslens completion ids 2>/dev/null)"})
+  compadd -a found
+}
+_roslens_quantities() {
+  local -a found
+  found=(${(f)"$(roslens completion quantities 2>/dev/null)"})
+  compadd -a found
+}
+_roslens_revisions() {
+  local -a found
+  found=(${(f)"$(roslens completion revisions 2>/dev/null)"})
   compadd -a found
 }
 """,
@@ -98,6 +120,36 @@ def ids(path: str) -> Iterator[str]:
 
     for kind in known(withheld(find_configuration(Path(path).resolve(), None))):
         yield from sorted(kind)
+
+
+def quantities(path: str) -> Iterator[str]:
+    """Yield the keys of what can be followed over past revisions.
+
+    Raises:
+        UsageError: none were analysed.
+    """
+    from roslens.cli.past_points import trends_of
+
+    with trends_of(path) as trends:
+        yield from trends.keys
+
+
+def revisions(path: str) -> Iterator[str]:
+    """Yield what runs are called that can be compared: the newest, the last release, branches and tags.
+
+    Raises:
+        UsageError: the folder is in no repository.
+    """
+    import os
+
+    from roslens.cli.git_repository import repository_of
+    from roslens.cli.named_run import NOW, RELEASE
+
+    yield from (NOW[0], RELEASE)
+    done = repository_of(path).git(
+        "for-each-ref", "--format=%(refname:short)", "refs/heads", "refs/remotes", "refs/tags"
+    )
+    yield from os.fsdecode(done.stdout).split()
 
 
 def arguments(path: str, launch: str) -> Iterator[str]:

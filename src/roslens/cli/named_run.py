@@ -11,7 +11,8 @@ import msgspec
 
 from roslens.cli.git_repository import commit_of_revision, names_like, repository_of
 from roslens.cli.past_runs import PAST, PastRuns, past_runs
-from roslens.cli.workplace import FOLDER, STORE
+from roslens.cli.shared_store import shared_address
+from roslens.cli.workplace import FOLDER, STORE, open_store
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -69,16 +70,13 @@ class NamedRuns:
         return self._of_commit(commit, name)
 
     def _of_tree(self, name: str) -> NamedRun:
-        from roslens.store.runs import Store
-
         if self._store is None:
-            path = self.root / FOLDER / STORE
-            if not path.is_file():
+            if not (self.root / FOLDER / STORE).is_file() and not shared_address(str(self.root)):
                 raise UsageError(
                     f'"{name}": nothing was checked in {self.root} yet', expected="a kept run",
                     advice="Run `roslens check` first",
                 )  # fmt: skip
-            self._store = self._opened.enter_context(Store.open(path))
+            self._store = self._opened.enter_context(open_store(str(self.root)))
         view = self._store.view(None if name in NOW else int(name))
         commit = view.header.commit
         at = f" of {commit[:10]}{'+' if commit.endswith('+') else ''}" if commit else ""

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.own_results import refuse_foreign
 from roslens.cli.past_runs import PAST
-from roslens.cli.workplace import FOLDER, STORE
+from roslens.cli.shared_store import shared_address
+from roslens.cli.workplace import FOLDER, STORE, open_store
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -46,8 +47,8 @@ def trends_of(start: str) -> Iterator[Trends]:
     with ExitStack() as opened:
         past = opened.enter_context(Store.open(folder / PAST))
         now = None
-        if (folder / STORE).is_file():
-            store = opened.enter_context(Store.open(folder / STORE))
+        if (folder / STORE).is_file() or shared_address(start):
+            store = opened.enter_context(open_store(start))
             now = store.view() if store.latest() is not None else None
         trends = Trends(past, now)
         if not trends.points:

@@ -26,7 +26,8 @@ class KeptRevision(msgspec.Struct, frozen=True):
 def write_revision(connection: sqlite3.Connection, one: KeptRevision) -> None:
     """Say of which commit a run is."""
     connection.execute(
-        'INSERT OR REPLACE INTO revision (run, "commit", key, time_s) VALUES (?, ?, ?, ?)',
+        'INSERT INTO revision (run, "commit", key, time_s) VALUES (?, ?, ?, ?) ON CONFLICT (run) DO UPDATE SET '
+        '"commit" = excluded."commit", key = excluded.key, time_s = excluded.time_s',
         (one.run, one.commit, one.key, one.time_s),
     )
 

@@ -153,3 +153,16 @@ def test_a_bare_repository_that_a_clone_brings_is_not_asked(tmp_path):
     (bare / "package.xml").write_text(MANIFEST.format("q"))
     assert failures_of(bare) == []
     assert failures_of(made.root) == []
+
+
+def test_names_that_want_to_break_something(empty):
+    trailers = ["<>", "x <y", "a <b> c <d>", "\u2028 <u@x.org>", "tab\tname <t@x.org>", "\x1fsplit <s@x.org>", "> <"]
+    message = "odd\n\n" + "".join(f"Co-authored-by: {one}\n" for one in trailers)
+    empty.commit(message, day=0, who="A\x1fB <a@x.org>", package_DOT_xml=MANIFEST.format("p"))
+    empty.write("new\nline.py", "x = 1\n")
+    empty.write("tab\tname.py", "x = 1\n")
+    empty.commit("odd names", day=1)
+    found = process_of(empty.root)
+    assert found.values["revisions"] == 2
+    assert 2 <= found.values["contributors"] <= 9
+    assert found.values["churn"] == 3

@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from roslens.cli.completion_words import REVISIONS
+
 if TYPE_CHECKING:
     from roslens.cli.named_run import NamedRun
     from roslens.compare.run_difference import RunDifference, RunSide
@@ -21,8 +23,8 @@ EXAMPLES = """\
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add both runs, and how the difference is written."""
     name = "number of a kept run, `now` (the newest), `release` (the last one), or a branch, tag or commit"
-    parser.add_argument("before", metavar="RUN", help=name)
-    parser.add_argument("after", metavar="RUN", help="the later one, named likewise")
+    for which, text in (("before", name), ("after", "the later one, named likewise")):
+        parser.add_argument(which, metavar="RUN", help=text).complete = REVISIONS  # type: ignore[attr-defined]
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
     parser.add_argument("--format", choices=("text", "markdown", "json"), default="text")
     parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")

@@ -14,7 +14,7 @@ EXAMPLES = """\
   roslens completion tcsh >> ~/.tcshrc"""
 
 _SHELLS = ("bash", "zsh", "tcsh")
-_WORDS = ("launches", "arguments", "ids")
+_WORDS = ("launches", "arguments", "ids", "quantities", "revisions")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -47,14 +47,15 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _print_words(options: argparse.Namespace) -> int:
-    from roslens.cli.completion_words import arguments, ids, launches
+    from roslens.cli.completion_words import arguments, ids, launches, quantities, revisions
 
     if options.shell == "arguments" and not options.launch:
         raise UsageError("arguments of no launch file", expected="--launch PACKAGE/FILE")
     if options.shell == "arguments":
         found = arguments(options.path, options.launch)
     else:
-        found = (launches if options.shell == "launches" else ids)(options.path)
+        asked = {"launches": launches, "ids": ids, "quantities": quantities, "revisions": revisions}
+        found = asked[options.shell](options.path)
     for word in found:
         print(word)
     return 0

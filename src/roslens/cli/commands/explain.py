@@ -40,6 +40,8 @@ Known = tuple["dict[str, QualityModel]", "dict[str, Quantity]", "dict[str, RuleI
 def known(configuration: Configuration) -> Known:
     """Return what can be explained: of roslens, and of what the configuration of a workspace adds."""
     from roslens.judge.quality_model import builtin_models, load_model, rules_of
+    from roslens.source.forge.quantities import FORGE_QUANTITIES
+    from roslens.source.history.metrics.table import PROCESS_QUANTITIES
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
     from roslens.source.rules.table import native_rules
@@ -48,7 +50,7 @@ def known(configuration: Configuration) -> Known:
     from roslens.source.workspace.silence import RULES
 
     found = discover_plugins(configuration.source, Path(configuration.base or "."), configurations=True)
-    quantities = dict(QUANTITIES)
+    quantities = {**QUANTITIES, **PROCESS_QUANTITIES, **FORGE_QUANTITIES}
     rules: dict[str, RuleInfo] = {rule.id: rule.info for rule in native_rules().values()}
     rules.update({rule.id: rule for rule in (*RULES, LAYOUT, *mapped_rules())})
     for member in found.members:

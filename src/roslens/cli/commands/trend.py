@@ -6,6 +6,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from roslens.cli.completion_words import QUANTITIES
 from roslens.model.errors import UsageError
 from roslens.model.trend import Trend, TrendEvent
 
@@ -20,7 +21,8 @@ EXAMPLES = """\
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what is followed, and how it is written."""
-    parser.add_argument("quantity", nargs="?", metavar="QUANTITY", help="its key; without, all keys are listed")
+    what = parser.add_argument("quantity", nargs="?", metavar="QUANTITY", help="its key; without, all keys are listed")
+    what.complete = QUANTITIES  # type: ignore[attr-defined]
     parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
     parser.add_argument(
         "--package", action="append", default=[], metavar="NAME", help="only this package; may be given again"

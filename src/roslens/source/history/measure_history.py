@@ -12,7 +12,7 @@ from roslens.source.history.metrics import change_coupling, hotspot, releases, r
 from roslens.source.history.metrics.table import PROCESS_METRICS
 from roslens.source.history.touched import Touched
 
-Commits = list[tuple[Commit, list[Change]]]
+Commits = list[tuple[Commit, Sequence[Change]]]
 
 
 def measure_history(
@@ -52,7 +52,7 @@ def measure_history(
             parts[owners[change.path]].append(change)
         for owner, changes in parts.items():
             of_package[owner].append((commit, changes))
-    whole = [(commit, list(commit.changes)) for commit in log.commits]
+    whole: Commits = [(commit, commit.changes) for commit in log.commits]
     couples = [not change_coupling.RELEASE_FILES.fullmatch(name) for name in log.paths]
     coupled_files = (
         change_coupling.couplings(_named(log, [files.get(name, "") for name in log.paths], couples)) if files else ()

@@ -59,7 +59,7 @@ def _commits(answer: bytes, rows: Callable[[list[bytes]], Iterator[Row]]) -> Ite
         if piece.startswith(b"\x01"):
             if header:
                 yield _raw(header, tuple(rows(pieces)))
-            header, pieces = piece[1:].decode("utf-8", "replace").split("\x1f"), []
+            header, pieces = piece[1:].decode("utf-8", "replace").split("\x1f", 4), []
         elif piece.strip(b"\n"):
             pieces.append(piece.removeprefix(b"\n"))
     if header:
@@ -112,9 +112,17 @@ def _person(name: str) -> str:
 def _mapped(folder: str, contacts: list[str]) -> dict[str, str]:
     """Return the name that ``.mailmap`` gives to each ``Name <address>``."""
     plain = [one for one in contacts if _CONTACT.fullmatch(one)]
-    found = {one: one for one in contacts}
+    found = {one: one for one in contacts} | {one: _name(one) for one in plain}
     if plain:
-        answer = git_answer(folder, "check-mailmap", "--stdin", given="".join(f"{one}\n" for one in plain).encode())
-        said = answer.decode("utf-8", "replace").splitlines()
-        found.update({one: line.partition("<")[0].strip() for one, line in zip(plain, said, strict=True)})
+        given = "".join(f"{one}\n" for one in plain).encode("utf-8", "replace")
+        try:
+            said = git_answer(folder, "check-mailmap", "--stdin", given=given).decode("utf-8", "replace").split("\n")
+        except HistoryError:
+            # One that git cannot read among them: they stay as they are written.
+            return found
+        found.update({one: _name(line) for one, line in zip(plain, said, strict=False)})
     return found
+
+
+def _name(contact: str) -> str:
+    return contact.partition("<")[0].strip()

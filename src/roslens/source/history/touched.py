@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from functools import cached_property
 
 from roslens.model.entity import EntityKind
@@ -18,7 +19,7 @@ class Touched:
     """
 
     def __init__(
-        self, kind: EntityKind, commits: list[tuple[Commit, list[Change]]], *, as_of_s: float, head_s: float
+        self, kind: EntityKind, commits: Sequence[tuple[Commit, Sequence[Change]]], *, as_of_s: float, head_s: float
     ) -> None:
         """Bring together what metrics are computed of.
 

@@ -50,6 +50,37 @@ def _manifest(content: bytes) -> None:
     msgspec.json.encode((package, failures))
 
 
+def _repositories(content: bytes) -> None:
+    from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
+    from roslens.model.errors import UsageError
+    from roslens.source.fetch.distribution import distribution_of
+    from roslens.source.fetch.filter_file import filter_of
+    from roslens.source.fetch.folder_name import is_folder_name
+    from roslens.source.fetch.repos_file import lock_text, repositories_of, taken_of
+    from roslens.source.fetch.urls import UrlError, checked
+
+    try:
+        data = load_yaml(content)
+    except UnsafeYamlError:
+        return
+    if not isinstance(data, dict):
+        return
+    for read in (distribution_of, repositories_of, filter_of):
+        try:
+            found = read(data, "d.yaml")
+        except UsageError:
+            continue
+        for one in getattr(found, "repositories", ()):
+            is_folder_name(one.name)
+            try:
+                checked(one.url, files=False)
+            except UrlError:
+                continue
+    taken = taken_of(data)
+    again = taken_of(load_yaml(lock_text(taken)))
+    assert sorted(one.wanted.name for one in again) == sorted({one.wanted.name for one in taken})
+
+
 @cache
 def _macros():
     from roslens.source.syntax.macros import load_macros
@@ -248,6 +279,7 @@ KINDS = {
     ),
     "cmake": Kind(lambda: _files("CMakeLists.txt", "*.cmake"), CMAKE, _cmake),
     "yaml": Kind(lambda: _files("*.yaml", "*.yml"), YAML, _yaml),
+    "repositories": Kind(lambda: _files("*.repos", "distribution.yaml", "filter.yaml"), YAML, _repositories),
     "bag": Kind(lambda: _recordings("ros1", "ros1_bz2", "ros1_lz4"), BAG, _recording),
     "mcap": Kind(lambda: _recordings("mcap", "mcap_zstd", "mcap_message"), BAG, _recording),
     "frames": Kind(_frame_seeds, PACKED, _frames),

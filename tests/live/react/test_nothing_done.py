@@ -76,7 +76,7 @@ def robot(voices: dict[str, dict[str, Any]], until: float = UNTIL, **others: Any
     }  # fmt: skip
 
 
-LENGTHS = (0.5, 1.0, 2.0, 5.0, 10.0)
+LENGTHS = (0.5, pytest.param(1.0, marks=pytest.mark.nightly), 2.0, pytest.param(5.0, marks=pytest.mark.nightly), 10.0)
 
 
 @pytest.mark.parametrize("length", LENGTHS)

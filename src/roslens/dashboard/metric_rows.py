@@ -10,7 +10,7 @@ from roslens.dashboard.figures import number
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.judge.constraint import Constraint
-from roslens.judge.field import Field, load_field
+from roslens.judge.field import Field, load_field, package_distributions
 from roslens.judge.rate import Rating, rate
 from roslens.judge.select import matcher, name_of
 from roslens.model.entity import Entity, EntityKind
@@ -36,6 +36,7 @@ def metrics_table(site: Site, entities: Sequence[Entity]) -> Table:
         if any((constraint.quantity, constraint.kind) in shown for constraint in model.constraints)
     ]
     field = load_field()
+    standing: set[str] = set()
     of_package = by_kind[EntityKind.PACKAGE][0].values if by_kind[EntityKind.PACKAGE] else {}
     rows = []
     for key, kind in shown:
@@ -54,10 +55,11 @@ def metrics_table(site: Site, entities: Sequence[Entity]) -> Table:
                 Cell("the package" if single else f"{len(values):,} {_MANY[kind]}"),
                 Cell(mean, text=number(mean, mean_digits)),
                 Cell(None if single else max(values), text="" if not single else " "),
-                _standing(field, key, of_package.get(key)),
+                _standing(field, key, None if key in standing else of_package.get(key)),
                 *verdicts,
             )
         )
+        standing.add(key)
     columns = (
         Column("quantity", "Metric"),
         Column("unit", "Unit"),
@@ -72,7 +74,7 @@ def metrics_table(site: Site, entities: Sequence[Entity]) -> Table:
 
 def _standing(field: Field, key: str, value: float | None) -> Cell:
     """Return how many of a hundred packages of the field have a smaller value than the package."""
-    distribution = field.find(key, EntityKind.PACKAGE)
+    distribution = package_distributions(field.name).get(key)
     if value is None or distribution is None:
         return Cell(None, text=" ")
     percentile = distribution.percentile(value)

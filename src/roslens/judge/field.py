@@ -7,6 +7,7 @@ one.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 
@@ -81,6 +82,13 @@ class Field(msgspec.Struct, frozen=True):
         wanted = (quantity, kind, group)
         found = (one for one in self.distributions if (one.quantity, one.kind, one.group) == wanted)
         return next((one for one in found if one.n >= FEWEST), None)
+
+
+@lru_cache(maxsize=4)
+def package_distributions(name: str = CURRENT) -> Mapping[str, Distribution]:
+    """Return the distributions over all packages of a field by quantity, for those who look up many."""
+    wanted = (one for one in load_field(name).distributions if one.kind is EntityKind.PACKAGE and not one.group)
+    return {one.quantity: one for one in wanted if one.n >= FEWEST}
 
 
 @lru_cache(maxsize=4)

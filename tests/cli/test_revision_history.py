@@ -214,3 +214,18 @@ def test_revisions_without_a_package_and_with_a_broken_one(tmp_path, capsys):
     found = json.loads(out(capsys, "trend", "files", made.root, "--format", "json"))
     assert found["packages"]["p"][-1] == 1
     assert "package p" in out(capsys, "compare", made.git("rev-parse", "HEAD~2"), "HEAD", made.root)
+
+
+def test_what_a_forced_push_took_away_is_left_out_and_said(tmp_path, capsys):
+    made = SmallRepository(tmp_path / "r")
+    made.commit("one", day=0, package_DOT_xml=MANIFEST.format("p"), a_DOT_py="x = 1\n")
+    gone = made.commit("two", day=1, a_DOT_py="x = 1\n" * 2)
+    assert main(["history", str(made.root), "--every", "1", "-q"]) == 0
+    made.git("reset", "-q", "--hard", "HEAD~1")
+    made.commit("another two", day=2, a_DOT_py="x = 1\n" * 3)
+    assert main(["history", str(made.root), "--every", "1", "-q"]) == 0
+    assert main(["trend", "loc", str(made.root), "--format", "json"]) == 0
+    told = capsys.readouterr()
+    assert json.loads(told.out)["whole"] == [1, 3]
+    assert gone not in told.out
+    assert "1 revisions that were analysed are not behind the head" in told.err

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -21,6 +22,17 @@ def past_folder(start: str) -> Path | None:
     """Return the ``.roslens`` folder with past revisions that ``start`` is in, whoever made it; None for none."""
     path = Path(start).resolve()
     return next((above / FOLDER for above in (path, *path.parents) if (above / FOLDER / PAST).is_file()), None)
+
+
+def commits_behind(root: Path) -> frozenset[str] | None:
+    """Return the commits behind the head of the repository that a workspace is in; None where git cannot tell."""
+    from roslens.cli.git_repository import repository_of
+
+    try:
+        done = repository_of(str(root)).git("rev-list", "HEAD")
+    except UsageError:
+        return None
+    return frozenset(done.stdout.decode("ascii", "replace").split()) if done.returncode == 0 else None
 
 
 @contextmanager
@@ -50,7 +62,10 @@ def trends_of(start: str) -> Iterator[Trends]:
         if (folder / STORE).is_file() or shared_address(start):
             store = opened.enter_context(open_store(start))
             now = store.view() if store.latest() is not None else None
-        trends = Trends(past, now)
+        trends = Trends(past, now, commits_behind(folder.parent))
+        if trends.left_out:
+            told = f"{trends.left_out} revisions that were analysed are not behind the head and are left out"
+            print(f"roslens: {told}", file=sys.stderr)
         if not trends.points:
             raise UsageError(
                 "no past revision was analysed to its end",

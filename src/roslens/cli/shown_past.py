@@ -21,7 +21,7 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
         RoslensError: they cannot be read, or somebody else may have made them.
     """
     from roslens.cli.own_results import refuse_foreign
-    from roslens.cli.past_points import past_folder
+    from roslens.cli.past_points import commits_behind, past_folder
     from roslens.cli.past_runs import PAST
     from roslens.dashboard.past import Past
     from roslens.store.runs import Store
@@ -33,7 +33,7 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
         return
     refuse_foreign(folder, os.environ)
     with Store.open(folder / PAST) as store:
-        trends = Trends(store, view).load()
+        trends = Trends(store, view, commits_behind(folder.parent)).load()
         yield Past(trends, _renamed_in(view.header.root)) if len(trends.points) > 1 else None
 
 

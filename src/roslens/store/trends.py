@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from statistics import median
 
@@ -33,16 +33,20 @@ class Trends:
     Everything is read once: summaries of packages are shared by the runs in which a package did not change.
     """
 
-    def __init__(self, past: Store, now: RunView | None = None) -> None:
+    def __init__(self, past: Store, now: RunView | None = None, behind: Collection[str] | None = None) -> None:
         """Take both.
 
         Args:
             past: the store of past revisions.
             now: the newest run of the tree; None for none.
+            behind: the commits behind the head: others were on another branch, or a forced push took them away, and are
+                left out; None where they are not known.
         """
         self._past = past
         self._now = now
-        self._revisions = past.revisions()
+        kept = past.revisions()
+        self._revisions = tuple(one for one in kept if behind is None or one.commit in behind)
+        self.left_out = len(kept) - len(self._revisions)
 
     @cached_property
     def points(self) -> tuple[TrendPoint, ...]:

@@ -166,3 +166,17 @@ def test_names_that_want_to_break_something(empty):
     assert found.values["revisions"] == 2
     assert 2 <= found.values["contributors"] <= 9
     assert found.values["churn"] == 3
+
+
+def test_a_clone_that_lost_an_object_tells_what_it_can(empty):
+    empty.commit("one", day=0, package_DOT_xml=MANIFEST.format("p"), a_DOT_py="x = 1\n")
+    lost = empty.git("rev-parse", "HEAD:a.py")
+    empty.commit("two", day=1, a_DOT_py="x = 2\n")
+    (empty.root / ".git/objects" / lost[:2] / lost[2:]).unlink()
+    (said,) = failures_of(empty.root)
+    assert "lacks objects of its history" in said
+    with Cache.open(None) as cache:
+        (found,), _ = histories_of(find_workspace([empty.root], WorkspaceSettings())).measure(
+            {"p": "."}, {}, {}, log_reader(cache)
+        )
+    assert (found.values["revisions"], found.packages["p"]["revisions"], "churn" in found.values) == (2, 2, False)

@@ -16,8 +16,9 @@ What git's history says of repositories, packages and files. This page is made f
 
 `roslens check --process-metrics` measures them (or `metrics = true` below `[process]` in `roslens.toml`), for every
 repository that the workspace lies in or holds, with one `git log` each; nothing is fetched, checked out or started.
-What the log of a commit says is kept, so that a second run does not ask again. They are not measured unless asked:
-what a clone has of history differs from machine to machine, and continuous integration mostly has one commit of it.
+What the log of a commit says is kept, so that a second run does not ask again. They are not measured unless asked: a
+check of `rclcpp` takes 1.24 times the processor with them (`python benchmarks/history_speed.py CLONE`), and what a
+clone has of history differs from machine to machine: continuous integration mostly has one commit of it.
 
 - Of a repository every commit behind its head counts; of a package or file those that are **no merge** and change
   something of it. Merges, octopus merges among them, bring together what is counted already.

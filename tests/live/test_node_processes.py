@@ -1,3 +1,4 @@
+from roslens.live.newest import MOST_GONE
 from roslens.live.node_processes import NodeProcesses
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Node
@@ -43,3 +44,12 @@ def test_two_observers_see_two_parts():
     join.add_graph("ros2", graph(("/b", "base", 11)))
     assert [name for name, _ in told(join.of(sample("base/10")))] == ["node:/a"]
     assert [name for name, _ in told(join.of(sample("base/11")))] == ["node:/b"]
+
+
+def test_what_came_and_went_long_ago_is_forgotten():
+    join = NodeProcesses()
+    for number in range(MOST_GONE + 10):
+        join.add_graph("ros2", graph(("/stays", "base", 1), (f"/tool_{number}", "base", number + 2)))
+    assert join.process_of("/stays") == "base/1"
+    assert join.process_of("/tool_0") == ""
+    assert join.process_of(f"/tool_{MOST_GONE}") == f"base/{MOST_GONE + 2}"

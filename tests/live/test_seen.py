@@ -47,3 +47,12 @@ def test_names_without_end_are_not_remembered_without_end(monkeypatch):
     for number in range(100):
         found.add_graph(Graph("ros2", (Node(f"/anonymous_{number}"),)))
     assert len(found.subjects(World())) == 10
+
+
+def test_of_names_that_differ_in_numbers_alone_the_first_hundred_are_remembered():
+    found = Seen()
+    for number in range(1000):
+        found.add_graph(Graph("ros2", (Node(f"/_ros2cli_{number}"), Node("/stays"))))
+    named = [one.name for one in found.subjects(World()) if one.kind is EntityKind.NODE]
+    assert len(named) == seen.MOST_ALIKE + 1
+    assert {"/_ros2cli_0", "/_ros2cli_99", "/stays"} <= set(named)

@@ -103,3 +103,15 @@ def test_a_full_disk_is_told_whether_sqlite_has_ended_the_transaction_or_not(tmp
         history.flush()
     assert not history._connection.in_transaction
     history._connection.close()
+
+
+def test_a_series_that_was_let_go_goes_on_in_the_same_buckets(tmp_path):
+    begin = NOW // 600 * 600
+    with History.open(tmp_path / "live.sqlite") as history:
+        history.add_values("host:a", begin, {"cpu": 1.0})
+        history.add_values("host:a", begin + 1, {"cpu": 4.0})
+        history.let_go(begin + 200)
+        history.add_values("host:a", begin + 300, {"cpu": 10.0})
+        history.flush(final=True)
+        (point,) = [one for one in history.points("host:a", "cpu", begin, begin + 80 * 86_400) if one.time == begin]
+        assert (point.count, point.mean, point.least, point.greatest) == (3, 5.0, 1.0, 10.0)

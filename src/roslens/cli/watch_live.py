@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 _REDRAW_S = 1.0
 _FLUSH_S = 5.0
+_LET_GO_S = 60.0
 _PRUNE_S = 600.0
 _HOME, _CLEAR_LINE, _CLEAR_BELOW = "\x1b[H", "\x1b[K", "\x1b[J"
 _ENTER, _LEAVE = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"
@@ -222,7 +223,7 @@ def _history(options: argparse.Namespace) -> Iterator[History | None]:
 
 def _keep(session: Session, history: History) -> Callable[[Step], None]:
     """Return what writes a step into the history: values once a second, the file every few."""
-    due = {"values": 0.0, "flush": 0.0, "prune": time.time() + _PRUNE_S}
+    due = {"values": 0.0, "flush": 0.0, "let go": time.time() + _LET_GO_S, "prune": time.time() + _PRUNE_S}
 
     def keep(step: Step) -> None:
         history.add_verdicts((*step.changes, *step.causes))
@@ -234,6 +235,9 @@ def _keep(session: Session, history: History) -> Callable[[Step], None]:
         if step.time >= due["flush"]:
             due["flush"] = step.time + _FLUSH_S
             history.flush()
+        if step.time >= due["let go"]:
+            due["let go"] = step.time + _LET_GO_S
+            history.let_go(step.time)
         if step.time >= due["prune"]:
             due["prune"] = step.time + _PRUNE_S
             history.prune(step.time)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from roslens.live.newest import keep_newest
 from roslens.live.presence import Key, Presences
 from roslens.live.rulebook import Facts
 from roslens.live.sampled import Sampled
@@ -18,7 +19,7 @@ class Existence:
 
     Attributes:
         presences: that are told; replaced with the reference.
-        vanished: when what is gone went.
+        vanished: when what is gone went, of what went last.
     """
 
     def __init__(self, world: World, presences: Presences) -> None:
@@ -60,7 +61,9 @@ class Existence:
     def vanish(self, key: Key, time: float) -> None:
         """Note that something is gone since ``time``."""
         if key in self.presences.existing:
+            self.vanished.pop(key, None)
             self.vanished[key] = time
+            keep_newest(self.vanished)
             self.presences.vanish(key)
 
     def _sampled(self, key: Key, now: float) -> bool:

@@ -454,9 +454,11 @@ class Monitor:
             self._existence.vanish((connection.id.kind, connection.id.name), now)
             self._retire(connection.judged, now)
             self._lookout.wait_all((self._world.topics[connection.topic],))
-        for sampled in self._world.outdated_processes(now):
+        for sampled in self._world.outdated_samples(now):
             del self._world.sampled[sampled.id]
             self._retire(sampled.judged, now)
+        for topic in self._world.outdated_topics():
+            del self._world.topics[topic.name]
 
     def _silence(self, topic_name: str) -> float:
         """Return for how many seconds a topic has been silent for longer than is usual of it; 0 where it speaks."""

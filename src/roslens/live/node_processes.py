@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import msgspec
 
+from roslens.live.newest import MOST_GONE, keep_newest
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph
 from roslens.model.sample import Sample
@@ -26,10 +27,13 @@ class NodeProcesses:
         known = {f"{node.name}": f"{node.host}/{node.pid}" for node in graph.nodes if node.pid and node.host}
         self._by_sender[sender] = known
         for node, process in known.items():
-            before = self._process_of.get(node)
+            before = self._process_of.pop(node, None)
             if before is not None and before != process:
                 self._restarts[node] = self._restarts.get(node, 0) + 1
             self._process_of[node] = process
+        keep_newest(self._process_of, sum(map(len, self._by_sender.values())) + MOST_GONE)
+        if len(self._restarts) > len(self._process_of):
+            self._restarts = {node: many for node, many in self._restarts.items() if node in self._process_of}
         self._nodes_of = {}
         for mapping in self._by_sender.values():
             for node, process in mapping.items():

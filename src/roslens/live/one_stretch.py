@@ -11,11 +11,12 @@ from collections.abc import Iterable
 import msgspec
 
 from roslens.live.inside.counters import merged
+from roslens.live.newest import keep_newest
 from roslens.model.tally import Tally
 
 _STEP_S = 5.0
 """What ends so long before the last is of a clock that was set back."""
-MOST = 100_000
+MOST = 20_000
 
 _Key = tuple[str, str, str, str]
 
@@ -32,18 +33,18 @@ class OneStretch:
         for tally in tallies:
             groups.setdefault((tally.topic, tally.publisher, tally.subscriber, tally.host), []).append(tally)
         if len(self._until) > MOST:
-            self._until.clear()
+            keep_newest(self._until, MOST // 2)
         found = []
         for key, group in groups.items():
             whole = group[0]
             for other in group[1:]:
                 whole = merged(whole, other)
-            until = self._until.get(key, float("-inf"))
+            until = self._until.pop(key, float("-inf"))
             if whole.end < until - _STEP_S:
                 until = float("-inf")
+            self._until[key] = max(whole.end, until)
             if whole.end <= until and not whole.count:
                 continue
-            self._until[key] = max(whole.end, until)
             if whole.start < until:
                 whole = msgspec.structs.replace(whole, start=min(until, whole.end))
             found.append(whole)

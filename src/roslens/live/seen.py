@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from itertools import product
 
@@ -13,6 +14,9 @@ from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 
 MOST = 200_000
 """Parts of graphs that are remembered; of a system that makes more names than that, later ones are not."""
+MOST_ALIKE = 100
+"""Of names that differ in their digits alone, as those of command line tools do: many show what is true of others."""
+_NUMBER = re.compile(r"\d+")
 
 _End = tuple[Role, str, str, str]
 
@@ -23,6 +27,7 @@ class Seen:
     def __init__(self) -> None:
         self._hosts: set[str] = set()
         self._nodes: set[tuple[str, str]] = set()
+        self._alike: dict[tuple[str, ...], int] = {}
         self._processes: set[tuple[str, int]] = set()
         self._ends: set[_End] = set()
 
@@ -31,9 +36,23 @@ class Seen:
         if len(self._nodes) + len(self._processes) + len(self._ends) >= MOST:
             return
         self._hosts.update(graph.hosts)
-        self._nodes.update((node.name, node.host) for node in graph.nodes)
-        self._processes.update((process.host, process.pid) for process in graph.processes)
-        self._ends.update((end.role, end.name, end.node, end.type) for end in graph.endpoints)
+        for node in graph.nodes:
+            if (one := (node.name, node.host)) not in self._nodes and self._is_new(*one):
+                self._nodes.add(one)
+        for process in graph.processes:
+            if (known := (process.host, process.pid)) not in self._processes and self._is_new(process.host):
+                self._processes.add(known)
+        for end in graph.endpoints:
+            if (tie := (end.role, end.name, end.node, end.type)) not in self._ends and self._is_new(*tie):
+                self._ends.add(tie)
+
+    def _is_new(self, *words: str) -> bool:
+        """Count one more of what is written so, numbers apart; return whether few enough are known."""
+        shape = tuple(_NUMBER.sub("0", word) for word in words)
+        many = self._alike.get(shape, 0)
+        if many < MOST_ALIKE:
+            self._alike[shape] = many + 1
+        return many < MOST_ALIKE
 
     def subjects(self, world: World) -> tuple[Subject, ...]:
         """Return everything that selectors can be about, of the graphs and of ``world``; sorted."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from roslens.live.newest import MOST_GONE
 from roslens.model.entity import EntityId
 from roslens.model.sample import Sample
 
@@ -40,6 +41,12 @@ class ServiceCalls:
             if latest:
                 found.append(Sample(service, now, _joined([one.values for one in latest]), latest[0].observer))
         self._news.clear()
+        if len(self._told) > MOST_GONE:
+            self._told = {
+                service: told
+                for service, told in self._told.items()
+                if any(now - heard <= STALE_S for heard, _ in told.values())
+            }
         return found
 
 

@@ -10,6 +10,7 @@ from roslens.live.connection_name import connection_ends
 from roslens.live.halted import Halted
 from roslens.live.measured import Measured
 from roslens.live.misfit import misfits_by_topic
+from roslens.live.newest import MOST_GONE
 from roslens.live.presence import Key
 from roslens.live.rulebook import Facts
 from roslens.live.sampled import Sampled
@@ -19,12 +20,13 @@ from roslens.model.graph import Graph, Role
 from roslens.model.tally import Tally
 
 MAX_ENTITIES = 100_000
-_MOST_FORMER = 1000
 """Connections, topics and sampled entities together; more are refused and counted."""
 FORGET_GONE_S = 300.0
-"""After which a connection is forgotten that the graph has no more, and a process that nobody samples."""
+"""After which a connection is forgotten that the graph has no more, and a process or node that nobody samples."""
 FORGET_QUIET_S = 3600.0
 """After which a silent connection is forgotten of which no graph says that it is gone."""
+
+_COMING_AND_GOING = (EntityKind.NODE, EntityKind.SERVICE)
 
 _ENDS = {
     Role.SERVICE_SERVER: EntityKind.SERVICE,
@@ -133,13 +135,25 @@ class World:
             if one.quiet_since is not None and now - one.quiet_since > (FORGET_GONE_S if one.gone else FORGET_QUIET_S)
         ]
 
-    def outdated_processes(self, now: float) -> list[Sampled]:
-        """Return the processes of which nothing is sampled for long."""
+    def outdated_samples(self, now: float) -> list[Sampled]:
+        """Return the processes of which nothing is sampled for long, and the nodes and services nobody judges."""
         return [
             one
             for one in self.sampled.values()
-            if one.id.kind is EntityKind.PROCESS and one.seen and not one.known and now - one.noticed > FORGET_GONE_S
+            if (one.id.kind is EntityKind.PROCESS or (one.id.kind in _COMING_AND_GOING and not one.judged))
+            and one.seen
+            and not one.known
+            and now - one.noticed > FORGET_GONE_S
         ]
+
+    def outdated_topics(self) -> list[Topic]:
+        """Return the topics that are gone, that nobody judges, and after which many others went."""
+        gone = [
+            one
+            for one in self.topics.values()
+            if one.seen and not (one.known or one.connections or one.judged or one.planless)
+        ]
+        return gone[: max(len(gone) - MOST_GONE, 0)]
 
     def forget(self, connection: Connection) -> None:
         """Let a connection go, and its topic when that was all that is known of it."""
@@ -196,7 +210,7 @@ class World:
             if (kind := _ENDS.get(end.role)) is not None:
                 servers.setdefault(EntityId(kind, end.name), set()).add(end.node)
         former = [one for one in self._servers.items() if one[0] not in servers]
-        self._servers = {**dict(former[-_MOST_FORMER:]), **servers}
+        self._servers = {**dict(former[-MOST_GONE:]), **servers}
 
     def _take_hosts(self, graph: Graph) -> set[str]:
         """Note where nodes are; return those that are somewhere else than before."""
@@ -205,7 +219,7 @@ class World:
             if node.host and self._hosts.get(node.name) != node.host:
                 self._hosts[node.name] = node.host
                 moved.add(node.name)
-        if len(self._hosts) > len(graph.nodes) + MAX_ENTITIES:
+        if len(self._hosts) > len(graph.nodes) + MOST_GONE:
             self._hosts = {node.name: node.host for node in graph.nodes if node.host}
         return moved
 

@@ -20,7 +20,19 @@ from roslens.store.sqlite_errors import as_store_errors
 SCHEMA = Path(__file__).with_name("live_schema")
 WAIT_S = 10.0
 KEPT_VERDICTS_S = 90 * 86_400
-SILENT_S = 3600.0
+SILENT_S = 60.0
+"""After which the buckets of a series are written as they are; what comes later in one is added to it."""
+
+
+_ADD_POINT = """
+INSERT INTO point VALUES (?, ?, ?, ?, ?, ?, ?)
+ON CONFLICT (series, tier, bucket) DO UPDATE SET
+    mean = (mean * count + excluded.mean * excluded.count) / (count + excluded.count),
+    count = count + excluded.count,
+    least = min(least, excluded.least),
+    greatest = max(greatest, excluded.greatest)
+"""
+"""After a silence, or a restart, a bucket may come in two parts."""
 
 
 class History:
@@ -105,15 +117,27 @@ class History:
         self._verdicts.clear()
         self._events.clear()
 
+    def let_go(self, now: float) -> None:
+        """Write what is known of series that fell silent, and keep no more of them in memory.
+
+        Raises:
+            StoreError: the file cannot be written.
+        """
+        silent = set()
+        for owner, quantity, tier, point in self._sampler.forget(now - SILENT_S):
+            self._keep(owner, quantity, tier, point)
+            silent.add((owner, quantity))
+        self.flush()
+        for one in silent:
+            self._ids.pop(one, None)
+
     def prune(self, now: float) -> None:
         """Give up what is older than its tier is kept for.
 
         Raises:
             StoreError: the file cannot be written.
         """
-        for owner, quantity, tier, point in self._sampler.forget(now - SILENT_S):
-            self._keep(owner, quantity, tier, point)
-        self.flush()
+        self.let_go(now)
         with as_store_errors(self._path):
             for tier in TIERS:
                 self._connection.execute(
@@ -182,8 +206,7 @@ class History:
         return known
 
     def _write(self) -> None:
-        # After a restart within a bucket the same bucket comes again: the later part of it is what is kept.
-        self._connection.executemany("INSERT OR REPLACE INTO point VALUES (?, ?, ?, ?, ?, ?, ?)", self._points)
+        self._connection.executemany(_ADD_POINT, self._points)
         self._connection.executemany(
             "INSERT INTO verdict (time, entity, state, content) VALUES (?, ?, ?, ?)",
             [(one.time, _storable(str(one.entity)), one.state.value, _json(one)) for one in self._verdicts],

@@ -61,6 +61,20 @@ def test_the_same_action_on_the_same_entity_cools_down():
     assert judge(gate, decision(), 110.0).answer is Answer.ALLOW
 
 
+def test_what_another_reaction_does_to_a_process_has_its_effect_first():
+    import msgspec
+
+    gate = Gate(Limits(Mode.ACT, cool_down_s=10.0))
+    gate.done(decision("restart"), 100.0)
+    other = msgspec.structs.replace(decision("start"), reaction="gone")
+    found = judge(gate, other, 102.0)
+    assert (found.answer, "was begun by r 2.0 s ago" in found.text) == (Answer.REFUSE, True)
+    assert judge(gate, decision("kill"), 102.0).answer is Answer.ALLOW, "the chain that began it goes on"
+    assert judge(gate, other, 110.0).answer is Answer.ALLOW
+    elsewhere = msgspec.structs.replace(decision("start", "/other"), reaction="gone")
+    assert judge(gate, elsewhere, 102.0).answer is Answer.ALLOW
+
+
 def test_there_is_a_limit_for_all_and_notices_do_not_use_it_up():
     gate = Gate(Limits(Mode.ACT, at_most=2, per_s=60.0))
     for number in range(5):

@@ -1,8 +1,9 @@
 """Whether a decision may be carried out: off unless enabled, and not too often.
 
 Pure: clocks are arguments. In this order: a hold, the mode, a maintenance window, what was given up, the cool-down
-of the same action on the same entity, the limit for all. What touches the robot and what only tells
-(``ActionKind.touches``) have a limit each, so that notices never keep an emergency stop from being done.
+of the same action on the same entity, what another reaction does to the same process, the limit for all. What
+touches the robot and what only tells (``ActionKind.touches``) have a limit each, so that notices never keep an
+emergency stop from being done.
 """
 
 from __future__ import annotations
@@ -21,6 +22,8 @@ _CAREFUL = (Mode.DRY_RUN, Mode.ASK, Mode.ACT)
 """From the most careful mode on."""
 
 _RESTARTS = frozenset({"restart", "start"})
+_PROCESS = frozenset({"restart", "start", "stop", "kill"})
+"""What ends or begins a process: a node that one reaction restarts is gone for a moment, and nobody else mends that."""
 _MOST_KEYS = 10_000
 
 
@@ -76,6 +79,7 @@ class Gate:
         self._last: dict[tuple[str, str], float] = {}
         self._done: dict[bool, deque[float]] = {True: deque(), False: deque()}
         self._restarts: dict[str, deque[float]] = {}
+        self._processes: dict[str, tuple[float, str, str]] = {}
         self._given_up: dict[str, str] = {}
 
     @property
@@ -100,6 +104,8 @@ class Gate:
         if cool > 0:
             return GateAnswer(Answer.REFUSE, f"cool-down: {kind} {target} was done less than "
                               f"{self._limits.cool_down_s:g} s ago, {cool:.1f} s are left")  # fmt: skip
+        if why := self._done_by_another(decision, target, now_s):
+            return GateAnswer(Answer.REFUSE, why)
         if kind in _RESTARTS and (why := self._too_many_restarts(target, now_s)):
             self._given_up[target] = why
             return GateAnswer(Answer.GIVE_UP, why)
@@ -116,6 +122,10 @@ class Gate:
             self._last.pop(next(iter(self._last)))
         self._last[(kind, target)] = now_s
         self._done[_touches(decision)].append(now_s)
+        if kind in _PROCESS:
+            if len(self._processes) >= _MOST_KEYS:
+                self._processes.pop(next(iter(self._processes)))
+            self._processes[target] = (now_s, decision.reaction, kind)
         if kind in _RESTARTS:
             self._restarts.setdefault(target, deque(maxlen=self._limits.most_restarts + 1)).append(now_s)
 
@@ -125,6 +135,17 @@ class Gate:
         self._given_up.clear()
         self._restarts.clear()
         return freed
+
+    def _done_by_another(self, decision: Decision, target: str, now_s: float) -> str:
+        """Return why a process is left alone, since another reaction has ended or begun it just now."""
+        if decision.action.kind not in _PROCESS or target not in self._processes:
+            return ""
+        at, reaction, kind = self._processes[target]
+        if reaction == decision.reaction or now_s - at >= self._limits.cool_down_s:
+            return ""
+        return (
+            f"`{kind}` of {target} was begun by {reaction} {now_s - at:.1f} s ago, which has to have its effect first"
+        )
 
     def _too_many_restarts(self, target: str, now_s: float) -> str:
         found = self._restarts.get(target)

@@ -124,7 +124,33 @@ def test_a_dry_run_does_nothing_and_counts_all_the_same():
     scene.step(decision())
     scene.step(decision(2))
     assert not scene.begun
-    assert [result for _, result, _ in scene.outcomes] == [Result.DRY_RUN, Result.REFUSED]
+    assert [result for _, result, _ in scene.outcomes] == [Result.DRY_RUN]
+    assert scene.entries[-1][1]["gate"] == "wait", "as it would have had to"
+
+
+def test_what_has_to_wait_is_done_later_if_it_is_still_to_be_done():
+    scene = Scene(cool_down_s=10.0)
+    scene.step(decision())
+    scene.step(decision(2), decision(3))
+    scene.step(seconds=5.0)
+    assert [one for one, _ in scene.begun] == ["r/1.0"]
+    scene.truth["r/3.0"] = False
+    scene.step(seconds=6.0)
+    assert [one for one, _ in scene.begun] == ["r/1.0", "r/2.0"]
+    assert scene.outcomes == [("r/3.0", Result.REFUSED, "what it was about is gone")]
+    gates = [(fields["decision"], fields["gate"]) for what, fields in scene.entries if what == "gate"]
+    assert gates == [("r/1.0", "allow"), ("r/2.0", "wait"), ("r/3.0", "wait"), ("r/2.0", "allow")]
+
+
+def test_nothing_waits_for_ever_nor_through_a_hold():
+    scene = Scene(at_most=0)
+    scene.step(decision())
+    scene.step(seconds=400.0)
+    assert "300 s" in scene.outcomes[-1][2]
+    scene.step(decision(2))
+    scene.hold = "ann"
+    scene.step()
+    assert scene.outcomes[-1][:2] == ("r/2.0", Result.HELD)
 
 
 def test_who_is_asked_decides():

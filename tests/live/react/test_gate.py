@@ -55,7 +55,7 @@ def test_the_same_action_on_the_same_entity_cools_down():
     gate = Gate(Limits(Mode.ACT, cool_down_s=10.0))
     gate.done(decision(), 100.0)
     found = judge(gate, decision(), 104.0)
-    assert (found.answer, "6.0 s are left" in found.text) == (Answer.REFUSE, True)
+    assert (found.answer, "6.0 s are left" in found.text, found.again_s) == (Answer.WAIT, True, 6.0)
     assert judge(gate, decision(node="/other"), 104.0).answer is Answer.ALLOW
     assert judge(gate, decision("stop"), 104.0).answer is Answer.ALLOW
     assert judge(gate, decision(), 110.0).answer is Answer.ALLOW
@@ -68,7 +68,7 @@ def test_what_another_reaction_does_to_a_process_has_its_effect_first():
     gate.done(decision("restart"), 100.0)
     other = msgspec.structs.replace(decision("start"), reaction="gone")
     found = judge(gate, other, 102.0)
-    assert (found.answer, "was begun by r 2.0 s ago" in found.text) == (Answer.REFUSE, True)
+    assert (found.answer, "was begun by r 2.0 s ago" in found.text) == (Answer.WAIT, True)
     assert judge(gate, decision("kill"), 102.0).answer is Answer.ALLOW, "the chain that began it goes on"
     assert judge(gate, other, 110.0).answer is Answer.ALLOW
     elsewhere = msgspec.structs.replace(decision("start", "/other"), reaction="gone")
@@ -79,12 +79,13 @@ def test_there_is_a_limit_for_all_and_notices_do_not_use_it_up():
     gate = Gate(Limits(Mode.ACT, at_most=2, per_s=60.0))
     for number in range(5):
         gate.done(decision("notify", f"/n{number}"), 100.0)
-    assert judge(gate, decision("notify", "/other")).answer is Answer.REFUSE
+    assert judge(gate, decision("notify", "/other")).answer is Answer.WAIT
     stop = decision("publish", "", topic="/stop")
     assert judge(gate, stop).answer is Answer.ALLOW
     gate.done(decision(node="/a"), 100.0)
     gate.done(decision(node="/b"), 130.0)
-    assert "limit for all" in judge(gate, stop, 131.0).text
+    found = judge(gate, stop, 131.0)
+    assert ("limit for all" in found.text, found.again_s) == (True, 29.0)
     assert judge(gate, stop, 160.0).answer is Answer.ALLOW
 
 

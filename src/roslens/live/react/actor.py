@@ -17,6 +17,8 @@ from roslens.model.reaction import Decision, Mode, Outcome, Result, Verification
 
 ANSWER_WITHIN_S = 60.0
 """What nobody allowed or refused so long after it was asked is not done."""
+LONGEST_WAIT_S = 300.0
+"""What a gate lets wait longer than that is refused."""
 _UNANSWERED_S = 180.0
 """Who carries out tells before that; if not, it counts as failed."""
 
@@ -72,6 +74,12 @@ class _Open(msgspec.Struct):
     since: float
 
 
+class _Waiting(msgspec.Struct, frozen=True):
+    decision: Decision
+    since: float
+    due: float
+
+
 class Actor:
     """Carries out what a reactor decides, as far as its gate lets it.
 
@@ -97,6 +105,7 @@ class Actor:
         self._held = held
         self._steady = steady
         self._asked: dict[str, _Open] = {}
+        self._waiting: dict[str, _Waiting] = {}
         self._under_way: dict[str, _Open] = {}
         self._repeats: set[str] = set()
         self._unwell: str | None = None
@@ -108,6 +117,7 @@ class Actor:
         for decision in self.reactor.look(step, step.time):
             self._decide(decision, step.time)
         self._notice_unwell(step)
+        self._waited(step)
         self._answered(step)
         self._carried_out(step)
         for checked in self.reactor.checks():
@@ -133,6 +143,8 @@ class Actor:
         if held and not self._hold:
             self._hands.stop()
             self._repeats.clear()
+            for waiting in list(self._waiting.values()):
+                self._pass(waiting.decision, step.time)
         self._journal.add("held" if held else "released", step.time, text=held)
         if not held:
             self.release(step.time)
@@ -150,8 +162,20 @@ class Actor:
         self._journal.add(
             "decided", now, decision=decision.id, **{key: value for key, value in told.items() if key != "id"}
         )
-        found = self._gate.judge(decision, self._steady(), wall_s=now, held=self._held())
-        self._journal.add("gate", now, decision=decision.id, gate=found.answer.value, text=found.text)
+        self._pass(decision, now)
+
+    def _pass(self, decision: Decision, now: float) -> None:
+        """Let a decision through the gate, or say why not."""
+        steady = self._steady()
+        found = self._gate.judge(decision, steady, wall_s=now, held=self._held())
+        waiting = self._waiting.get(decision.id)
+        if waiting is None or found.answer is not Answer.WAIT:
+            self._journal.add("gate", now, decision=decision.id, gate=found.answer.value, text=found.text)
+        if found.answer is Answer.WAIT:
+            since = waiting.since if waiting is not None else steady
+            self._waiting[decision.id] = _Waiting(decision, since, steady + max(found.again_s, 0.0))
+            return
+        self._waiting.pop(decision.id, None)
         if found.answer is Answer.ALLOW:
             self._do(decision, now)
         elif found.answer is Answer.ASK:
@@ -162,6 +186,18 @@ class Actor:
             if found.answer is Answer.DRY_RUN:
                 self._gate.done(decision, self._steady())
             self._end(decision, _outcome_of(found), now)
+
+    def _waited(self, step: Step) -> None:
+        """Ask the gate again about what had to wait, as long as it is still to be done."""
+        steady = self._steady()
+        for decision_id, waiting in list(self._waiting.items()):
+            holds = self.reactor.holds(decision_id)
+            if holds is False or steady - waiting.since > LONGEST_WAIT_S:
+                del self._waiting[decision_id]
+                why = "what it was about is gone" if holds is False else f"it had to wait for {LONGEST_WAIT_S:g} s"
+                self._end(waiting.decision, Outcome(Result.REFUSED, why), step.time)
+            elif holds is True and steady >= waiting.due:
+                self._pass(waiting.decision, step.time)
 
     def _answered(self, step: Step) -> None:
         now = self._steady()

@@ -32,6 +32,7 @@ class Answer(str, Enum):
 
     ALLOW = "allow"
     ASK = "ask"
+    WAIT = "wait"
     DRY_RUN = "dry-run"
     REFUSE = "refuse"
     HELD = "held"
@@ -39,10 +40,11 @@ class Answer(str, Enum):
 
 
 class GateAnswer(msgspec.Struct, frozen=True):
-    """What a gate says, and why, in words."""
+    """What a gate says, and why, in words; of ``WAIT`` after how many seconds it is worth to ask again."""
 
     answer: Answer
     text: str
+    again_s: float = 0.0
 
 
 class Limits(msgspec.Struct, frozen=True):
@@ -102,17 +104,19 @@ class Gate:
             return GateAnswer(Answer.GIVE_UP, why)
         cool = self._limits.cool_down_s - (now_s - self._last.get((kind, target), float("-inf")))
         if cool > 0:
-            return GateAnswer(Answer.REFUSE, f"cool-down: {kind} {target} was done less than "
-                              f"{self._limits.cool_down_s:g} s ago, {cool:.1f} s are left")  # fmt: skip
-        if why := self._done_by_another(decision, target, now_s):
-            return GateAnswer(Answer.REFUSE, why)
+            usual = f"{self._limits.cool_down_s:g} s"
+            text = f"cool-down: {kind} {target} was done less than {usual} ago, {cool:.1f} s are left"
+            return GateAnswer(Answer.WAIT, text, cool)
+        if (another := self._done_by_another(decision, target, now_s)) is not None:
+            return another
         if kind in _RESTARTS and (why := self._too_many_restarts(target, now_s)):
             self._given_up[target] = why
             return GateAnswer(Answer.GIVE_UP, why)
-        if self._count(self._done[touches], now_s, self._limits.per_s) >= self._limits.at_most:
+        done = self._done[touches]
+        if self._count(done, now_s, self._limits.per_s) >= self._limits.at_most:
             what = "actions" if touches else "notices"
-            limit = f"{self._limits.at_most} {what} in {self._limits.per_s:g} s"
-            return GateAnswer(Answer.REFUSE, f"limit for all: {limit} were done already")
+            text = f"limit for all: {self._limits.at_most} {what} in {self._limits.per_s:g} s were done already"
+            return GateAnswer(Answer.WAIT, text, self._limits.per_s - (now_s - done[0]) if done else self._limits.per_s)
         return self._by_mode(decision, touches=touches)
 
     def done(self, decision: Decision, now_s: float) -> None:
@@ -136,16 +140,18 @@ class Gate:
         self._restarts.clear()
         return freed
 
-    def _done_by_another(self, decision: Decision, target: str, now_s: float) -> str:
-        """Return why a process is left alone, since another reaction has ended or begun it just now."""
+    def _done_by_another(self, decision: Decision, target: str, now_s: float) -> GateAnswer | None:
+        """Say to wait where another reaction has ended or begun the same process just now."""
         if decision.action.kind not in _PROCESS or target not in self._processes:
-            return ""
+            return None
         at, reaction, kind = self._processes[target]
-        if reaction == decision.reaction or now_s - at >= self._limits.cool_down_s:
-            return ""
-        return (
+        left = self._limits.cool_down_s - (now_s - at)
+        if reaction == decision.reaction or left <= 0:
+            return None
+        text = (
             f"`{kind}` of {target} was begun by {reaction} {now_s - at:.1f} s ago, which has to have its effect first"
         )
+        return GateAnswer(Answer.WAIT, text, left)
 
     def _too_many_restarts(self, target: str, now_s: float) -> str:
         found = self._restarts.get(target)

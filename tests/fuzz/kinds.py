@@ -268,6 +268,58 @@ def _recordings(*kinds: str) -> list[bytes]:
     return found
 
 
+def _requests(content: bytes) -> None:
+    """What a stranger may send to an agent that acts, and what lies in a journal: the first byte says which."""
+    from roslens.live.agent.message_line import LineError, MessageReader
+    from roslens.live.agent.signed_request import Believing, RefusedError, _code
+    from roslens.model.order import Order, OrderError, OrderReader, Reply
+    from roslens.store.journal_entry import EntryError, read
+
+    way, body = content[0] % 6 if content else 0, content[1:]
+    key = b"k" * 32
+    believing = Believing("arm", key)
+    challenge = believing.challenge(0.0)
+    try:
+        if way == 0:
+            list(MessageReader().feed(body))
+        elif way == 1:
+            believing.believed(body, 0.0)
+        elif way == 2:
+            # Even who has the key may send what is none.
+            believing.believed(_code(key, body) + body, 0.0)
+        elif way == 3:
+            list(OrderReader(Order).feed(body))
+        elif way == 4:
+            list(OrderReader(Reply).feed(body))
+        else:
+            read(body)
+    except (LineError, RefusedError, OrderError, EntryError) as error:
+        assert str(error)  # noqa: PT017 - every message is fine, a crash is not
+    else:
+        assert way not in (1, 2), "nobody knows the challenge"
+    assert challenge
+
+
+def _request_seeds() -> list[bytes]:
+    from roslens.live.agent.message_line import message
+    from roslens.live.agent.signed_request import _ENCODER, Signed, sign
+    from roslens.model.host_request import HostRequest
+    from roslens.model.order import VERSION, Order, Reply, Verb, encode_order
+    from roslens.store.journal_entry import written
+
+    asked = Signed(1, "arm", b"c" * 16, 3, HostRequest("r/1.0", "restart", "/driver", 77, ("/b",), {"grace": 2.0}))
+    _, entry = written(0, 1.0, "decided", {"decision": "r/1.0", "because": [{"value": 3.5}]}, "")
+    order = Order(VERSION, "r/1.0", Verb.DO, "publish", "", {"topic": "/stop", "fields": {"data": True}})
+    return [
+        b"\0" + message(b"C", b"c" * 16) + message(b"R", sign(asked, b"k" * 32)),
+        b"\1" + sign(asked, b"k" * 32),
+        b"\2" + _ENCODER.encode(asked),
+        b"\3" + encode_order(order),
+        b"\4" + encode_order(Reply(VERSION, "r/1.0", Verb.DO, True, "done", 0.5)),
+        b"\5" + entry.rstrip(b"\n"),
+    ]
+
+
 KINDS = {
     "manifest": Kind(lambda: _files("package*.xml"), XML, _manifest),
     "cpp": Kind(lambda: _files("*.cpp", "*.hpp"), CODE, _cpp),
@@ -283,6 +335,7 @@ KINDS = {
     "bag": Kind(lambda: _recordings("ros1", "ros1_bz2", "ros1_lz4"), BAG, _recording),
     "mcap": Kind(lambda: _recordings("mcap", "mcap_zstd", "mcap_message"), BAG, _recording),
     "frames": Kind(_frame_seeds, PACKED, _frames),
+    "requests": Kind(_request_seeds, PACKED, _requests),
 }  # fmt: skip
 
 

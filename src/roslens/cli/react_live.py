@@ -138,13 +138,15 @@ class _Reacting:
 
         started = time.time()
         session = self._session = Session(self._reference, start=started)
+        # What may be refused comes before anything is started.
+        here, far, topic = self._here(), self._far_agents(), self._journal_topic()
         sources = sources_of(self._options)
         tools = [one.tool for one in sources if isinstance(one, ChildSource)]
-        here = self._here()
-        hands = self._hands = self._all_hands(tools, here)
+        hands = self._hands = self._all_hands(tools, here, far)
         self._stack.callback(hands.close)
         hands.prepare(self._reference.reactions)
-        self._prepare_journal(hands)
+        if topic:
+            self._journal.publish = partial(hands.say, topic)
         self._wait_until_ready(hands)
         actor = self._actor(hands, started)
         ended = when_stopped(self._stack)
@@ -198,13 +200,13 @@ class _Reacting:
         reactor = Reactor(self._reference.reactions, start=started)
         return Actor(reactor, self._gate, self._journal, hands, asker, held=self._held, steady=time.monotonic)
 
-    def _all_hands(self, tools: Sequence[str], here: _Here | None) -> AllHands:
+    def _all_hands(self, tools: Sequence[str], here: _Here | None, far: FarAgents | None) -> AllHands:
         from roslens.live.react.all_hands import AllHands
 
         lines = [_ros_line(tool, self._options) for tool in tools]
         hands = AllHands(
             lines, self._places, platform.node(), here=here.hand if here is not None else None,
-            far=self._far_agents(), recordings=self._folder / "recordings", monitor=self._by_monitor,
+            far=far, recordings=self._folder / "recordings", monitor=self._by_monitor,
         )  # fmt: skip
         if here is not None:
             here.told = hands.told
@@ -250,11 +252,11 @@ class _Reacting:
         )  # fmt: skip
         return partial(snapshot.act, decision, standing, self._folder / "snapshots")
 
-    def _prepare_journal(self, hands: AllHands) -> None:
-        if (topic := self._options.publish_journal) is not None:
-            if not topic.startswith("/"):
-                raise UsageError(f"--publish-journal {topic!r}", expected="a resolved name such as `/roslens/journal`")
-            self._journal.publish = partial(hands.say, topic)
+    def _journal_topic(self) -> str:
+        topic = str(self._options.publish_journal or "")
+        if topic and not topic.startswith("/"):
+            raise UsageError(f"--publish-journal {topic!r}", expected="a resolved name such as `/roslens/journal`")
+        return topic
 
     def _wait_until_ready(self, hands: AllHands) -> None:
         end = time.monotonic() + _READY_WITHIN_S

@@ -1,0 +1,46 @@
+import io
+
+import pytest
+
+from roslens.cli.main import main
+
+REACTIONS = """\
+kind: reference
+name: r
+constraints:
+  - {node: /a, expected: always}
+reactions:
+  - id: one
+    when: {node: /a, is: gone}
+    do: [{snapshot: {}}]
+"""
+
+
+@pytest.fixture
+def reference(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    (tmp_path / "r.yaml").write_text(REACTIONS)
+    (tmp_path / "bare.yaml").write_text(REACTIONS.partition("reactions:")[0])
+    (tmp_path / "allow.yaml").write_text("nodes: [{name: /a, actions: [reboot]}]\n")
+    (tmp_path / "allow.yaml").chmod(0o600)
+    return "r.yaml"
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (["bare.yaml"], "no reaction in bare.yaml"),
+        (["r.yaml", "--mode", "ask"], "--mode ask where nobody can answer"),
+        (["r.yaml", "--maintenance", "tonight"], "--maintenance: 'tonight' is no maintenance window"),
+        (["r.yaml", "--at-most", "-1"], "--at-most -1; expected 0 or more"),
+        (["r.yaml", "--cool-down", "soon"], "--cool-down 'soon'"),
+        (["r.yaml", "--allow", "allow.yaml", "--ros1"], "allow.yaml:1:29: the action 'reboot'"),
+        (["r.yaml", "--enrolled", "none", "--ros1"], "none/monitor.pem: cannot read it"),
+        (["r.yaml", "--publish-journal", "journal", "--ros1"], "--publish-journal 'journal'"),
+    ],
+)
+def test_what_makes_no_sense_is_refused_before_anything_begins(reference, words, why, capsys, monkeypatch):
+    monkeypatch.setattr("sys.stdin", io.StringIO())
+    assert main(["react", *words]) == 2
+    assert why in capsys.readouterr().err

@@ -1,5 +1,6 @@
 import time
 
+import msgspec
 import pytest
 
 from roslens.live.react.gate import Answer, Gate, Limits, recalled, target_of
@@ -62,17 +63,20 @@ def test_the_same_action_on_the_same_entity_cools_down():
 
 
 def test_what_another_reaction_does_to_a_process_has_its_effect_first():
-    import msgspec
-
     gate = Gate(Limits(Mode.ACT, cool_down_s=10.0))
     gate.done(decision("restart"), 100.0)
     other = msgspec.structs.replace(decision("start"), reaction="gone")
-    found = judge(gate, other, 102.0)
-    assert (found.answer, "was begun by r 2.0 s ago" in found.text) == (Answer.WAIT, True)
-    assert judge(gate, decision("kill"), 102.0).answer is Answer.ALLOW, "the chain that began it goes on"
-    assert judge(gate, other, 110.0).answer is Answer.ALLOW
+    found = judge(gate, other, 130.0)
+    assert (found.answer, "is under way for r" in found.text) == (Answer.WAIT, True), "however long it takes"
+    gate.ended(msgspec.structs.replace(decision("restart"), id="another"), 130.0)
+    assert judge(gate, other, 150.0).answer is Answer.WAIT
+    gate.ended(decision("restart"), 130.0)
+    found = judge(gate, other, 132.0)
+    assert (found.answer, "was done for r 2.0 s ago" in found.text) == (Answer.WAIT, True)
+    assert judge(gate, decision("kill"), 132.0).answer is Answer.ALLOW, "the chain that began it goes on"
+    assert judge(gate, other, 140.0).answer is Answer.ALLOW
     elsewhere = msgspec.structs.replace(decision("start", "/other"), reaction="gone")
-    assert judge(gate, elsewhere, 102.0).answer is Answer.ALLOW
+    assert judge(gate, elsewhere, 132.0).answer is Answer.ALLOW
 
 
 def test_there_is_a_limit_for_all_and_notices_do_not_use_it_up():

@@ -184,7 +184,8 @@ class Actor:
             self._end(decision, Outcome(Result.ASKED, found.text), now)
         else:
             if found.answer is Answer.DRY_RUN:
-                self._gate.done(decision, self._steady())
+                self._gate.done(decision, steady)
+                self._gate.ended(decision, steady)
             self._end(decision, _outcome_of(found), now)
 
     def _waited(self, step: Step) -> None:
@@ -248,6 +249,7 @@ class Actor:
             open_ = self._under_way.pop(found.decision, None)
             if open_ is None:
                 continue
+            self._gate.ended(open_.decision, self._steady())
             result = Result.DONE if found.done else Result.REFUSED if found.refused else Result.FAILED
             if not found.done:
                 self._repeats.discard(found.decision)
@@ -256,6 +258,7 @@ class Actor:
         for decision_id, open_ in list(self._under_way.items()):
             if now - open_.since > _UNANSWERED_S:
                 del self._under_way[decision_id]
+                self._gate.ended(open_.decision, now)
                 text = f"nobody told what became of it within {_UNANSWERED_S:g} s"
                 self._end(open_.decision, Outcome(Result.FAILED, text, now - open_.since), step.time)
 

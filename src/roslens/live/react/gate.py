@@ -25,6 +25,7 @@ _RESTARTS = frozenset({"restart", "start"})
 _PROCESS = frozenset({"restart", "start", "stop", "kill"})
 """What ends or begins a process: a node that one reaction restarts is gone for a moment, and nobody else mends that."""
 _MOST_KEYS = 10_000
+_LOOK_AGAIN_S = 0.5
 
 
 class Answer(str, Enum):
@@ -69,6 +70,15 @@ class Limits(msgspec.Struct, frozen=True):
     windows: tuple[Window, ...] = ()
 
 
+class _Process(msgspec.Struct, frozen=True):
+    """Who ends or begins a process, and when that was done; None while it is under way."""
+
+    decision: str
+    reaction: str
+    kind: str
+    ended: float | None = None
+
+
 class Gate:
     """Says of each decision whether it is carried out, and remembers what was.
 
@@ -81,7 +91,7 @@ class Gate:
         self._last: dict[tuple[str, str], float] = {}
         self._done: dict[bool, deque[float]] = {True: deque(), False: deque()}
         self._restarts: dict[str, deque[float]] = {}
-        self._processes: dict[str, tuple[float, str, str]] = {}
+        self._processes: dict[str, _Process] = {}
         self._given_up: dict[str, str] = {}
 
     @property
@@ -129,9 +139,16 @@ class Gate:
         if kind in _PROCESS:
             if len(self._processes) >= _MOST_KEYS:
                 self._processes.pop(next(iter(self._processes)))
-            self._processes[target] = (now_s, decision.reaction, kind)
+            self._processes[target] = _Process(decision.id, decision.reaction, kind)
         if kind in _RESTARTS:
             self._restarts.setdefault(target, deque(maxlen=self._limits.most_restarts + 1)).append(now_s)
+
+    def ended(self, decision: Decision, now_s: float) -> None:
+        """Remember that an action is no more under way."""
+        target = target_of(decision)
+        held = self._processes.get(target)
+        if held is not None and held.decision == decision.id:
+            self._processes[target] = msgspec.structs.replace(held, ended=now_s)
 
     def release(self) -> tuple[str, ...]:
         """Forget what was given up and how often it was restarted; return what was."""
@@ -144,13 +161,16 @@ class Gate:
         """Say to wait where another reaction has ended or begun the same process just now."""
         if decision.action.kind not in _PROCESS or target not in self._processes:
             return None
-        at, reaction, kind = self._processes[target]
-        left = self._limits.cool_down_s - (now_s - at)
-        if reaction == decision.reaction or left <= 0:
+        held = self._processes[target]
+        if held.reaction == decision.reaction:
             return None
-        text = (
-            f"`{kind}` of {target} was begun by {reaction} {now_s - at:.1f} s ago, which has to have its effect first"
-        )
+        if held.ended is None:
+            return GateAnswer(Answer.WAIT, f"`{held.kind}` of {target} is under way for {held.reaction}", _LOOK_AGAIN_S)
+        left = self._limits.cool_down_s - (now_s - held.ended)
+        if left <= 0:
+            return None
+        ago = f"{now_s - held.ended:.1f} s ago"
+        text = f"`{held.kind}` of {target} was done for {held.reaction} {ago}, which has to have its effect first"
         return GateAnswer(Answer.WAIT, text, left)
 
     def _too_many_restarts(self, target: str, now_s: float) -> str:

@@ -1,4 +1,5 @@
 import io
+import time
 
 import pytest
 
@@ -44,3 +45,19 @@ def test_what_makes_no_sense_is_refused_before_anything_begins(reference, words,
     monkeypatch.setattr("sys.stdin", io.StringIO())
     assert main(["react", *words]) == 2
     assert why in capsys.readouterr().err
+
+
+def test_what_was_done_before_a_monitor_began_again_counts_on(tmp_path):
+    from roslens.cli.react_live import _done_before
+    from roslens.store.journal import Journal
+
+    path, now = tmp_path / "journal.jsonl", time.time()
+    action = {"kind": "restart", "target": {"kind": "node", "name": "/a"}, "arguments": {}}
+    with Journal(path) as journal:
+        journal.add("announced", now - 900.0, decision="r/1.0", reaction="r", entity="node:/a", action=action)
+        journal.add("announced", now - 60.0, decision="r/2.0", reaction="r", entity="node:/a", action=action)
+        journal.add("announced", now - 50.0, decision="r/3.0", reaction="r", action={"kind": 3})
+        journal.add("outcome", now - 40.0, decision="r/2.0", result="done")
+    ((decision, ago_s),) = _done_before(path, 600.0)
+    assert (decision.id, str(decision.action.target)) == ("r/2.0", "node:/a")
+    assert 60.0 <= ago_s < 90.0

@@ -9,7 +9,7 @@ import platform
 import sys
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -88,6 +88,30 @@ def _limits(options: argparse.Namespace) -> Limits:
     )  # fmt: skip
 
 
+def _done_before(path: Path, within_s: float) -> Iterator[tuple[Decision, float]]:
+    """Yield what was done before this process began, and how many seconds ago: a monitor that crashes counts on."""
+    import msgspec
+
+    from roslens.model.reaction import ActionCall, Decision
+    from roslens.store.read_journal import JournalReader
+
+    now = time.time()
+    reader = JournalReader(path)
+    try:
+        for entry in reader.entries():
+            if entry.what != "announced" or not 0 <= now - entry.time < within_s:
+                continue
+            fields = entry.fields
+            try:
+                action = msgspec.convert(fields["action"], ActionCall)
+                told = [str(fields[name]) for name in ("decision", "reaction", "entity")]
+            except (KeyError, msgspec.ValidationError):
+                continue
+            yield Decision(told[0], told[1], told[2], 0, action, entry.time), now - entry.time
+    finally:
+        reader.close()
+
+
 class _Telling:
     """A journal whose entries are shown, and published in ROS, once they are on the disk."""
 
@@ -117,7 +141,7 @@ class _Reacting:
         self, options: argparse.Namespace, reference: Reference, limits: Limits, journal: Journal,
         stack: contextlib.ExitStack,
     ) -> None:  # fmt: skip
-        from roslens.live.react.gate import Gate
+        from roslens.live.react.gate import Gate, recalled
         from roslens.live.react.node_places import NodePlaces
 
         self._options = options
@@ -127,6 +151,7 @@ class _Reacting:
         self._folder: Path = journal.path.parent
         self._journal = _Telling(journal, options.json)
         self._gate = Gate(limits)
+        recalled(self._gate, _done_before(journal.path, limits.restarts_per_s), time.monotonic())
         self._places: NodePlaces = NodePlaces()
         self._log: deque[str] = deque(maxlen=_LOG_LINES)
         self._failed = False

@@ -213,6 +213,7 @@ def recalled(gate: Gate, done: Iterable[tuple[Decision, float]], now_s: float) -
     """Let a gate remember what was done before this process began: decisions and how many seconds ago."""
     for decision, ago_s in sorted(done, key=lambda one: -one[1]):
         gate.done(decision, now_s - max(ago_s, 0.0))
+        gate.ended(decision, now_s - max(ago_s, 0.0))
 
 
 def _touches(decision: Decision) -> bool:

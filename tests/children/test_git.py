@@ -63,6 +63,7 @@ def hostile(tmp_path):
 
 ASKED = {
     "cat-file": ("-p", "HEAD:a.cpp"),
+    "check-mailmap": ("A Name <a@b>",),
     "config": ("--list",),
     "diff-tree": ("-r", "-p", "HEAD~1", "HEAD"),
     "for-each-ref": (),

@@ -289,7 +289,7 @@ class _Reacting:
             hands.poll()
             time.sleep(0.02)
         for place, why in hands.unready().items():
-            raise DocumentError(f"what is to be done cannot be: {why}", where=place)
+            raise DocumentError(f"this action cannot be carried out: {why}", where=place)
 
 
 class _Wakes:

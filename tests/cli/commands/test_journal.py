@@ -49,3 +49,9 @@ def test_no_journal_is_an_answer(tmp_path, monkeypatch, capsys):
     assert main(["journal"]) == 2
     assert "`roslens react` writes one" in capsys.readouterr().err
     assert main(["journal", "--head", "ab"]) == 2
+
+
+def test_a_journal_without_entries_says_so(tmp_path, capsys):
+    (tmp_path / "empty.jsonl").touch()
+    assert main(["journal", str(tmp_path / "empty.jsonl")]) == 0
+    assert "empty: nothing has been decided here yet" in capsys.readouterr().err

@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     try:
         if options.export is not None:
             return _export(reader, options.export)
-        return _show(reader, follow=options.follow)
+        return _show(reader, path, follow=options.follow)
     finally:
         reader.close()
 
@@ -73,7 +73,7 @@ def _verify(path: Path, head: str) -> int:
     return 0
 
 
-def _show(reader: JournalReader, *, follow: bool) -> int:
+def _show(reader: JournalReader, path: Path, *, follow: bool) -> int:
     import time
 
     from roslens.cli.watch_screen import time_of_day
@@ -87,6 +87,8 @@ def _show(reader: JournalReader, *, follow: bool) -> int:
                 print(day)
             print(journal_line(entry, time_of_day))
         if not follow:
+            if not day:
+                print(f"{path} is empty: nothing has been decided here yet", file=sys.stderr)
             return 0
         sys.stdout.flush()
         time.sleep(_LOOK_EVERY_S)

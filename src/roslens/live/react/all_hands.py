@@ -22,6 +22,7 @@ from roslens.model.order import Verb
 from roslens.model.reaction import ActionCall, Decision, Reaction
 
 _NAME = re.compile(r"[^A-Za-z0-9._-]+")
+NO_ROS = "no ROS that has it is observed. Start it in a shell where ROS is set up, or give --ros1 or --ros2 --python"
 
 
 def name_of(decision: Decision) -> str:
@@ -102,7 +103,7 @@ class AllHands:
         for id_, place in self._prepared.items():
             reasons = [why for (_, one), why in self._unfit.items() if one == id_]
             if all(reasons):
-                found[place or id_] = reasons[0] if reasons else "no ROS is observed that it exists for"
+                found[place or id_] = reasons[0] if reasons else NO_ROS
         return found
 
     def waiting(self) -> bool:

@@ -7,7 +7,7 @@ from typing import TypeVar
 K = TypeVar("K")
 V = TypeVar("V")
 
-MOST_GONE = 1000
+MOST_GONE = 300
 """Of one kind of thing. A command line tool makes a node, and topics of it, whose name never comes again."""
 
 

@@ -46,6 +46,7 @@ class Case:
         also: Reactions that may act too, for they follow from the fault.
         generations: For which it exists.
         lasts: Seconds of a fault that nobody acts upon.
+        on: Nodes and hosts that it strikes; nothing may be done to any other.
     """
 
     name: str
@@ -55,6 +56,7 @@ class Case:
     also: frozenset[str] = frozenset()
     generations: tuple[str, ...] = BOTH
     lasts: float = QUIET
+    on: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -117,55 +119,45 @@ def _load(node: str, **load: float) -> Callable[[Reacting], AbstractContextManag
     return lambda one: faults.loaded(one.robot.changes(node), node, **load)
 
 
+LIDAR, ODOMETRY, CAMERA, SENSOR = (frozenset({one}) for one in ("/lidar", "/odometry", "/camera", "sensor"))
 CASES = (
     Case(
-        "lidar is killed (kill -9)", lambda r: _signalled(r, "lidar", signal.SIGKILL), "gone", 0.0, frozenset({"blind"})
+        "lidar is killed (kill -9)", lambda r: _signalled(r, "lidar", signal.SIGKILL), "gone", 0.0,
+        frozenset({"blind"}), on=LIDAR,
     ),
     Case(
-        "odometry, on the monitor's host, is killed", lambda r: _signalled(r, "odometry", signal.SIGKILL), "gone", 0.0
+        "odometry, on the monitor's host, is killed", lambda r: _signalled(r, "odometry", signal.SIGKILL), "gone", 0.0,
+        on=ODOMETRY,
     ),
     Case(
-        "lidar freezes (SIGSTOP)",
-        lambda r: _signalled(r, "lidar", signal.SIGSTOP),
-        "frozen",
-        1.0,
-        frozenset({"blind", "gone"}),
+        "lidar freezes (SIGSTOP)", lambda r: _signalled(r, "lidar", signal.SIGSTOP), "frozen", 1.0,
+        frozenset({"blind", "gone"}), on=LIDAR,
     ),
-    Case("rate of the lidar drops, 25 to 10 Hz", _load("lidar", delay=0.1), "blind", 0.5 + 1.0),
-    Case("sensor's link is 20 ms slower", lambda r: faults.delay(r.bed, "sensor", 20), "late", 0.5 + 1.0),
+    Case("rate of the lidar drops, 25 to 10 Hz", _load("lidar", delay=0.1), "blind", 0.5 + 1.0, on=LIDAR),
+    Case("sensor's link is 20 ms slower", lambda r: faults.delay(r.bed, "sensor", 20), "late", 0.5 + 1.0, on=SENSOR),
     Case(
-        "5 % loss on the sensor's link",
-        lambda r: faults.loss(r.bed, "sensor", 5),
-        "lossy",
-        1.0,
-        frozenset({"late"}),
-        ("ros2",),
+        "5 % loss on the sensor's link", lambda r: faults.loss(r.bed, "sensor", 5), "lossy", 1.0, frozenset({"late"}),
+        ("ros2",), on=SENSOR,
     ),
-    Case("camera burns a CPU", _load("camera", burn=0.95), "burns", 1.0 + 2.0),
-    Case("camera leaks 60 MB/s", _load("camera", leak=60), "leaks", 3.0),
-    Case("disk of the sensor host is full", lambda r: faults.full_disk(r.bed["sensor"]), "full", 1.0),
+    Case("camera burns a CPU", _load("camera", burn=0.95), "burns", 1.0 + 2.0, on=CAMERA),
+    Case("camera leaks 60 MB/s", _load("camera", leak=60), "leaks", 3.0, on=CAMERA),
+    Case("disk of the sensor host is full", lambda r: faults.full_disk(r.bed["sensor"]), "full", 1.0, on=SENSOR),
     Case(
-        "sensor host is unplugged for 8 s",
-        lambda r: faults.unplugged(r.bed, "sensor"),
-        "blind",
-        0.5 + 1.0,
-        frozenset({"lossy", "late"}),
-        BOTH,
-        8.0,
+        "sensor host is unplugged for 8 s", lambda r: faults.unplugged(r.bed, "sensor"), "blind", 0.5 + 1.0,
+        frozenset({"lossy", "late"}), BOTH, 8.0, on=SENSOR,
     ),
     Case(
-        "clock of the sensor host is 250 ms ahead",
-        lambda r: clock.shifted(r.bed[FAKED], 0.25),
-        "clock",
-        1.0 + 2.5,
-        frozenset({"late"}),
+        "clock of the sensor host is 250 ms ahead", lambda r: clock.shifted(r.bed[FAKED], 0.25), "clock", 1.0 + 2.5,
+        frozenset({"late"}), on=SENSOR,
     ),
-    Case("ROS master restarts", _master_restart, "", 0.0, frozenset({"gone", "blind"}), ("ros1",)),
+    Case(
+        "ROS master restarts", _master_restart, "", 0.0, frozenset({"gone", "blind"}), ("ros1",), on=frozenset(NODES)
+    ),
     Case("agent of sensor crashes and begins again", lambda r: _crashed(r, "sensor"), "", 0.0),
     Case("agent of sensor is stopped for 10 s", lambda r: faults.frozen(r.agents["sensor"]), "", 0.0, lasts=10.0),
     Case("monitor is stopped for 8 s", lambda r: faults.frozen(r.monitor), "", 0.0, lasts=8.0),
     Case("monitor crashes and begins again", lambda r: _crashed(r, "monitor"), "", 0.0, lasts=15.0),
-)
+)  # fmt: skip
 
 
 def run_case(reacting: Reacting, case: Case) -> Row:

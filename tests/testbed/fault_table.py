@@ -139,7 +139,8 @@ def _master_restart(watched: Watched) -> Iterator[Fault]:
 
 
 @contextlib.contextmanager
-def _misfit(watched: Watched, kind: str) -> Iterator[Fault]:
+def misfit(watched: Watched, kind: str) -> Iterator[Fault]:
+    """A subscription on the brain that gets nothing of the scan, by what `kind` says; ROS 2 only."""
     host, robot = watched.bed["brain"], watched.robot
     program = str(faults.__file__).replace("faults.py", "misfit_ros2.py")
     started = []
@@ -186,9 +187,9 @@ CASES = (
          _both(("node:/lidar", "presence")), 0.5, 0.0, also=frozenset({OF_SCAN})),
     Case("lidar crashes and restarts", _crash_and_restart, _both(("node:/lidar", "presence")), 0.5, 0.0,
          also=frozenset({OF_SCAN})),
-    Case("subscription asks for more than is offered", lambda w: _misfit(w, "reliable"),
+    Case("subscription asks for more than is offered", lambda w: misfit(w, "reliable"),
          {"ros2": MISFITS}, 5.0, 0.0, MISFIT, facts.subscribed("misfit-reliable")),
-    Case("subscription of another type", lambda w: _misfit(w, "type"), {"ros2": MISFITS}, 5.0, 0.0, MISFIT,
+    Case("subscription of another type", lambda w: misfit(w, "type"), {"ros2": MISFITS}, 5.0, 0.0, MISFIT,
          facts.subscribed("misfit-type")),
     # Counted from before it is asked to end, which takes it seconds; looked at every second.
     Case("ROS master restarts", _master_restart,

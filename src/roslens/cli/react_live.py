@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.cli.ask_terminal import AskNobody, AskTerminal
 from roslens.cli.hold_file import Held
 from roslens.cli.param_reference import reference_sources
+from roslens.cli.react_reload import Renewal
 from roslens.cli.stretch import Stretch, never_saw
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.user_folder import state_folder
@@ -27,7 +28,7 @@ from roslens.live.session import Session, Step, run
 from roslens.model.errors import DocumentError, UsageError
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.cli.watch_reload import ReferenceFiles
     from roslens.live.agent.host_hand import HostHand
     from roslens.live.react.actor import Actor
     from roslens.live.react.all_hands import AllHands
@@ -50,13 +51,12 @@ def react_live(options: argparse.Namespace) -> int:
         UsageError: the options make no sense, or no ROS is observed in which anything could be done.
         DocumentError: the reference has no reactions, or calls for what cannot be done.
     """
-    from roslens.judge.read_reference import load_reference
-    from roslens.live.signals import BY_KEY
+    from roslens.cli.watch_reload import ReferenceFiles
     from roslens.store.journal import Journal
 
     limits = _limits(options)
-    reference = load_reference(reference_sources(options.reference, options), BY_KEY)
-    if not reference.reactions:
+    files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
+    if not files.reference.reactions:
         shown = ", ".join(str(one) for one in options.reference)
         raise UsageError(f"no reaction in {shown}", expected="a document with `reactions:`")
     if options.mode == "ask" and not sys.stdin.isatty():
@@ -67,7 +67,7 @@ def react_live(options: argparse.Namespace) -> int:
     path = options.journal or state_folder(os.environ) / "journal.jsonl"
     with contextlib.ExitStack() as stack:
         journal = stack.enter_context(Journal(path))
-        return _Reacting(options, reference, limits, journal, stack).run(length)
+        return _Reacting(options, files, limits, journal, stack).run(length)
 
 
 def _limits(options: argparse.Namespace) -> Limits:
@@ -138,14 +138,15 @@ class _Reacting:
     """One run of `roslens react`."""
 
     def __init__(
-        self, options: argparse.Namespace, reference: Reference, limits: Limits, journal: Journal,
+        self, options: argparse.Namespace, files: ReferenceFiles, limits: Limits, journal: Journal,
         stack: contextlib.ExitStack,
     ) -> None:  # fmt: skip
         from roslens.live.react.gate import Gate, recalled
         from roslens.live.react.node_places import NodePlaces
 
         self._options = options
-        self._reference = reference
+        self._files = files
+        self._reference = files.reference
         self._stack = stack
         self._held = Held(os.environ)
         self._folder: Path = journal.path.parent
@@ -174,6 +175,7 @@ class _Reacting:
             self._journal.publish = partial(hands.say, topic)
         self._wait_until_ready(hands)
         actor = self._actor(hands, started)
+        renewal = Renewal(self._files, session, actor.reactor, hands, self._journal, steady=time.monotonic)
         ended = when_stopped(self._stack)
         stretch = Stretch(session, length, ended)
         names = [one.name for one in self._reference.reactions]
@@ -187,7 +189,7 @@ class _Reacting:
                 [*sources, _Wakes(hands)],
                 wall=time.time,
                 stopped=stretch.over,
-                told=partial(self._told, actor, here),
+                told=lambda step: self._told(actor, here, renewal.look(step)),
             )
         finally:
             self._journal.add("ended", time.time(), text="nothing is done any more")

@@ -86,6 +86,28 @@ class Reaction(msgspec.Struct, frozen=True, omit_defaults=True):
     place: str = ""
 
 
+def repeats(call: ActionCall) -> bool:
+    """Return whether an action goes on until the condition is false."""
+    return call.kind == "publish" and call.arguments.get("how") == "repeated"
+
+
+def essence(reaction: Reaction) -> Reaction:
+    """Return a reaction without the places where it is written: two that say the same are equal."""
+    found: Reaction = _placeless(reaction)
+    return found
+
+
+def _placeless(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(map(_placeless, value))
+    if not isinstance(value, msgspec.Struct):
+        return value
+    changes = {name: _placeless(getattr(value, name)) for name in value.__struct_fields__}
+    if "place" in changes:
+        changes["place"] = ""
+    return msgspec.structs.replace(value, **changes)
+
+
 class Because(msgspec.Struct, frozen=True, omit_defaults=True):
     """One thing that made a condition true.
 

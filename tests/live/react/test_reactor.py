@@ -284,3 +284,44 @@ def test_a_target_that_is_not_known_is_no_action_and_its_reason_is_told():
     assert reactor.withheld == {("r.a", ""): "`restart` of the first cause, which is host:h and no node"}
     (found,) = look(reactor, 6.1, verdict("topic:/t", State.ABSENT, "node:/n", 6.1))
     assert found.action.target == EntityId(EntityKind.NODE, "/n")
+
+
+def stopping(text="stop", how="repeated", pattern="/t", before=""):
+    stop = f"{{publish: {{topic: /stop, type: std_msgs/Bool, fields: {{data: true}}, how: {how}}}}}"
+    when = f"{{topic: {pattern}, is: bad, effects: true}}"
+    document = f"kind: reference\nname: r\nreactions:\n{before}- {{id: a, settled: 0 s, cool_down: 0 s, text: {text}, when: {when}, do: [{stop}]}}\n"  # noqa: E501
+    return load_reference([GivenText("r.yaml", document.encode())], BY_KEY).reactions
+
+
+def stopped(reactions):
+    reactor = Reactor(reactions, start=0.0)
+    for number in range(1, 60):
+        look(reactor, number / 10)
+    (found,) = look(reactor, 6.0, verdict("topic:/t", State.ABSENT, "", 6.0))
+    reactor.told(found.id, Outcome(Result.DONE))
+    return reactor, found
+
+
+def test_a_line_that_was_put_before_a_reaction_changes_nothing_of_it():
+    reactor, found = stopped(stopping(how="once"))
+    reactor.replace(stopping(how="once", before="# a stop\n"))
+    assert look(reactor, 6.1) == []
+    assert reactor.holds(found.id) is True
+
+
+def test_a_stop_that_repeats_is_let_go_by_its_condition_and_not_by_an_edit():
+    reactor, found = stopped(stopping())
+    reactor.replace(stopping(text="halt", pattern="/u"))
+    assert look(reactor, 6.1) == []
+    assert reactor.holds(found.id) is True
+    look(reactor, 6.2, verdict("topic:/t", State.OK, "", 6.2))
+    assert [one.verification for one in reactor.checks()] == [Verification.GONE]
+    (other,) = look(reactor, 6.3, verdict("topic:/u", State.ABSENT, "", 6.3))
+    assert other.text == "halt"
+
+
+def test_a_stop_that_was_taken_out_of_the_document_ends():
+    reactor, found = stopped(stopping())
+    reactor.replace([])
+    look(reactor, 6.1)
+    assert reactor.holds(found.id) is False

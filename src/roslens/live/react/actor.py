@@ -13,7 +13,7 @@ import msgspec
 from roslens.live.react.gate import Answer, Gate, GateAnswer
 from roslens.live.react.reactor import Reactor
 from roslens.live.session import Step
-from roslens.model.reaction import Decision, Mode, Outcome, Result, Verification
+from roslens.model.reaction import Decision, Mode, Outcome, Result, Verification, repeats
 
 ANSWER_WITHIN_S = 60.0
 """What nobody allowed or refused so long after it was asked is not done."""
@@ -240,7 +240,7 @@ class Actor:
             action=msgspec.to_builtins(decision.action), text=decision.text,
         )  # fmt: skip
         self._under_way[decision.id] = _Open(decision, self._steady())
-        if decision.action.kind == "publish" and decision.action.arguments.get("how") == "repeated":
+        if repeats(decision.action):
             self._repeats.add(decision.id)
         self._hands.do(decision)
 

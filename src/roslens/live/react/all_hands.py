@@ -12,6 +12,7 @@ from typing import Protocol
 
 from roslens.live.react.actor import CarriedOut
 from roslens.live.react.node_places import NodePlaces
+from roslens.live.react.prepared import Prepared
 from roslens.live.react.ros import ActionError
 from roslens.live.react.ros_line import RosLine
 from roslens.model.action_kind import ActionKind, By, action_kind
@@ -22,7 +23,6 @@ from roslens.model.order import Verb
 from roslens.model.reaction import ActionCall, Decision, Reaction
 
 _NAME = re.compile(r"[^A-Za-z0-9._-]+")
-NO_ROS = "no ROS that has it is observed. Start it in a shell where ROS is set up, or give --ros1 or --ros2 --python"
 
 
 def name_of(decision: Decision) -> str:
@@ -78,37 +78,41 @@ class AllHands:
         self._came: queue.SimpleQueue[CarriedOut] = queue.SimpleQueue()
         self._waited_for: dict[str, int] = {}
         self._best: dict[str, CarriedOut] = {}
-        self._unfit: dict[tuple[int, str], str] = {}
-        self._prepared: dict[str, str] = {}
+        self._prepared = Prepared()
+        self._next: Prepared | None = None
+        self._turn = 0
 
     def prepare(self, reactions: Sequence[Reaction]) -> None:
         """Get ready for every action of some reactions that is done through ROS; :meth:`unready` says how that goes."""
-        for reaction in reactions:
-            for number, step in enumerate(reaction.steps):
-                call = step.action
-                kind = action_kind(call.kind)
-                if kind is None or kind.by is not By.ROS:
-                    continue
-                id_ = f"{reaction.name}/prepare.{number + 1}"
-                self._prepared[id_] = call.place
-                target = call.target.name if call.target is not None else ""
-                for line in self._lines:
-                    if line.generation in kind.ros:
-                        self._unfit[line.generation, id_] = "not answered yet"
-                        line.prepare(id_, call.kind, target, kind.filled(call.arguments))
+        self._prepared.ask(self._lines, reactions)
 
     def unready(self) -> dict[str, str]:
         """Return what cannot be done in any ROS that is observed, and why, by its place in the document."""
-        found = {}
-        for id_, place in self._prepared.items():
-            reasons = [why for (_, one), why in self._unfit.items() if one == id_]
-            if all(reasons):
-                found[place or id_] = reasons[0] if reasons else NO_ROS
-        return found
+        return self._prepared.unready()
 
     def waiting(self) -> bool:
         """Whether somebody has not said yet whether all can be done."""
-        return "not answered yet" in self._unfit.values()
+        return self._prepared.waiting()
+
+    def prepare_next(self, reactions: Sequence[Reaction]) -> Prepared:
+        """Get ready for other reactions beside those that hold, until :meth:`take_next` or :meth:`drop_next`."""
+        self.drop_next()
+        self._turn += 1
+        self._next = Prepared(self._turn)
+        self._next.ask(self._lines, reactions)
+        return self._next
+
+    def take_next(self) -> None:
+        """Be ready for what :meth:`prepare_next` was told in place of what was before."""
+        if self._next is not None:
+            self._prepared.forget(self._lines)
+            self._prepared, self._next = self._next, None
+
+    def drop_next(self) -> None:
+        """Go on as before."""
+        if self._next is not None:
+            self._next.forget(self._lines)
+            self._next = None
 
     def told(self, done: CarriedOut) -> None:
         """Take what became of something; for any thread."""
@@ -146,7 +150,8 @@ class AllHands:
         for line in self._lines:
             for reply in line.poll():
                 if reply.verb is Verb.PREPARE:
-                    self._unfit[line.generation, reply.id] = "" if reply.done else reply.text
+                    for prepared in filter(None, (self._prepared, self._next)):
+                        prepared.take(line.generation, reply)
                 elif reply.id != "journal":
                     found += self._of_line(CarriedOut(reply.id, reply.done, reply.text, reply.duration_s))
         if self._far is not None:
@@ -195,7 +200,7 @@ class AllHands:
                 self.told(CarriedOut(decision.id, False, str(error)))
 
     def _fit(self, line: RosLine, decision: Decision) -> bool:
-        return not self._unfit.get((line.generation, f"{decision.reaction}/prepare.{decision.step + 1}"), "")
+        return self._prepared.fit(line.generation, decision)
 
     def _of_line(self, done: CarriedOut) -> list[CarriedOut]:
         """Return what became of something once all have told that were asked, the best of it."""

@@ -7,19 +7,27 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 
-from roslens.judge.condition_contradiction import statements
-from roslens.judge.read_reactions import bound
 from roslens.judge.template import filled, filled_in
 from roslens.live.react.chain import Chain, Stage
-from roslens.live.react.evaluation import Chosen, Evaluation
+from roslens.live.react.evaluation import Chosen
 from roslens.live.react.known import Known
+from roslens.live.react.plan import Plan
 from roslens.live.react.truth import Truth
 from roslens.live.react.value_words import value_words
 from roslens.live.react.wellness import Wellness
 from roslens.live.session import Step
-from roslens.model.condition import About, AllOf, AnyOf, Being, Condition, Matching, Stated
 from roslens.model.entity import EntityId
-from roslens.model.reaction import ActionCall, Because, Checked, Decision, EscalationStep, Outcome, Reaction
+from roslens.model.reaction import (
+    ActionCall,
+    Because,
+    Checked,
+    Decision,
+    EscalationStep,
+    Outcome,
+    Reaction,
+    essence,
+    repeats,
+)
 
 MOST_ENDED = 1_000
 _FORWARDING = {"{entity}", "{host}", "{cause}"}
@@ -42,13 +50,14 @@ class Reactor:
         self._known = Known(start)
         self._chosen = Chosen(self._known)
         self._wellness = Wellness(start)
-        self._plans = [_Plan(one, self._known, self._chosen, start) for one in sorted(reactions, key=lambda r: r.name)]
+        self._plans = [Plan(one, self._known, self._chosen, start) for one in sorted(reactions, key=lambda r: r.name)]
         self._chains: dict[tuple[str, EntityId | None], Chain] = {}
         self._by_decision: dict[str, tuple[str, EntityId | None]] = {}
         self._latest: dict[tuple[str, EntityId | None], float] = {}
         self._recent: dict[str, deque[float]] = {}
         self._number = 0
         self._checks: list[Checked] = []
+        self._follow: dict[str, Reaction] = {}
 
     def look(self, step: Step, now_s: float) -> list[Decision]:
         """Take a step of the session; return what is due, by reaction and entity."""
@@ -56,6 +65,8 @@ class Reactor:
         self._known.take(step, now_s)
         self.unwell = self._wellness.look(step, now_s)
         self.withheld = {}
+        if self._follow:
+            self._renew()
         if self.unwell:
             for plan in self._plans:
                 plan.forget()
@@ -85,19 +96,43 @@ class Reactor:
         return None if self.unwell else plan.lasts(key[1])
 
     def replace(self, reactions: Sequence[Reaction]) -> None:
-        """Go on with other reactions; those that are the same keep their chains and hold times."""
+        """Go on with other reactions.
+
+        Those that say the same keep their chains and hold times, and one that repeats a message at the moment stays as
+        it was until its condition is false: to edit a sentence lets no robot go that was stopped.
+        """
         before = {plan.reaction.name: plan for plan in self._plans}
         after = []
+        self._follow = {}
         for reaction in sorted(reactions, key=lambda one: one.name):
             plan = before.get(reaction.name)
-            same = plan is not None and plan.reaction == reaction
-            after.append(plan if same and plan else _Plan(reaction, self._known, self._chosen, self._start))
+            if plan is not None and essence(plan.reaction) != essence(reaction):
+                if self._repeats(plan):
+                    self._follow[reaction.name] = reaction
+                else:
+                    plan = None
+            after.append(plan or Plan(reaction, self._known, self._chosen, self._start))
         kept = {id(plan) for plan in after}
         dropped = {name for name, plan in before.items() if id(plan) not in kept}
         self._chains = {key: chain for key, chain in self._chains.items() if key[0] not in dropped}
         self._plans = after
 
-    def _entities(self, plan: _Plan) -> list[EntityId | None]:
+    def _renew(self) -> None:
+        """Let reactions that had to wait for an end take the place of what they are a change of."""
+        for place, plan in enumerate(self._plans):
+            reaction = self._follow.get(plan.reaction.name)
+            if reaction is not None and not self._repeats(plan):
+                del self._follow[reaction.name]
+                self._chains = {key: one for key, one in self._chains.items() if key[0] != reaction.name}
+                self._plans[place] = Plan(reaction, self._known, self._chosen, self._start)
+
+    def _repeats(self, plan: Plan) -> bool:
+        """Whether a chain of a reaction has come to a message that is repeated until its condition is false."""
+        repeated = [number for number, step in enumerate(plan.reaction.steps) if repeats(step.action)]
+        chains = [chain for key, chain in self._chains.items() if key[0] == plan.reaction.name]
+        return any(chain.step >= number for chain in chains for number in repeated)
+
+    def _entities(self, plan: Plan) -> list[EntityId | None]:
         """Return what a reaction is about: each entity that is chosen, and those of chains that go on."""
         if plan.each is None:
             return [None]
@@ -109,7 +144,7 @@ class Reactor:
             chosen = (*suspects, *plan.tracked())
         return [*sorted({*chosen, *going})]
 
-    def _consider(self, plan: _Plan, entity: EntityId | None) -> list[Decision]:
+    def _consider(self, plan: Plan, entity: EntityId | None) -> list[Decision]:
         key = (plan.reaction.name, entity)
         truth, shows = plan.truth(entity)
         chain = self._chains.get(key)
@@ -127,7 +162,7 @@ class Reactor:
             return []
         return self._decide(plan, entity, chain, shows)
 
-    def _begin(self, plan: _Plan, entity: EntityId | None, shows: tuple[Because, ...]) -> list[Decision]:
+    def _begin(self, plan: Plan, entity: EntityId | None, shows: tuple[Because, ...]) -> list[Decision]:
         key = (plan.reaction.name, entity)
         latest = self._latest.get(key)
         wait = 0.0 if latest is None else latest + plan.reaction.cool_down_s - self._now
@@ -141,7 +176,7 @@ class Reactor:
             self._chains[key] = chain
         return decisions
 
-    def _decide(self, plan: _Plan, entity: EntityId | None, chain: Chain, shows: tuple[Because, ...]) -> list[Decision]:
+    def _decide(self, plan: Plan, entity: EntityId | None, chain: Chain, shows: tuple[Because, ...]) -> list[Decision]:
         reaction = plan.reaction
         key = (reaction.name, entity)
         recent = self._recent.setdefault(reaction.name, deque())
@@ -182,7 +217,7 @@ class Reactor:
     def _withhold(self, key: tuple[str, EntityId | None], reason: str) -> None:
         self.withheld[key[0], str(key[1] or "")] = reason
 
-    def _about(self, plan: _Plan, entity: EntityId | None, shows: tuple[Because, ...]) -> str:
+    def _about(self, plan: Plan, entity: EntityId | None, shows: tuple[Because, ...]) -> str:
         if entity is not None:
             return str(entity)
         if plan.bound is not None:
@@ -239,53 +274,3 @@ class Reactor:
                 return f"`{call.kind}` of the first cause, which is {cause} and no {target.kind.value}"
             target = EntityId(target.kind, name)
         return msgspec.structs.replace(call, target=target, arguments=filled_in(call.arguments, values))
-
-
-class _Plan:
-    """A reaction with its conditions over time."""
-
-    def __init__(self, reaction: Reaction, known: Known, chosen: Chosen, start: float) -> None:
-        self.reaction = reaction
-        self.statements = tuple(statements(reaction.when))
-        self.bound = bound(reaction.when)
-        self.each: Stated | None = next((one for one in self.statements if one.matching is Matching.EACH), None)
-        self.only_suspects = self.each is not None and _needs_fault(reaction.when, self.each)
-        self._when = Evaluation(reaction.when, reaction.settled_s, known, chosen, start)
-        self._armed = reaction.only_while and Evaluation(reaction.only_while, 0.0, known, chosen, start)
-        self._unless = reaction.unless and Evaluation(reaction.unless, 0.0, known, chosen, start, effects=True)
-
-    def truth(self, entity: EntityId | None) -> tuple[Truth, tuple[Because, ...]]:
-        """Return whether the reaction is due about an entity, as far as its conditions go, and what shows it."""
-        when, shows = self._when.truth(entity)
-        armed, also = self._armed.truth(entity) if self._armed else (True, ())
-        inhibited = self._unless.truth(entity)[0] if self._unless else False
-        if when is True and armed is True and inhibited is False:
-            return True, tuple(dict.fromkeys((*shows, *also)))
-        return (None if when is not False else False), ()
-
-    def lasts(self, entity: EntityId | None) -> Truth:
-        """Return whether what it is about is still so."""
-        return self._when.lasts(entity)
-
-    def tracked(self) -> set[EntityId]:
-        """Return the entities of which something is remembered over time."""
-        return self._when.tracked().union(*(one.tracked() for one in (self._armed, self._unless) if one))
-
-    def forget(self) -> None:
-        """Begin all hold times anew."""
-        for one in (self._when, self._armed, self._unless):
-            if one:
-                one.forget()
-
-
-_FAULTS = frozenset(("low", "high", "absent", "bad", *(one.value for one in Being if one is not Being.THERE)))
-
-
-def _needs_fault(condition: Condition, each: Stated) -> bool:
-    """Whether a condition can only be true of an entity with which something is wrong."""
-    if isinstance(condition, Stated):
-        faults = condition.about in (About.VERDICT, About.BEING) and _FAULTS.issuperset(condition.states)
-        return condition is each and faults and condition.unknown is not True
-    if isinstance(condition, AllOf):
-        return any(_needs_fault(part, each) for part in condition.parts)
-    return isinstance(condition, AnyOf) and all(_needs_fault(part, each) for part in condition.parts)

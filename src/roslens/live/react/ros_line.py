@@ -56,6 +56,10 @@ class RosLine:
         self._prepared[id_] = order
         self._say(order)
 
+    def forget(self, id_: str) -> None:
+        """Prepare something no more when the process is started again."""
+        self._prepared.pop(id_, None)
+
     def do(self, id_: str, kind: str, target: str, arguments: Mapping[str, Any]) -> None:
         """Have it done; a reply says what became of it.
 

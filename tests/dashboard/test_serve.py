@@ -87,7 +87,7 @@ def test_ctrl_c_is_how_it_ends_and_an_error_is_one(bare_site: Site, runs: Runs) 
 def test_it_answers_to_the_name_that_it_listens_on(bare_site: Site, runs: Runs) -> None:
     serve(bare_site, host="LocalHost", port=0)
     app: Any = runs.config.app
-    assert app.user_middleware[0].kwargs == {"names": frozenset({"localhost"})}
+    assert app.user_middleware[0].kwargs == {"names": frozenset({"localhost"}), "access": None}
 
 
 def test_streams_end_with_a_signal(bare_site: Site, runs: Runs, monkeypatch: pytest.MonkeyPatch) -> None:

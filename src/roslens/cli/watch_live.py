@@ -68,9 +68,12 @@ def _watched(
             sinks.append(_serve(stack, options.prometheus, session, sources))
         page = None
         if options.serve is not None:
+            from roslens.cli.served.door import door_of
             from roslens.cli.watch_serve import address_of, page_beside
 
-            page, shown = page_beside(stack, session, platform.node(), address_of(options.serve), time_of_day)
+            address = address_of(options.serve)
+            door = door_of(options, address[0])
+            page, shown = page_beside(stack, session, platform.node(), address, time_of_day, door)
             sinks.append(shown)
         on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None
         sinks.append(stack.enter_context(_screen(teller, session, sources, page)) if on_screen else teller.tell)

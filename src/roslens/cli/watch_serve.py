@@ -14,6 +14,7 @@ from roslens.dashboard.live.serving import LivePage
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from roslens.cli.served.door import Door
     from roslens.live.session import Session, Step
 
 _LOOK_S = 0.1
@@ -37,14 +38,16 @@ def address_of(text: str) -> tuple[str, int]:
     return host, int(port)
 
 
-def serve(source: PageSource, address: tuple[str, int]) -> LivePage:
-    """Start to serve what ``source`` has, and say where.
+def serve(source: PageSource, address: tuple[str, int], door: Door | None = None) -> LivePage:
+    """Start to serve what ``source`` has to whom ``door`` lets in, and say where.
 
     Raises:
         UsageError: the address cannot be listened on.
     """
-    page = LivePage(source.newest, detail=source.detail, host=address[0], port=address[1])
-    print(f"roslens: {page.url}", file=sys.stderr, flush=True)
+    host, port = address
+    access, tls = (door.access, door.tls) if door else (None, None)
+    page = LivePage(source.newest, detail=source.detail, host=host, port=port, access=access, tls=tls)
+    print(f"roslens: {door.address(page.url) if door else page.url}", file=sys.stderr, flush=True)
     return page
 
 
@@ -67,24 +70,28 @@ def page_of(session: Session, title: str, clock: Callable[[float], str]) -> tupl
 
 
 def page_beside(
-    stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int], clock: Callable[[float], str]
-) -> tuple[str, Callable[[Step], None]]:
+    stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int],
+    clock: Callable[[float], str], door: Door | None = None,
+) -> tuple[str, Callable[[Step], None]]:  # fmt: skip
     """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
 
     Raises:
         UsageError: the address cannot be listened on.
     """
     source, told = page_of(session, title, clock)
-    return stack.enter_context(serve(source, address)).url, told
+    return stack.enter_context(serve(source, address, door)).url, told
 
 
 class PageAfter:
     """Shows how a recording ended, once it was read."""
 
-    def __init__(self, title: str, address: tuple[str, int], clock: Callable[[float], str]) -> None:
+    def __init__(
+        self, title: str, address: tuple[str, int], clock: Callable[[float], str], door: Door | None = None
+    ) -> None:
         """Show what is called ``title`` at ``address``."""
         self._source = PageSource(title, clock=clock, live=False, steady=time.monotonic)
         self._address = address
+        self._door = door
 
     def take(self, step: Step) -> None:
         """Remember what happened in a step."""
@@ -99,6 +106,6 @@ class PageAfter:
         self._source.make(session, end, cost)
         with contextlib.ExitStack() as stack:
             ended = when_stopped(stack)
-            stack.enter_context(serve(self._source, self._address))
+            stack.enter_context(serve(self._source, self._address, self._door))
             while not ended:
                 time.sleep(_LOOK_S)

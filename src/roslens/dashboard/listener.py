@@ -3,8 +3,42 @@
 from __future__ import annotations
 
 import socket
+import ssl
+from ipaddress import ip_address
+from pathlib import Path
+
+import msgspec
 
 from roslens.model.errors import UsageError
+
+
+class Tls(msgspec.Struct, frozen=True):
+    """Files that a server encrypts with: its certificate, with those above it, and the key of that."""
+
+    certificate: Path
+    key: Path
+
+
+def checked_tls(certificate: Path, key: Path) -> Tls:
+    """Return the files, once they are seen to belong together.
+
+    Raises:
+        UsageError: one cannot be read, is not what it should be, or they are of different keys.
+    """
+    try:
+        ssl.create_default_context(ssl.Purpose.CLIENT_AUTH).load_cert_chain(certificate, key, password=_no_password)
+    except (OSError, ValueError) as error:
+        # The text of an error of OpenSSL is its number and a line of its source; its reason is the name of it.
+        reason = getattr(error, "reason", None) or getattr(error, "strerror", None) or error
+        raise UsageError(
+            f"cannot encrypt with {certificate} and {key}: {reason}",
+            expected="a certificate and its key without a password, both in PEM",
+        ) from error
+    return Tls(certificate, key)
+
+
+def _no_password() -> str:
+    raise ValueError("the key has a password")
 
 
 def listen(host: str, port: int, *, local: str, free: str) -> socket.socket:
@@ -41,7 +75,20 @@ def listen(host: str, port: int, *, local: str, free: str) -> socket.socket:
     return listener
 
 
-def address_shown(listener: socket.socket) -> str:
+def address_shown(listener: socket.socket, *, encrypted: bool = False) -> str:
     """Return the address of the first page."""
     host, port = listener.getsockname()[:2]
-    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
+    scheme = "https" if encrypted else "http"
+    return f"{scheme}://[{host}]:{port}/" if ":" in host else f"{scheme}://{host}:{port}/"
+
+
+def only_this_machine(host: str) -> bool:
+    """Return whether a server that listens on ``host`` is reached from this machine alone.
+
+    A name counts as what it stands for; one that stands for nothing is not only this machine.
+    """
+    try:
+        found = socket.getaddrinfo(host, None, type=socket.SOCK_STREAM)
+    except (OSError, UnicodeError):
+        return False
+    return all(ip_address(str(one[4][0]).partition("%")[0]).is_loopback for one in found)

@@ -13,9 +13,10 @@ from starlette.responses import HTMLResponse, PlainTextResponse, RedirectRespons
 from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
+from roslens.dashboard.access.policy import Access
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.guard import Guard
-from roslens.dashboard.listener import address_shown, listen
+from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, nothing
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
@@ -38,6 +39,7 @@ def create_app(
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
     stopped: Callable[[], bool] = lambda: False,
+    access: Access | None = None,
 ) -> Starlette:
     """Return the application that shows ``site``.
 
@@ -47,6 +49,7 @@ def create_app(
         snapshot: returns the newest snapshot of what runs, for a live page beside the others.
         detail: returns all that is known of one of its entities.
         stopped: whether streams of snapshots should end.
+        access: who may view and who may act; by default everybody may view and nobody act.
     """
     renderer = Renderer(site, "served", _LIVE if snapshot is not None else "")
     links = ServedLinks()
@@ -66,7 +69,9 @@ def create_app(
 
     beside: list[BaseRoute] = []
     if snapshot is not None:
-        live = create_live_app(snapshot, Facts(names, advice=_ADVICE, beside=True), detail=detail, stopped=stopped)
+        live = create_live_app(
+            snapshot, Facts(names, advice=_ADVICE, beside=True, access=access), detail=detail, stopped=stopped
+        )
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
@@ -75,7 +80,7 @@ def create_app(
             Route("/favicon.ico", lambda _: PlainTextResponse("", status_code=404)),
             Route("/{path:path}", answer),
         ],
-        middleware=[Middleware(Guard, names=names)],
+        middleware=[Middleware(Guard, names=names, access=access)],
         exception_handlers={StoreError: failed},
     )
 
@@ -116,6 +121,8 @@ def serve(
     ready: Callable[[str], None] = lambda _: None,
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
+    access: Access | None = None,
+    tls: Tls | None = None,
 ) -> None:
     """Serve until interrupted.
 
@@ -126,6 +133,8 @@ def serve(
         ready: told the address of the first page once connections are accepted.
         snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
         detail: returns all that is known of one of its entities; called from this thread too.
+        access: who may view and who may act; by default everybody may view and nobody act.
+        tls: certificate and key to encrypt with.
 
     Raises:
         UsageError: the host is unknown, or the port is taken or not allowed.
@@ -142,16 +151,17 @@ def serve(
             super().handle_exit(sig, frame)
 
     names = frozenset({host.lower()})
-    app = create_app(site, names, snapshot=snapshot, detail=detail, stopped=lambda: bool(stopping))
+    app = create_app(site, names, snapshot=snapshot, detail=detail, stopped=lambda: bool(stopping), access=access)
     local, free = (
         "Leave --host out to listen on this machine only",
         "Give another one with --port, or --port 0 for any free one",
     )
     with closing(listen(host, port, local=local, free=free)) as listener:
-        ready(address_shown(listener))
+        ready(address_shown(listener, encrypted=tls is not None))
         config = uvicorn.Config(
             app, log_level="error", access_log=False, lifespan="off", server_header=False, ws="none",
             http=PatientProtocol, timeout_graceful_shutdown=_GRACE_S,
+            ssl_certfile=tls.certificate if tls else None, ssl_keyfile=tls.key if tls else None,
         )  # fmt: skip
         try:
             Server(config).run(sockets=[listener])

@@ -9,6 +9,7 @@ from contextlib import nullcontext
 from roslens.cli.analysed import add_kept_arguments
 from roslens.cli.observers import add_observer_arguments, given
 from roslens.cli.param_reference import add_reference_argument
+from roslens.cli.served.door import add_door_arguments, door_of
 from roslens.cli.shown_graphs import add_shown_argument
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace import add_workspace_argument
@@ -27,6 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: this machine only)")
     parser.add_argument("--port", type=int, default=8080, help="port (default: 8080; 0 takes a free one)")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
+    add_door_arguments(parser)
     add_shown_argument(parser)
     add_kept_arguments(parser)
     live = parser.add_argument_group("the robot that runs")
@@ -41,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     """Serve until interrupted.
 
     Raises:
-        UsageError: there is no run, the port is taken, or what to watch is not there.
+        UsageError: there is no run, the port is taken, what to watch is not there, or tokens or certificates are wrong.
         StoreError: the store cannot be read.
         DocumentError: a reference is wrong.
     """
@@ -51,21 +53,28 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_past import shown_past
     from roslens.cli.shown_run import shown_run
+    from roslens.dashboard.live.app import nothing
     from roslens.dashboard.server import serve
 
+    door = door_of(options, options.host)
     progress = progress_for(options)
     with shown_run(options, progress) as view, shown_past(options, view) as past:
         site, read_graphs = site_at_once(view, options, progress)
         site.past = past
 
         def ready(url: str) -> None:
-            print(f"roslens: {url} (Ctrl-C ends it)", file=sys.stderr, flush=True)
+            print(f"roslens: {door.address(url)} (Ctrl-C ends it)", file=sys.stderr, flush=True)
             read_graphs()
 
         with live_beside(options) if options.live else nullcontext() as page:
-            if page is None:
-                serve(site, host=options.host, port=options.port, ready=ready)
-            else:
-                shown, detail = page.newest, page.detail
-                serve(site, host=options.host, port=options.port, ready=ready, snapshot=shown, detail=detail)
+            serve(
+                site,
+                host=options.host,
+                port=options.port,
+                ready=ready,
+                snapshot=page.newest if page else None,
+                detail=page.detail if page else nothing,
+                access=door.access,
+                tls=door.tls,
+            )
     return 0

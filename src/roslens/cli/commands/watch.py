@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from roslens.cli.observers import add_observer_arguments
 from roslens.cli.param_reference import add_reference_argument, reference_sources
+from roslens.cli.served.door import add_door_arguments
 from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
 
@@ -59,6 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--publish-statistics", metavar="TOPIC", help="publish roslens_msgs/RatedSignals on this topic in ROS"
     )
     parser.add_argument("--serve", metavar="[HOST:]PORT", help="show it in a browser (a port alone: on this machine)")
+    add_door_arguments(parser)
     parser.add_argument(
         "--graph-out", type=Path, metavar="FILE", help="write the graph there at the end (rosgraph_msgs/Graph, YAML)"
     )
@@ -110,7 +112,7 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
             raise UsageError(f"--{option} with --bag", expected="one of them", advice="A recording is read to its end")
     bag = open_bag(options.bag)
     shown, clock = ", ".join(str(path) for path in options.bag), since_start(bag.start)
-    page = _page(options.serve, shown, clock) if options.serve is not None else None
+    page = _page(options, shown, clock) if options.serve is not None else None
     with Teller(options, clock, bag.start) as teller:
 
         def told(step: Step) -> None:
@@ -131,7 +133,9 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
     return teller.code(states, nothing_seen=not bag.messages or missed_errors)
 
 
-def _page(address: str, title: str, clock: Callable[[float], str]) -> PageAfter:
+def _page(options: argparse.Namespace, title: str, clock: Callable[[float], str]) -> PageAfter:
+    from roslens.cli.served.door import door_of
     from roslens.cli.watch_serve import PageAfter, address_of
 
-    return PageAfter(title, address_of(address), clock)
+    address = address_of(options.serve)
+    return PageAfter(title, address, clock, door_of(options, address[0]))

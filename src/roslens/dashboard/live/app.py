@@ -17,6 +17,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 import roslens
+from roslens.dashboard.access.policy import Access
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.live.snapshot import Snapshot
 from roslens.dashboard.render import TEMPLATES, WEB
@@ -48,12 +49,14 @@ class Facts(msgspec.Struct, frozen=True):
         advice: how to make it answer to another name.
         pace_s: least time between two snapshots of a stream.
         beside: whether the pages of a run are served beside it, from the root.
+        access: who may view and who may act; by default everybody may view and nobody act.
     """
 
     names: frozenset[str] = frozenset()
     advice: str = "start `roslens watch` with --serve HOST:PORT"
     pace_s: float = 1.0
     beside: bool = False
+    access: Access | None = None
 
 
 def nothing(_: str) -> bytes:
@@ -113,7 +116,7 @@ def create_live_app(
             Mount("/web/live", StaticFiles(directory=HERE / "web")),
             Mount("/web", StaticFiles(directory=WEB)),
         ],
-        middleware=[Middleware(Guard, names=facts.names, advice=facts.advice)],
+        middleware=[Middleware(Guard, names=facts.names, advice=facts.advice, access=facts.access)],
     )
 
 

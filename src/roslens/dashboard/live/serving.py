@@ -7,7 +7,8 @@ from threading import Event, Thread
 
 import uvicorn
 
-from roslens.dashboard.listener import address_shown, listen
+from roslens.dashboard.access.policy import Access
+from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, nothing
 from roslens.dashboard.patient_protocol import PatientProtocol
 
@@ -20,18 +21,26 @@ class LivePage:
 
     def __init__(
         self, snapshot: Callable[[], bytes], *, detail: Callable[[str], bytes] = nothing, host: str = "127.0.0.1",
-        port: int = 0,
+        port: int = 0, access: Access | None = None, tls: Tls | None = None,
     ) -> None:  # fmt: skip
         """Serve what ``snapshot`` and, of an entity, ``detail`` return; both are called from the server's thread.
+
+        Args:
+            snapshot: returns the newest snapshot.
+            detail: returns all that is known of an entity.
+            host: name or address to listen on.
+            port: to listen on; 0 takes a free one.
+            access: who may view and who may act; by default everybody may view and nobody act.
+            tls: certificate and key to encrypt with.
 
         Raises:
             UsageError: the host is unknown, or the port is taken or not allowed.
         """
         local = "Give --serve a port alone to serve on this machine only"
         self._listener = listen(host, port, local=local, free=_ADVICE)
-        self.url = address_shown(self._listener)
+        self.url = address_shown(self._listener, encrypted=tls is not None)
         self._stopping = Event()
-        facts = Facts(frozenset({host.lower()}))
+        facts = Facts(frozenset({host.lower()}), access=access)
         self._server = uvicorn.Server(
             uvicorn.Config(
                 create_live_app(snapshot, facts, detail=detail, stopped=self._stopping.is_set),
@@ -42,6 +51,8 @@ class LivePage:
                 ws="none",
                 http=PatientProtocol,
                 timeout_graceful_shutdown=_GRACE_S,
+                ssl_certfile=tls.certificate if tls else None,
+                ssl_keyfile=tls.key if tls else None,
             )
         )
         self._thread = Thread(target=self._server.run, args=([self._listener],), name="live page", daemon=True)

@@ -21,6 +21,9 @@ QUANTITIES = {"bash": "_roslens_quantities", "zsh": "_roslens_quantities"}
 REVISIONS = {"bash": "_roslens_revisions", "zsh": "_roslens_revisions"}
 """Those that complete a run that can be compared."""
 
+SIDES = {"bash": "_roslens_sides", "zsh": "_roslens_sides"}
+"""Those that complete a side of a comparison: a run, `live`, a file or a folder."""
+
 PREAMBLE = {
     "bash": """\
 _roslens_asked() {
@@ -51,6 +54,10 @@ _roslens_quantities() {
 }
 _roslens_revisions() {
   compgen -W "$(roslens completion revisions 2>/dev/null)" -- "$1"
+}
+_roslens_sides() {
+  compgen -W "live $(roslens completion revisions 2>/dev/null)" -- "$1"
+  compgen -f -- "$1"
 }
 """,
     "zsh": """\
@@ -88,6 +95,12 @@ _roslens_revisions() {
   local -a found
   found=(${(f)"$(roslens completion revisions 2>/dev/null)"})
   compadd -a found
+}
+_roslens_sides() {
+  local -a found
+  found=(live ${(f)"$(roslens completion revisions 2>/dev/null)"})
+  compadd -a found
+  _files
 }
 """,
 }

@@ -16,6 +16,7 @@ def pages() -> Mapping[str, str]:
     from roslens.judge.reactions_page import reactions_page
     from roslens.judge.references_page import reference_schema, references_page
     from roslens.live.signals import BY_KEY
+    from roslens.report.conformance_document import conformance_schema
     from roslens.report.graph_document import graph_schema
     from roslens.source.history.describe import process_page
     from roslens.source.history.metrics.table import PROCESS_METRICS
@@ -44,6 +45,7 @@ def pages() -> Mapping[str, str]:
         **{f"tools/{name}.md": tool_page(name) for name in TOOLS},
         **action_pages(),
         "graph.schema.json": _json(graph_schema()),
+        "conformance.schema.json": _json(conformance_schema()),
         **rule_pages(native_rules()),
         "standards.md": standards_page(native_rules()),
         "graph_rules.md": graph_rules_page(graph.manifest.rules, graph.manifest.options),

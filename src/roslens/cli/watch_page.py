@@ -16,6 +16,7 @@ from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
 from roslens.cli.watch_screen import nameless, urgency, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
 from roslens.live.publish.diagnostics import sentence
+from roslens.live.publish.graph_json import graph_bytes
 from roslens.live.signals import BY_KEY
 from roslens.live.worth_a_row import badge, not_judged, worth_a_row
 from roslens.model.entity import EntityKind
@@ -26,6 +27,7 @@ from roslens.model.verdict import Verdict
 if TYPE_CHECKING:
     from roslens.live.session import Session, Step
     from roslens.live.tree import SystemView
+    from roslens.model.graph import Graph
 
 COLUMNS = (
     ("rate", "Rate"),
@@ -69,6 +71,7 @@ class PageSource:
         self._made = -math.inf
         self._took = 0.0
         self._newest = b""
+        self._graph: Graph | None = None
         self._shown: tuple[SystemView, Sequence[Verdict], str] | None = None
 
     def newest(self) -> bytes:
@@ -83,6 +86,11 @@ class PageSource:
         whole, standing, when = self._shown
         found = detail_of(entity, whole, standing, when, self._clock)
         return msgspec.json.encode(found) if found is not None else b""
+
+    def graph(self) -> bytes:
+        """Return the computation graph as JSON, as of the newest snapshot; empty before the first."""
+        whole = self._graph
+        return graph_bytes(whole) if whole is not None else b""
 
     def take(self, step: Step) -> None:
         """Remember what happened in a step."""
@@ -101,6 +109,7 @@ class PageSource:
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
         self._newest = msgspec.json.encode(self.snapshot(session, now, cost))
         # Values that never change: who asks for details in another thread reads them while the next are made.
+        self._graph = session.graph()
         self._shown = (session.tree(now), session.monitor.standing(), self._clock(now))
         self._made = self._steady()
         self._took = self._made - begun

@@ -46,7 +46,9 @@ def serve(source: PageSource, address: tuple[str, int], door: Door | None = None
     """
     host, port = address
     access, tls = (door.access, door.tls) if door else (None, None)
-    page = LivePage(source.newest, detail=source.detail, host=host, port=port, access=access, tls=tls)
+    page = LivePage(
+        source.newest, detail=source.detail, graph=source.graph, host=host, port=port, access=access, tls=tls
+    )
     print(f"roslens: {door.address(page.url) if door else page.url}", file=sys.stderr, flush=True)
     return page
 

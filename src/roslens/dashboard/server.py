@@ -17,7 +17,7 @@ from roslens.dashboard.access.policy import Access
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import Tls, address_shown, listen
-from roslens.dashboard.live.app import Facts, create_live_app, nothing
+from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
@@ -38,6 +38,7 @@ def create_app(
     *,
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
+    graph: Callable[[], bytes] = no_graph,
     stopped: Callable[[], bool] = lambda: False,
     access: Access | None = None,
 ) -> Starlette:
@@ -48,6 +49,7 @@ def create_app(
         names: further host names that it answers to.
         snapshot: returns the newest snapshot of what runs, for a live page beside the others.
         detail: returns all that is known of one of its entities.
+        graph: returns its computation graph as JSON.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
     """
@@ -69,9 +71,8 @@ def create_app(
 
     beside: list[BaseRoute] = []
     if snapshot is not None:
-        live = create_live_app(
-            snapshot, Facts(names, advice=_ADVICE, beside=True, access=access), detail=detail, stopped=stopped
-        )
+        facts = Facts(names, advice=_ADVICE, beside=True, access=access)
+        live = create_live_app(snapshot, facts, detail=detail, graph=graph, stopped=stopped)
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
@@ -121,6 +122,7 @@ def serve(
     ready: Callable[[str], None] = lambda _: None,
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
+    graph: Callable[[], bytes] = no_graph,
     access: Access | None = None,
     tls: Tls | None = None,
 ) -> None:
@@ -133,6 +135,7 @@ def serve(
         ready: told the address of the first page once connections are accepted.
         snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
         detail: returns all that is known of one of its entities; called from this thread too.
+        graph: returns its computation graph as JSON; called from this thread too.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.
 
@@ -151,7 +154,9 @@ def serve(
             super().handle_exit(sig, frame)
 
     names = frozenset({host.lower()})
-    app = create_app(site, names, snapshot=snapshot, detail=detail, stopped=lambda: bool(stopping), access=access)
+    app = create_app(
+        site, names, snapshot=snapshot, detail=detail, graph=graph, stopped=lambda: bool(stopping), access=access
+    )
     local, free = (
         "Leave --host out to listen on this machine only",
         "Give another one with --port, or --port 0 for any free one",

@@ -14,6 +14,7 @@ from itertools import pairwise
 from urllib.parse import urlsplit
 
 import httpx
+import msgspec
 import pytest
 from dashboard.live.scripted_robot import ScriptedRobot
 
@@ -21,6 +22,7 @@ from roslens.dashboard.guard import HEADERS
 from roslens.dashboard.live.app import create_live_app
 from roslens.dashboard.live.serving import LivePage
 from roslens.model.errors import UsageError
+from roslens.model.graph import Graph
 
 pytestmark = pytest.mark.timed
 
@@ -37,7 +39,7 @@ class Client:
     """Asks the application without a server; not for streams, which have no end."""
 
     def __init__(self, robot):
-        self.app = create_live_app(robot.page.newest, detail=robot.page.detail)
+        self.app = create_live_app(robot.page.newest, detail=robot.page.detail, graph=robot.page.graph)
 
     def get(self, path, **given):
         async def ask():
@@ -101,6 +103,13 @@ def test_a_detail_has_every_signal_and_what_each_constraint_says():
     assert found["observed"] == "scripted"
     host = page.get("/detail.json", params={"at": "host:rover"}).json()
     assert (host["below"], [one["state"] for one in host["judgements"]]) == ("1 low below", ["ok"])
+
+
+def test_the_graph_is_served_for_who_compares_it():
+    robot = ScriptedRobot()
+    robot.run(2)
+    found = msgspec.json.decode(client(robot).get("/graph.json").content, type=Graph)
+    assert "/lidar" in {one.name for one in found.nodes}
 
 
 def test_what_is_not_there_has_no_detail():

@@ -1,49 +1,93 @@
-"""``roslens compare``: two runs of a workspace, or two revisions, side by side."""
+"""``roslens compare``: two runs or revisions; or what is expected against what is there."""
 
 from __future__ import annotations
 
 import argparse
 from typing import TYPE_CHECKING
 
-from roslens.cli.completion_words import REVISIONS
+from roslens.cli.completion_words import LAUNCHES, SIDES
+from roslens.cli.observers import add_observer_arguments
+from roslens.cli.streams import add_stream_arguments
 
 if TYPE_CHECKING:
     from roslens.cli.named_run import NamedRun
     from roslens.compare.run_difference import RunDifference, RunSide
 
-TEXT = "Compare two runs or revisions: findings that are new, resolved or moved, and what was measured."
+TEXT = "Compare two runs or revisions; or source, what runs, recordings and references with each other."
 EXAMPLES = """\
   roslens compare release now                what is different since the last release
   roslens compare v1.2.0 v1.3.0              two releases, analysed if they were not yet
   roslens compare 4 7                        two kept runs
   roslens compare origin/main now --format markdown -o comment.md
-  roslens compare release now --fail-on error"""
+  roslens compare release now --fail-on error
+
+expected against actual, any two or three of source, what runs, a recording and a reference:
+  roslens compare . live                     what source extracts against what runs here
+  roslens compare . live --launch drive/drive.launch.xml --arg sim:=true
+  roslens compare drive.launch.xml robot:8080          against what `roslens watch --serve` there sees
+  roslens compare 3:drive.launch.xml drive.mcap        a graph that run 3 keeps against a recording
+  roslens compare . live robot.yaml          and what a reference expects
+  roslens compare robot.yaml live            reference against what runs
+  roslens compare before.yaml live           a graph that `watch --graph-out` wrote against what runs
+
+exit codes: as everywhere; of sides 1 where a difference is a warning or an error (--fail-on says otherwise)"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add both runs, and how the difference is written."""
-    name = "number of a kept run, `now` (the newest), `release` (the last one), or a branch, tag or commit"
-    for which, text in (("before", name), ("after", "the later one, named likewise")):
-        parser.add_argument(which, metavar="RUN", help=text).complete = REVISIONS  # type: ignore[attr-defined]
-    parser.add_argument("path", nargs="?", default=".", metavar="PATH", help="the workspace (default: this folder)")
+    """Add what is compared, and how the difference is written."""
+    run = "number of a kept run, `now` (the newest), `release` (the last one), or a branch, tag or commit"
+    side = (
+        "or a side: a workspace, a launch file, N:CONFIGURATION of a run, `live`, HOST:PORT of a monitor, a recording, "
+        "a reference, a graph that was written"
+    )
+    for which, text in (("before", f"{run}; {side}"), ("after", "the second, named likewise")):
+        parser.add_argument(which, metavar="A" if which == "before" else "B", help=text).complete = SIDES  # type: ignore[attr-defined]
+    parser.add_argument(
+        "path", nargs="?", metavar="C", help="a third side; of runs the workspace (default: this folder)"
+    ).complete = SIDES  # type: ignore[attr-defined]
     parser.add_argument("--format", choices=("text", "markdown", "json"), default="text")
     parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of standard output")
     parser.add_argument(
         "--fail-on",
         choices=("note", "warning", "error", "never"),
-        default="never",
-        help="exit with 1 where a finding of this severity is new (default: never)",
+        help="exit with 1 where a finding of this severity is new (default: never), or where sides differ so gravely "
+        "(default: warning)",
     )
     parser.add_argument("--model", action="append", metavar="NAME", help="quality model for revisions, as for `check`")
     parser.add_argument("--config", metavar="FILE", help="configuration (default: the nearest roslens.toml)")
+    sides = parser.add_argument_group("of sides")
+    sides.add_argument(
+        "--launch", metavar="FILE", help="what of the workspace is compared (default: what fits the other side best)"
+    ).complete = LAUNCHES  # type: ignore[attr-defined]
+    sides.add_argument("--arg", action="append", default=[], metavar="NAME:=VALUE", help="argument of the launch file")
+    sides.add_argument(
+        "--workspace", default=".", metavar="DIR", help="where launch files and kept runs are (default: this folder)"
+    )
+    sides.add_argument("--notes", action="store_true", help="also tell what is as it should be, or cannot be decided")
+    sides.add_argument(
+        "--for", dest="length", metavar="TIME", help="look at what runs for so long (default: until nothing changes)"
+    )
+    sides.add_argument("--jobs", type=int, metavar="N", help="worker processes (default: one per processor)")
+    sides.add_argument("--no-cache", action="store_true", help="read every file again, and keep nothing")
+    add_observer_arguments(parser.add_argument_group("of what runs"))
+    add_stream_arguments(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Write the difference and return the exit code.
 
     Raises:
-        RoslensError: a name means no run, or a revision cannot be analysed.
+        RoslensError: a name means no run and no side, or one of them cannot be read.
     """
+    from roslens.cli.conformance.compare_sides import compare_sides, names_sides
+
+    words = [word for word in (options.before, options.after, options.path) if word is not None]
+    if names_sides(words, options.launch):
+        return compare_sides(words, options)
+    return _of_runs(options)
+
+
+def _of_runs(options: argparse.Namespace) -> int:
     import os
 
     from roslens.cli.analysed import settings_of
@@ -56,7 +100,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.compare.run_difference import run_difference
     from roslens.model.finding import Severity
 
-    root = workspace_root(options.path)
+    root = workspace_root(options.path or ".")
     refuse_foreign(root / FOLDER, os.environ)
     settings = settings_of(options, find_configuration(root, options.config), os.environ)
     with named_runs(root, settings) as runs:
@@ -64,7 +108,7 @@ def run(options: argparse.Namespace) -> int:
         found = run_difference(_side(before), _side(after), _renamed(str(root), before.commit, after.commit))
         text = _written(options.format, found, before, after)
     write_result(text, options.output)
-    if options.fail_on == "never":
+    if options.fail_on in (None, "never"):
         return CLEAN
     least = Severity(options.fail_on).rank
     return FINDINGS if any(one.severity.rank >= least for one in found.findings.new) else CLEAN

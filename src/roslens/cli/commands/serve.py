@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_past import shown_past
     from roslens.cli.shown_run import shown_run
-    from roslens.dashboard.live.app import nothing
+    from roslens.dashboard.live.app import no_graph, nothing
     from roslens.dashboard.server import serve
 
     door = door_of(options, options.host)
@@ -74,6 +74,7 @@ def run(options: argparse.Namespace) -> int:
                 ready=ready,
                 snapshot=page.newest if page else None,
                 detail=page.detail if page else nothing,
+                graph=page.graph if page else no_graph,
                 access=door.access,
                 tls=door.tls,
             )

@@ -64,9 +64,14 @@ def nothing(_: str) -> bytes:
     return b""
 
 
+def no_graph() -> bytes:
+    """Return no graph."""
+    return b""
+
+
 def create_live_app(
     snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
-    stopped: Callable[[], bool] = lambda: False,
+    graph: Callable[[], bytes] = no_graph, stopped: Callable[[], bool] = lambda: False,
 ) -> Starlette:  # fmt: skip
     """Return the application.
 
@@ -75,6 +80,7 @@ def create_live_app(
             thread.
         facts: of the server.
         detail: returns all that is known of an entity as JSON, empty of one that is not there. Called from there too.
+        graph: returns the computation graph as JSON, empty where none is known yet. Called from there too.
         stopped: whether streams should end.
     """
     facts = facts or Facts()
@@ -96,6 +102,9 @@ def create_live_app(
         # That nothing is known of an entity is no error: it may have gone since it was chosen.
         return Response(found, media_type="application/json") if found else Response(status_code=204)
 
+    async def whole(request: Request) -> Response:
+        return _foreign(request) or Response(graph() or b"{}", media_type="application/json")
+
     async def events(request: Request) -> Response:
         if refusal := _foreign(request):
             return refusal
@@ -113,6 +122,7 @@ def create_live_app(
             Route("/snapshot.json", twin),
             Route("/events", events),
             Route("/detail.json", about),
+            Route("/graph.json", whole),
             Mount("/web/live", StaticFiles(directory=HERE / "web")),
             Mount("/web", StaticFiles(directory=WEB)),
         ],

@@ -1,0 +1,1 @@
+"""``roslens compare`` of sides: source, what runs, recordings and references."""

@@ -1,0 +1,173 @@
+"""What runs, what was recorded, and what is expected, as sides."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.compare.conformance.observed import recorded_side, running_side
+from roslens.compare.conformance.side import Side, SideKind
+from roslens.model.errors import UsageError
+from roslens.model.graph import Graph
+
+if TYPE_CHECKING:
+    from roslens.live.session import Session
+
+QUIET_S = 3.0
+"""A graph that stays as it is for so long is taken for the whole of it, in seconds."""
+LONGEST_S = 30.0
+_PATIENCE_S = 10.0
+_MOST_BYTES = 64 << 20
+GRAPH = "graph.json"
+
+
+def live_side(options: argparse.Namespace) -> Side:
+    """Observe what runs here until nothing changes any more, for as long as ``--for`` says at most.
+
+    Raises:
+        UsageError: no ROS is found, or nothing runs.
+    """
+    import contextlib
+
+    from roslens.cli.stretch import Stretch
+    from roslens.cli.until_stopped import when_stopped
+    from roslens.cli.watch_live import length_of, sources_of
+    from roslens.judge.expectation import Reference
+    from roslens.live.session import Session, run
+
+    length = length_of(options.length, "--for") if options.length else LONGEST_S
+    session = Session(Reference("nothing"), start=time.time())
+    with contextlib.ExitStack() as stack:
+        stretch = Stretch(session, length, when_stopped(stack))
+        still = _Still(session, exact=bool(options.length))
+        if not options.quiet:
+            print(f"roslens: looking at what runs, for {length:g} s at most", file=sys.stderr)
+        run(
+            session, sources_of(options), wall=time.time,
+            stopped=lambda _: stretch.over() or still.whole(time.monotonic()), told=lambda _: None,
+        )  # fmt: skip
+    graph = session.graph()
+    for failure in session.monitor.failures:
+        print(f"roslens: {failure}", file=sys.stderr)
+    if not graph.nodes:
+        raise UsageError(
+            f"no node runs here that could be seen in {stretch.passed:.0f} s", expected="a ROS system",
+            advice="Set $ROS_DOMAIN_ID or $ROS_MASTER_URI as the robot has it, or give --for a longer time",
+        )  # fmt: skip
+    return running_side(graph, f"what runs on {_hosts(graph)}")
+
+
+class _Still:
+    """Tells when a graph has nodes, those that can tell their parameters did, and nothing changed for a while."""
+
+    def __init__(self, session: Session, *, exact: bool) -> None:
+        self._session = session
+        self._exact = exact
+        self._shape: object = None
+        self._since = 0.0
+
+    def whole(self, now: float) -> bool:
+        if self._exact or not self._session.begun:
+            return False
+        graph = self._session.graph()
+        shape = (
+            len(graph.nodes), len(graph.endpoints), sum(map(len, graph.parameters.values())), frozenset(graph.nodes)
+        )  # fmt: skip
+        if shape != self._shape:
+            self._shape, self._since = shape, now
+        told = all(one.name in graph.parameters for one in graph.nodes)
+        return bool(graph.nodes) and now - self._since >= (QUIET_S if told else _PATIENCE_S)
+
+
+def _hosts(graph: Graph) -> str:
+    import platform
+
+    return ", ".join(graph.hosts[:3]) or platform.node()
+
+
+def monitor_side(address: str) -> Side:
+    """Ask a monitor that serves its page for the graph that it sees.
+
+    Raises:
+        UsageError: nobody answers there, or not a monitor of this version.
+    """
+    content = fetched(address, GRAPH)
+    try:
+        graph = msgspec.json.decode(content, type=Graph)
+    except msgspec.DecodeError as error:
+        raise UsageError(f"{address} answers with no graph: {error}", expected="a `roslens watch --serve`") from None
+    if not graph.nodes and not graph.endpoints:
+        raise UsageError(f"the monitor at {address} sees no node", expected="one that sees a robot")
+    return running_side(graph, f"what {address} sees")
+
+
+def fetched(address: str, what: str) -> bytes:
+    """Return a document of the live page at an address; of `roslens serve --live` too, whose live page is below /live.
+
+    Raises:
+        UsageError: nobody answers there, or what answers is no live page.
+    """
+    import urllib.error
+    import urllib.request
+
+    base = address if "://" in address else f"http://{address}"
+    if not base.startswith(("http://", "https://")):
+        raise UsageError(f"{address!r}", expected="HOST:PORT or an address that begins with http")
+    tried = "nothing"
+    for place in ("", "live/"):
+        url = f"{base.rstrip('/')}/{place}{what}"
+        try:
+            with urllib.request.urlopen(url, timeout=_PATIENCE_S) as answer:  # noqa: S310 - only http, see above
+                if "json" in answer.headers.get("content-type", ""):
+                    return bytes(answer.read(_MOST_BYTES))
+                tried = "a page that is no live page"
+        except urllib.error.HTTPError as error:
+            tried = f"{error.code} {error.reason}"
+        except (OSError, ValueError) as error:
+            raise UsageError(
+                f"{address} does not answer: {getattr(error, 'reason', error)}", expected="a `roslens watch --serve`",
+                advice="Look at the address that it printed when it was started",
+            ) from None  # fmt: skip
+    raise UsageError(f"{address} answers with {tried}", expected="a `roslens watch --serve` or `roslens serve --live`")
+
+
+def written_side(path: str) -> Side:
+    """Return the graph that ``watch --graph-out`` wrote: nodes and endpoints, no parameters.
+
+    Raises:
+        DocumentError: the file is none.
+    """
+    from roslens.live.read_rosgraph import read_rosgraph
+
+    return running_side(read_rosgraph(Path(path)), Path(path).name, parameters=False)
+
+
+def bag_side(path: str) -> Side:
+    """Return what a recording holds.
+
+    Raises:
+        UsageError: it is none.
+    """
+    from roslens.live.adapters.bag.open_bag import open_bag
+
+    bag = open_bag(Path(path))
+    for failure in bag.failures:
+        print(f"roslens: {failure}", file=sys.stderr)
+    return recorded_side(bag.graph(), Path(path).name)
+
+
+def reference_side(path: str) -> Side:
+    """Return what a reference expects.
+
+    Raises:
+        DocumentError: it is wrong.
+    """
+    from roslens.judge.read_reference import load_reference
+    from roslens.live.signals import BY_KEY
+
+    return Side(SideKind.REFERENCE, Path(path).name, reference=load_reference([Path(path)], BY_KEY))

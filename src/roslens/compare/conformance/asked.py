@@ -1,0 +1,205 @@
+"""What a reference asks that a side does not have, or has and should not."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+
+import msgspec
+
+from roslens.compare.conformance.claim import NODE, PARAMETER, TOPIC
+from roslens.compare.conformance.disparity import ABSENT, UNTOLD, Aspect, Disparity, Reason
+from roslens.compare.conformance.plumbing import plumbing
+from roslens.compare.conformance.side import Side, SideKind
+from roslens.judge.alternatives import each
+from roslens.judge.expectation import (
+    CONDITIONAL,
+    Presence,
+    PresenceMode,
+    Reference,
+    Selector,
+    StateCheck,
+    StateOf,
+    Told,
+)
+from roslens.judge.merge_references import sentences_of
+from roslens.judge.pattern import Pattern
+from roslens.judge.pattern_index import PatternIndex
+from roslens.judge.rate import Rating, rate
+from roslens.judge.same_value import number_of, same_value
+from roslens.judge.sentence_words import expected_words, subject_words
+from roslens.judge.unmatched import Subject, subjects_of, unmatched
+from roslens.model.entity import EntityKind
+from roslens.model.finding import Severity
+
+_OF_GRAPHS = (EntityKind.NODE, EntityKind.TOPIC, EntityKind.CONNECTION, EntityKind.SERVICE)
+_OF_TOPICS = (EntityKind.TOPIC,)
+_MOST_NAMED = 5
+REFERENCE = "the reference"
+
+
+def asked(side: Side, sides: Sequence[Side]) -> tuple[list[Disparity], list[str]]:
+    """Return where the others are not as a reference expects, and in sentences what it says nothing of."""
+    reference = side.reference
+    if reference is None:
+        return [], []
+    here = next(place for place, one in enumerate(sides) if one is side)
+    found: list[Disparity] = []
+    told: list[str] = []
+    for place, other in enumerate(sides):
+        if other.kind is SideKind.REFERENCE or other.graph is None:
+            continue
+        row = _Row(len(sides), here, place)
+        subjects = subjects_of(other.graph)
+        kinds = _OF_GRAPHS if NODE in other.knows else _OF_TOPICS
+        found += _presences(reference, subjects, kinds, row)
+        found += _about_nothing(reference, subjects, kinds, row, other)
+        found += _states(reference, other, row)
+        told += _uncovered(reference, other, subjects)
+    return _merged(found), told
+
+
+def _merged(found: Sequence[Disparity]) -> list[Disparity]:
+    """Return what is the same of several sides once, with what each of them says and the gravest severity."""
+    rows: dict[tuple[str, ...], Disparity] = {}
+    for one in found:
+        key = (one.subject, one.aspect.value, one.reason.value, one.place, one.why)
+        other = rows.get(key)
+        if other is not None:
+            told = tuple(first or second for first, second in zip(other.told, one.told, strict=True))
+            gravest = max(other.severity, one.severity, key=lambda severity: severity.rank)
+            one = msgspec.structs.replace(one, told=told, severity=gravest)
+        rows[key] = one
+    return [*rows.values()]
+
+
+class _Row:
+    """Makes differences between a reference and one other side."""
+
+    def __init__(self, sides: int, here: int, there: int) -> None:
+        self._sides, self._here, self._there = sides, here, there
+
+    def of(
+        self, kind: str, name: str, expects: str, is_: str, about: Told, why: str, reason: Reason,
+        aspect: Aspect = Aspect.EXPECTED, severity: Severity | None = None,
+    ) -> Disparity:  # fmt: skip
+        cells = [UNTOLD] * self._sides
+        cells[self._here], cells[self._there] = expects, is_
+        node, of_it = (name, "") if kind == NODE else ("", name)
+        return Disparity(
+            kind, node, of_it, aspect, tuple(cells), reason, REFERENCE, why, severity or about.severity, about.where
+        )
+
+
+def _presences(
+    reference: Reference, subjects: Sequence[Subject], kinds: Collection[EntityKind], row: _Row
+) -> Iterator[Disparity]:
+    single = [
+        part
+        for one in reference.presences
+        if one.mode not in CONDITIONAL and one.selector.kind in kinds
+        for part in each(one)
+    ]
+    index = PatternIndex((one.selector, number) for number, one in enumerate(single))
+    matched: dict[int, set[str]] = {}
+    for subject in subjects:
+        for number in _find(index, subject):
+            matched.setdefault(number, set()).add(subject.name)
+    for number, one in enumerate(single):
+        names = sorted(matched.get(number, ()))
+        yield from _presence(one, names, row)
+
+
+def _presence(one: Presence, names: Sequence[str], row: _Row) -> Iterator[Disparity]:
+    kind, expects = one.selector.kind.value, expected_words(one)
+    if one.mode in (PresenceMode.ALWAYS, PresenceMode.ANY):
+        if not names:
+            text = f"{one.told.id} expects it to be there. {one.told.text}".strip()
+            yield row.of(kind, _name(one.selector), expects, ABSENT, one.told, text, Reason.MISSING)
+        return
+    if len(names) > (one.mode is PresenceMode.AT_MOST_ONE):
+        text = f"{one.told.id} does not expect it: {', '.join(names[:_MOST_NAMED])}. {one.told.text}".strip()
+        yield row.of(kind, _name(one.selector), expects, "there", one.told, text, Reason.NOT_EXPECTED)
+
+
+def _name(selector: Selector) -> str:
+    return Pattern.parse(selector.name).literal or selector.name
+
+
+def _about_nothing(
+    reference: Reference, subjects: Sequence[Subject], kinds: Collection[EntityKind], row: _Row, other: Side
+) -> Iterator[Disparity]:
+    for one in unmatched(reference, subjects, kinds):
+        about = one.sentence.told
+        if isinstance(one.sentence, Presence):
+            # What it is there for does not exist either.
+            continue
+        severity = Severity.NOTE if not other.whole or other.kind is SideKind.SOURCE else Severity.WARNING
+        typed = bool(one.selector.type) and " is there, but of type " in one.advice
+        text = f"{about.id} is about nothing there. {one.advice}".strip()
+        yield row.of(
+            one.selector.kind.value, _name(one.selector), f"{subject_words(one.sentence)}: "
+            f"{expected_words(one.sentence)}", ABSENT if not typed else "of another type", about, text, Reason.MISSING,
+            Aspect.TYPE if typed else Aspect.EXPECTED, Severity.ERROR if typed else severity,
+        )  # fmt: skip
+
+
+def _states(reference: Reference, other: Side, row: _Row) -> Iterator[Disparity]:
+    """Yield parameters whose value, and nodes whose lifecycle state, is not the one expected."""
+    for check in reference.states:
+        index = PatternIndex([(check.selector, 0)])
+        for kind, name, is_ in _told_values(other):
+            if (kind is EntityKind.NODE) != (check.of is StateOf.LIFECYCLE):
+                continue
+            if not is_ or not index.find(kind, name) or _fits(check, is_):
+                continue
+            text = f"{check.told.id} expects another one. {check.told.text}".strip()
+            aspect = Aspect.VALUE if check.of is StateOf.VALUE else Aspect.EXPECTED
+            yield row.of(kind.value, name, check.written, is_, check.told, text, Reason.CONTRADICTION, aspect)
+
+
+def _told_values(side: Side) -> Iterator[tuple[EntityKind, str, str]]:
+    for one in side.claims:
+        if one.kind == PARAMETER and one.resolved and not one.conditions:
+            yield EntityKind.PARAMETER, f"{one.node}/{one.name}" if one.node else one.name, one.values.get("value", "")
+        elif one.kind == NODE and one.lifecycle:
+            yield EntityKind.NODE, one.node, one.lifecycle
+
+
+def _fits(check: StateCheck, is_: str) -> bool:
+    if check.range is not None:
+        number = number_of(is_)
+        return number is not None and rate(number, check.range) is Rating.OK
+    return any(same_value(is_, one) for one in check.allowed)
+
+
+def _uncovered(reference: Reference, other: Side, subjects: Sequence[Subject]) -> Iterator[str]:
+    """Yield how many topics and nodes there are that no sentence is about."""
+    index = PatternIndex((selector, 0) for one in sentences_of(reference) if (selector := _about(one)) is not None)
+    covered = {(one.kind, one.name) for one in subjects if _find(index, one)}
+    for kind, claims in ((EntityKind.NODE, NODE), (EntityKind.TOPIC, TOPIC)):
+        if claims not in other.knows:
+            continue
+        names = _names(other, claims)
+        left = [name for name in names if (kind, name) not in covered]
+        if left:
+            more = f" and {len(left) - _MOST_NAMED} more" if len(left) > _MOST_NAMED else ""
+            yield (
+                f"No sentence of the reference is about {len(left)} of {len(names)} {kind.value}s of {other.title}: "
+                f"{', '.join(left[:_MOST_NAMED])}{more}."
+            )
+
+
+def _names(side: Side, kind: str) -> list[str]:
+    return sorted({one.node or one.name for one in side.claims if one.kind == kind and not plumbing(one)})
+
+
+def _about(sentence: object) -> Selector | None:
+    found = getattr(sentence, "selector", None)
+    return found if isinstance(found, Selector) else None
+
+
+def _find(index: PatternIndex[int], subject: Subject) -> Iterable[int]:
+    return index.find(
+        subject.kind, subject.name, host=subject.host, type=subject.type, publisher=subject.publisher,
+        subscriber=subject.subscriber,
+    )  # fmt: skip

@@ -1,0 +1,43 @@
+"""What sides of a comparison say differently, as JSON: ``docs/reference/conformance.schema.json`` says its form."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.compare.conformance.disparity import Conformance, Disparity
+
+SCHEMA = "roslens-conformance/1"
+
+
+class ConformanceDocument(msgspec.Struct, frozen=True):
+    """What ``roslens compare A B --format json`` writes of sides; within version 1 keys are only added.
+
+    Attributes:
+        schema: and its version.
+        titles: of the sides.
+        kinds: of the sides: ``source``, ``running``, ``recording``, ``reference``.
+        agreed: how many nodes, endpoints, parameters and topics at least two sides say alike.
+        disparities: the gravest first; ``told`` has what each side says, in the order of the sides.
+        told: what readers have to know of the comparison, in sentences.
+    """
+
+    schema: str
+    titles: tuple[str, ...]
+    kinds: tuple[str, ...]
+    agreed: dict[str, int]
+    disparities: tuple[Disparity, ...]
+    told: tuple[str, ...] = ()
+
+
+def to_conformance_json(found: Conformance) -> str:
+    """Return a comparison as a JSON document."""
+    document = ConformanceDocument(SCHEMA, found.titles, found.kinds, found.agreed, found.disparities, found.told)
+    return msgspec.json.format(msgspec.json.encode(document), indent=1).decode() + "\n"
+
+
+def conformance_schema() -> dict[str, Any]:
+    """Return the JSON Schema of the document."""
+    schema = msgspec.json.schema(ConformanceDocument)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": SCHEMA, **schema}

@@ -85,7 +85,7 @@ def test_text_says_who_is_right_and_markdown_is_a_table(tmp_path, monkeypatch, c
     assert main(["compare", ".", "robot:1", "robot.yaml", "--jobs", "1", "-q"]) == 1
     text = capsys.readouterr().out
     assert "✖ node /arm" in text
-    assert "robot.yaml:4" in text
+    assert "[robot.yaml:5]" in text
     assert "A: " in text
     assert main(["compare", "robot.yaml", "robot:1", "--format", "markdown", "-q"]) == 1
     assert "| error | `node /arm` | expected |" in capsys.readouterr().out

@@ -1,7 +1,8 @@
 """The 2016 study from source: its 48 repositories, measured again and held against its raw data; writes docs/study.md.
 
-    python benchmarks/study_2015.py FOLDER           fetch the list of repositories into FOLDER and check it twice
-    python benchmarks/study_2015.py FOLDER --kept    of the clones and runs that are there
+    python benchmarks/study_2015.py FOLDER                    fetch the list into FOLDER, check it twice, compare
+    python benchmarks/study_2015.py FOLDER --config FILE      the same from mirrors, named under [fetch.rewrite] in FILE
+    python benchmarks/study_2015.py FOLDER --kept             of the clones and runs that are there
 
 The list is benchmarks/corpora/study_2015.repos: for each repository the commit of the branch in the distribution file
 of October 2015 that has as many ancestors as the raw data says commits. Needs the program cccc (Debian's package) and
@@ -14,6 +15,7 @@ import argparse
 import csv
 import os
 import subprocess
+import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -70,12 +72,26 @@ CORRECTED = (
 """Row of Table II, our own quantity, its factor to the paper's unit, and what is different."""
 
 
-def fetch_and_check(folder: Path) -> None:
-    """Fetch the list and check it, as the study did and as roslens does."""
-    roslens_main(["fetch", "--distribution", str(LIST), "--into", str(folder)])
+def fetch_and_check(folder: Path, configuration: Path | None) -> None:
+    """Fetch the list and check it, as the study did and as roslens does; say what each step took.
+
+    Args:
+        folder: that repositories and runs come to.
+        configuration: of the fetch; None for the nearest.
+
+    Raises:
+        SystemExit: a repository is missing.
+    """
+    begun = time.monotonic()
+    named = ["--config", str(configuration)] if configuration else []
+    if roslens_main(["fetch", "--distribution", str(LIST), "--into", str(folder), *named]):
+        raise SystemExit("not all repositories are there: the study would be of others; run the same command again")
+    print(f"fetched in {time.monotonic() - begun:.0f} s", flush=True)
     for model in ("paper2016", "ros"):
+        begun = time.monotonic()
         options = ["--model", model, "--tools", "none", "--fail-on", "never", "-q", "-o", str(folder / f"{model}.md")]
         roslens_main(["check", str(folder), *options])
+        print(f"checked by {model} in {time.monotonic() - begun:.0f} s", flush=True)
 
 
 def values_of(folder: Path, model: str) -> dict[str, Mapping[str, float]]:
@@ -176,9 +192,23 @@ _ABOUT = """\
 
 *A Framework for Quality Assessment of ROS Repositories* (Santos, Cunha, Macedo and Lourenço, IROS 2016) measured 180
 packages of 45 repositories in October 2015. This page measures the same packages again, from the same commits, and
-holds every value against the raw data of the study. `python benchmarks/study_2015.py FOLDER` fetches, measures and
-writes it. The paper's tables from its own data are in [studies](reference/studies.md), packages of today in
-[study_2026](study_2026.md).
+holds every value against the raw data of the study. The paper's tables from its own data are in
+[studies](reference/studies.md), packages of today in [study_2026](study_2026.md).
+
+One command fetches the 48 repositories, measures them twice, compares and writes this page; it ends with the number of
+differences. What was fetched or measured is kept, so that after an interruption the same command goes on:
+
+```
+python benchmarks/study_2015.py FOLDER
+```
+
+It needs the program `cccc` (Debian's package) and `pip install 'roslens[study]'`. Without the network, or where a
+repository has moved, `--config FILE` names a configuration with mirrors; the longest prefix that fits is replaced:
+
+```toml
+[fetch.rewrite]
+"https://github.com/" = "file:///srv/mirrors/"
+```
 
 ## What is equal
 """
@@ -214,10 +244,11 @@ def _printed() -> dict[str, Figures]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("folder", type=Path)
+    parser.add_argument("--config", type=Path, metavar="FILE", help="configuration of the fetch, with mirrors")
     parser.add_argument("--kept", action="store_true", help="fetch and check nothing, take the last runs")
     options = parser.parse_args()
     if not options.kept:
-        fetch_and_check(options.folder)
+        fetch_and_check(options.folder, options.config)
     with RAW.open(newline="") as stream:
         rows = list(csv.DictReader(stream))
     found = values_of(options.folder, "paper2016")

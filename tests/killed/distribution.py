@@ -16,8 +16,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import NamedTuple
 
-from killed.place import LONG, PACKAGE, ROSLENS, wait_for
 from postgres_server import PostgresServer
+
+from killed.place import LONG, PACKAGE, ROSLENS, wait_for
 
 PARTS = ("worker", "cluster", "database", "command")
 REPOSITORIES, PACKAGES = 4, 6

@@ -5,8 +5,9 @@ import random
 from itertools import count
 
 import pytest
-from killed.distribution import PARTS, Cluster, disturbed, drawn, kept, make_repositories, result, undisturbed
 from postgres_server import postgres_server
+
+from killed.distribution import PARTS, Cluster, disturbed, drawn, kept, make_repositories, result, undisturbed
 
 pytestmark = [pytest.mark.heavy, pytest.mark.timed, pytest.mark.real]
 
@@ -45,7 +46,7 @@ def wrong_after(usual, server, cluster, strikes):
     while strikes:
         name = f"trial_{next(NUMBERS)}"
         said, strikes = disturbed(folder / name, server, cluster, name, strikes, seconds)
-        # Strikes of which the moment did not come, because the machine is faster now, come earlier in a run of their own.
+        # Strikes of which the moment did not come, as the machine is faster now, come earlier in a further run.
         seconds *= 0.7
         wrong += [one for one in said if "Traceback" in one or one.startswith(("70:", "3:"))]
         if result(folder / name) != result(folder / "undisturbed"):

@@ -25,7 +25,8 @@ ATTRIBUTES = "* -text -filter -ident -working-tree-encoding -diff -merge\n"
 CONFIGURATION = frozenset(
     {
         "core.repositoryformatversion", "core.filemode", "core.bare", "core.logallrefupdates", "core.symlinks",
-        "core.ignorecase", "core.precomposeunicode", "extensions.partialclone", "remote.origin.url",
+        "core.ignorecase", "core.precomposeunicode", "core.sparsecheckout", "extensions.partialclone",
+        "remote.origin.url",
         "remote.origin.fetch", "remote.origin.promisor", "remote.origin.partialclonefilter",
     }
 )  # fmt: skip

@@ -350,3 +350,37 @@ def test_a_document_that_names_nothing_it_can(here, capsys):
     assert capsys.readouterr().out.count("it has no url") == 2
     (here / "in.repos").write_text("repositories: 7\n")
     assert fetch("--distribution", "in.repos") == 2
+
+
+def lacking(server, name, path):
+    """Take the content of a file out of a server's repository."""
+    blob = server.git(name, "rev-parse", f"HEAD:{path}")
+    (server.folder / name / ".git" / "objects" / blob[:2] / blob[2:]).unlink()
+
+
+def test_a_mirror_without_a_recording_gives_the_rest(server, here, capsys):
+    url = server.package("arm")
+    server.commit("arm", {"arm/long.bag": "x", "arm/pic[1].gif": "y", "arm/a.cpp": "int f();\n"})
+    lacking(server, "arm", "arm/long.bag")
+    lacking(server, "arm", "arm/pic[1].gif")
+    repos(here, arm=url)
+    assert main(["fetch", "--distribution", "in.repos", "--into", "ws"]) == 0
+    assert "does not have 2 files, the first arm/long.bag; no source" in capsys.readouterr().out
+    assert (here / "ws/arm/arm/a.cpp").read_text() == "int f();\n"
+    assert not (here / "ws/arm/arm/long.bag").exists()
+    assert server.git(here / "ws/arm", "status", "--porcelain") == ""
+    # It is a clone like any other: kept, and brought to what the branch has later.
+    later = server.commit("arm", {"arm/b.cpp": "int g();\n"})
+    assert fetch("--into", "ws", "--update") == 0
+    assert head(server, here / "ws/arm") == later
+    assert (here / "ws/arm/arm/b.cpp").exists()
+
+
+def test_a_mirror_without_a_source_is_refused(server, here, capsys):
+    url = server.package("arm")
+    server.commit("arm", {"arm/a.cpp": "int f();\n"})
+    lacking(server, "arm", "arm/a.cpp")
+    repos(here, arm=url)
+    assert fetch("--distribution", "in.repos", "--into", "ws") == 3
+    assert "does not have the content of arm/a.cpp" in capsys.readouterr().out
+    assert not (here / "ws/arm").exists()

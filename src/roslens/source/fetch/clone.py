@@ -16,6 +16,7 @@ from roslens.children.fetching_git import ATTRIBUTES, CONFIGURATION
 from roslens.intake.is_there import is_file
 from roslens.source.fetch.at import At, revision_at
 from roslens.source.fetch.git_runner import GitError, GitRunner
+from roslens.source.fetch.lacking_files import write_files
 from roslens.source.fetch.leaving_links import remove_leaving
 from roslens.source.fetch.refs import Ref, is_commit, ref_of
 from roslens.source.fetch.taken import How, Taken
@@ -198,14 +199,15 @@ def _set_to(git: GitRunner, request: Request, place: Path, commit: str, how: How
     """Write the files of a commit, fetching their content where it is not here yet."""
     folder = str(place)
     git.do(folder, "update-ref", "--no-deref", "HEAD", commit)
-    words = ("read-tree", "--reset", "-u", "--no-recurse-submodules", commit)
-    git.over_network(folder, *words, local=is_local(request.url))
+    lacking = write_files(git, folder, commit, local=is_local(request.url))
     rows = git.do(folder, "ls-tree", "-r", "-z", commit).split("\0")
     links = [row.partition("\t")[2] for row in rows if row.startswith("120000 ")]
     gone = remove_leaving(place, map(os.fspath, links))
     taken = described(git, request, place, how)
-    if not gone:
-        return taken
-    git.do(folder, "update-index", "--skip-worktree", "--", *gone)
-    left = f"{len(gone)} links that lead out of the repository are left out, the first at {gone[0]}"
-    return msgspec.structs.replace(taken, notes=(*taken.notes, left))
+    notes = list(taken.notes)
+    if lacking:
+        notes.append(f"the server does not have {len(lacking)} files, the first {lacking[0]}; no source is among them")
+    if gone:
+        git.do(folder, "update-index", "--skip-worktree", "--", *gone)
+        notes.append(f"{len(gone)} links that lead out of the repository are left out, the first at {gone[0]}")
+    return msgspec.structs.replace(taken, notes=tuple(notes))

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from roslens.model.errors import UsageError
 from roslens.source.keys import analyser_version
-from roslens.source.task_limits import TaskLimits, run_limited
+from roslens.source.task_batch import batch_size, run_batch
+from roslens.source.task_limits import TaskLimits
 
 if TYPE_CHECKING:
     from roslens.source.executor import Executor
@@ -25,7 +26,7 @@ Task = TypeVar("Task")
 Result = TypeVar("Result")
 
 _AHEAD = 2
-"""Tasks that wait for each thread of the cluster."""
+"""Batches that wait for each thread of the cluster."""
 
 _CANCELLED = (asyncio.CancelledError, concurrent.futures.CancelledError)
 
@@ -80,7 +81,7 @@ class DaskEngine:
             return
         client = _connected(self._address, self._connect_s)
         left = list(reversed(tasks))
-        under_way: dict[Any, Task] = {}
+        under_way: dict[Any, list[Task]] = {}
         try:
             _check(client, self._folder)
             yield from self._on_cluster(client, function, left, under_way)
@@ -90,7 +91,7 @@ class DaskEngine:
                 client.cancel(list(under_way), force=True)
             with suppress(Exception):
                 client.close(timeout=5)
-        remaining = [*under_way.values(), *reversed(left), *self._blamed]
+        remaining = [*(task for batch in under_way.values() for task in batch), *reversed(left), *self._blamed]
         self.done_here = len(remaining)
         yield from self._rest.run(function, remaining)
 
@@ -99,30 +100,40 @@ class DaskEngine:
         client: Any,
         function: Callable[[Task], Result],
         left: list[Task],
-        under_way: dict[Any, Task],
+        under_way: dict[Any, list[Task]],
     ) -> Iterator[tuple[Task, Result | BaseException]]:
         """Run until nothing is left, or the cluster is: what it did not finish stays in ``left`` and ``under_way``."""
         wait = _library().wait
         threads = _threads(client)
+        alone: set[int] = set()
         seen = self._clock()
         while left or under_way:
             while left and len(under_way) < max(1, threads) * (1 + _AHEAD):
-                future = client.submit(run_limited, function, self._limits, left[-1], pure=False)
-                under_way[future] = left.pop()
+                # A batch that could not be read goes on in single tasks.
+                many = 1 if id(left[-1]) in alone else batch_size(len(left), threads)
+                batch = left[: -many - 1 : -1]
+                future = client.submit(run_batch, function, self._limits, batch, pure=False)
+                del left[-many:]
+                under_way[future] = batch
             # Cancelled ones, as those of a scheduler that is gone, are told by their status.
             with suppress(TimeoutError, OSError, *_CANCELLED), client.as_current():
                 wait(list(under_way), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
             finished = [future for future in under_way if future.status != "pending"]
             for future in finished:
                 if future.status in ("finished", "error"):
-                    task, outcome = under_way.pop(future), _outcome(future)
+                    batch, outcome = under_way.pop(future), _outcome(future)
                     if isinstance(outcome, _library().KilledWorker):
                         # Dask blames all tasks that waited for a worker which died, and not only that which ended it.
-                        self._blamed.append(task)
+                        self._blamed.extend(batch)
+                    elif not isinstance(outcome, BaseException):
+                        yield from zip(batch, outcome, strict=True)
+                    elif len(batch) == 1:
+                        yield batch[0], outcome
                     else:
-                        yield task, outcome
+                        alone.update(map(id, batch))
+                        left.extend(reversed(batch))
                 elif future.status in ("cancelled", "lost"):
-                    left.append(under_way.pop(future))
+                    left.extend(reversed(under_way.pop(future)))
             threads = _threads(client)
             if threads:
                 seen = self._clock()

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -369,13 +368,13 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
 
 def _measured(run: _Run, changed: Sequence[FoundPackage], cache: Cache, watch: Progress) -> Iterator[MeasuredPackage]:
     """Measure packages, the largest first, and keep what was learned of their files."""
-    from roslens.source.analyse_package import measure_task, nothing_measured
+    from roslens.source.analyse_package import nothing_measured
+    from roslens.source.measured_packages import measured_packages
 
     tasks = sorted((_task(run, found, cache) for found in changed), key=lambda task: -_bytes(task))
     watch.step("Measuring packages", len(tasks))
-    measure = partial(measure_task, remembered=run.revision.remembered) if run.revision else measure_task
     executor = executor_for(run.jobs, run.engine, folder=run.workspace.root)
-    for task, result in executor.run(measure, tasks):
+    for task, result in measured_packages(executor, tasks, run.revision.remembered if run.revision else None):
         if isinstance(result, BaseException):
             measured = nothing_measured(task, result)
         else:

@@ -1,0 +1,36 @@
+"""Several tasks as one, for engines to which each task has a price of its own: a message, a line in a book."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+from roslens.source.task_limits import TaskLimits, run_limited
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+MOST = 16
+"""Tasks of one batch: what a lost worker has to do again, and what is held of results at once."""
+
+_ROUNDS = 12
+"""Batches that each thread still gets, if all were as large as the next one: the last ones are small, so that all
+threads end together."""
+
+
+def batch_size(left: int, threads: int) -> int:
+    """Return how many of the tasks that are left go into the next batch; at least 1."""
+    return max(1, min(MOST, left // (_ROUNDS * max(1, threads))))
+
+
+def run_batch(
+    function: Callable[[Task], Result], limits: TaskLimits, tasks: Sequence[Task]
+) -> list[Result | Exception]:
+    """Return the result of each task, or the exception that ended it, in their order; the limits are those of each."""
+    found: list[Result | Exception] = []
+    for task in tasks:
+        try:
+            found.append(run_limited(function, limits, task))
+        except Exception as error:  # noqa: BLE001 - one task's error is a result, the others go on
+            found.append(error)
+    return found

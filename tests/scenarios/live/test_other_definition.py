@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
-import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
+from watched_until import watch_until
 
 pytestmark = pytest.mark.real
 
@@ -35,6 +35,16 @@ rclpy.spin(node)
 """
 
 
+def about(lines: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return the failures that are about a definition."""
+    return [one for one in lines if one["is"] == "failure" and "definition" in one["what"]]
+
+
+def hears(log: Path) -> bool:
+    """Whether the node that writes this log took a message."""
+    return "level=1.0" in log.read_text()
+
+
 @pytest.mark.timeout(240)
 def test_the_topic_whose_definitions_differ_is_told(python, built, alone, tmp_path):
     nodes = []
@@ -45,15 +55,13 @@ def test_the_topic_whose_definitions_differ_is_told(python, built, alone, tmp_pa
             with (tmp_path / str(len(nodes))).open("wb") as said:
                 environment = alone | {"PYTHONPATH": str(folder)}
                 nodes.append(subprocess.Popen([python, "-c", code], env=environment, stdout=said, stderr=said))
-        watch = [str(Path(sys.executable).parent / "roslens"), "watch", "--ros2", "--for", "8s", "--format", "json"]
-        watched = subprocess.run(watch, env=alone, capture_output=True, text=True, check=False)
+        reported = watch_until(lambda lines: bool(about(lines)) and hears(tmp_path / "2"), ["--ros2"], alone)
     finally:
         for node in nodes:
             node.kill()
             node.wait()
-    lines = [json.loads(line) for line in watched.stdout.splitlines() if line.startswith("{")]
-    told = [one for one in lines if one["is"] == "failure" and "definition" in one["what"]]
-    assert [one["entity"] for one in told] == ["topic:/level"], watched.stdout + watched.stderr
+    told = about(reported.lines)
+    assert [one["entity"] for one in told] == ["topic:/level"], reported
     assert told[0]["what"].startswith("/display does not understand what /gauge publishes on /level")
     displayed, logged = ((tmp_path / str(at)).read_text() for at in (1, 2))
     assert ("level=1.0" in logged, "level=1.0" in displayed) == (True, False)

@@ -4,12 +4,12 @@ import os
 import shutil
 import socket
 import subprocess
-import sys
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from ros2_domain import own_domain
+from watched_until import watch_until
 
 pytestmark = pytest.mark.real
 
@@ -44,9 +44,11 @@ def running(*command, environment):
         process.wait(20)
 
 
-def watch(environment, *words):
-    command = [sys.executable, "-m", "roslens.cli.main", "watch", *words, "--quiet", "--no-color"]
-    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60, check=False)
+def absent(*names):
+    """Whether all of these are said to be absent."""
+    return lambda lines: (
+        set(names) <= {one["entity"] for one in lines if one["is"] == "verdict" and one["state"] == "absent"}
+    )
 
 
 @pytest.mark.skipif(not shutil.which("roscore"), reason="roscore is not installed")
@@ -55,15 +57,15 @@ def test_constraints_on_the_parameter_server(tmp_path):
         port = free.getsockname()[1]
     master = f"http://127.0.0.1:{port}"
     environment = {**os.environ, "ROS_MASTER_URI": master, "ROS_IP": "127.0.0.1", "ROS_HOME": str(tmp_path)}
-    words = ("--ros1", "--reference", "param:/roslens/reference", "--for", "6 s")
-    missing = watch(environment, *words)
-    assert missing.returncode == 2
-    assert f"no ROS master: {master} refuses connections" in missing.stderr
+    words = ["--ros1", "--reference", "param:/roslens/reference"]
+    missing = watch_until(lambda _: False, words, environment)
+    assert missing.code == 2
+    assert f"no ROS master: {master} refuses connections" in missing.errors
     with running("roscore", "-p", str(port), environment=environment):
         subprocess.run(["/usr/bin/python3", "-c", PUT], env=environment, check=True, timeout=30)
-        ended = watch(environment, *words)
-    assert ended.returncode == 1, ended.stderr
-    assert "topic:/never  is absent" in ended.stdout
+        ended = watch_until(absent("topic:/never"), words, environment)
+    assert ended.code == 1, ended
+    assert absent("topic:/never")(ended.lines)
 
 
 def test_documents_in_a_parameter_of_a_node(tmp_path):
@@ -78,7 +80,7 @@ def test_documents_in_a_parameter_of_a_node(tmp_path):
         "ROSLENS_ROS2_PYTHON": python,
     }
     with running(python, "-c", HOLD, environment=environment):
-        ended = watch(environment, "--ros2", "--reference", "param:/roslens/reference", "--for", "12 s")
-    assert ended.returncode == 1, ended.stderr
-    assert "topic:/never  is absent" in ended.stdout
-    assert "topic:/ever  is absent" in ended.stdout
+        both = absent("topic:/never", "topic:/ever")
+        ended = watch_until(both, ["--ros2", "--reference", "param:/roslens/reference"], environment)
+    assert ended.code == 1, ended
+    assert both(ended.lines)

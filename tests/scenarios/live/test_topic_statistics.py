@@ -5,12 +5,10 @@ There are no wheels of rclcpp. What it would send is sent by rclpy, with statist
 
 from __future__ import annotations
 
-import json
 import subprocess
-import sys
-from pathlib import Path
 
 import pytest
+from watched_until import states, watch_until
 
 pytestmark = pytest.mark.real
 
@@ -52,6 +50,7 @@ def tell():
 node.create_timer(1.0, tell)
 rclpy.spin(node)
 """
+LISTENS = "/arm/listener"
 REFERENCE = """
 kind: reference
 name: statistics
@@ -70,20 +69,17 @@ def test_what_a_subscription_tells_of_itself_is_rated(python, built, alone, tmp_
     reference = tmp_path / "reference.yaml"
     reference.write_text(REFERENCE)
     nodes = [subprocess.Popen([python, "-c", code], env=environment) for code in (TALKER, LISTENER)]
+    wanted = {"rate": "ok", "age": "high", "age_max": "ok"}
     try:
-        watch = [str(Path(sys.executable).parent / "roslens"), "watch", "--ros2", "--for", "14s", "--format", "json"]
-        watched = subprocess.run(
-            [*watch, "--reference", str(reference)], env=environment, capture_output=True, text=True, check=False
+        reported = watch_until(
+            lambda lines: states(lines, LISTENS) == wanted, ["--ros2", "--reference", str(reference)], environment
         )
     finally:
         for node in nodes:
             node.kill()
             node.wait()
-    lines = [json.loads(line) for line in watched.stdout.splitlines() if line.startswith("{")]
-    last = {one["quantity"]: one for one in lines if one["is"] == "verdict" and "/arm/listener" in one["entity"]}
-    assert {quantity: one["state"] for quantity, one in last.items()} == {
-        "rate": "ok", "age": "high", "age_max": "ok",
-    }, watched.stdout + watched.stderr  # fmt: skip
+    last = {one["quantity"]: one for one in reported.lines if one["is"] == "verdict" and LISTENS in one["entity"]}
+    assert states(reported.lines, LISTENS) == wanted, reported
     assert last["age"]["value"] == pytest.approx(0.03)
     assert last["age_max"]["value"] == pytest.approx(0.05)
     assert {one["entity"] for one in last.values()} == {"connection:/talker > /chatter > /arm/listener"}

@@ -198,6 +198,7 @@ class GraphReader:
             for key in keys:
                 nodes_of.setdefault(key, set()).add(name.rpartition("/")[2])
         self._found = {key: found for key, found in self._found.items() if key in nodes_of}
+        self._tries = Counter({key: tries for key, tries in self._tries.items() if key in nodes_of})
         for key in sorted(nodes_of.keys() - self._found.keys()):
             bits = pid_bits(key)
             if bits is None or host_bits(key) != self._own_host or self._tries[key] >= _TRIES:

@@ -144,8 +144,8 @@ def test_memory_stays_level(processes):
     grown = {role: resident(pid) - before[role] for role, pid in processes.items()}
     most = MOST_BYTES_A_SECOND * SOAK_S * (1 - SETTLE_SHARE) + SLACK_BYTES
     own = {role: many - max(grown.get(TWINS.get(role, ""), 0), 0) for role, many in grown.items()}
-    table = [
+    table = "\n".join(
         f"{role}: {before[role] / 1e6:.1f} {grown[role] / 1e6:+.2f} MB, own {own[role] / 1e6:+.2f}" for role in own
-    ]
-    print(*table, sep="\n")
-    assert [role for role, many in own.items() if role not in TWINS.values() and many >= most] == [], "\n".join(table)
+    )
+    sys.stdout.write(table)
+    assert [role for role in own.keys() - set(TWINS.values()) if own[role] >= most] == [], table

@@ -18,6 +18,8 @@ from starlette.routing import Route
 from roslens.dashboard.listener import listen
 from roslens.dashboard.patient_protocol import PatientProtocol
 
+pytestmark = pytest.mark.timed
+
 REQUEST = b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"
 
 
@@ -108,7 +110,9 @@ def test_who_reads_slowly_but_reads_gets_it_all_and_may_ask_again(port: int):
             line.sendall(REQUEST.replace(b"/ ", b"/?size=3000000 "))
             got = 0
             while got < 3_000_000:
-                got += len(line.recv(1 << 18))
+                piece = line.recv(1 << 18)
+                assert piece, f"hung up after {got:,} bytes"
+                got += len(piece)
                 time.sleep(0.01)
 
 

@@ -126,8 +126,14 @@ def test_10_000_of_a_kind(name):
     assert lines.physical == content.count(b"\n")
 
 
+OFTEN_HUGE = ("elif", "strings", "nested calls", "NUL")
+"""Kinds of which a megabyte is read with each change, of the others each night."""
+
+
 @pytest.mark.heavy
-@pytest.mark.parametrize("name", PIECES)
+@pytest.mark.parametrize(
+    "name", [name if name in OFTEN_HUGE else pytest.param(name, marks=pytest.mark.nightly) for name in PIECES]
+)
 def test_a_megabyte_of_a_kind(name):
     content = _repeated(name, 1_000_000 // sum(map(len, PIECES[name])))
     with soon(200):

@@ -30,15 +30,16 @@ from roslens.source.settings import CountingSettings
 from roslens.source.settings import RuleSettings
 if {rules}:
     from roslens.source.rules.callbacks import callbacks_of
-    from roslens.source.rules.match_file import match_file
+    from roslens.source.rules.match_file import kinds_asked, match_file
     from roslens.source.rules.selection import wanted_rules
     from roslens.source.rules.table import native_rules
     wanted = wanted_rules(RuleSettings(), native_rules()) if {rules} == 1 else None
+kinds = kinds_asked("cpp", wanted) if {rules} else frozenset()
 gc.disable()
 macros, counting = MacroSettings(), CountingSettings()
 for line in Path(sys.argv[1]).read_text().splitlines():
     parsed = parse_file(Path(line).read_bytes(), Language.CPP, macros)
-    measure_file(line, parsed.facts(), counting)
+    measure_file(line, parsed.facts(kinds), counting)
     if {rules}:
         view = parsed.view()
         match_file(view, wanted)

@@ -8,7 +8,7 @@ from roslens.model.failure import Failure
 from roslens.model.source import Language
 from roslens.source.parsed_file import ParsedFile, parse_file
 from roslens.source.rules.callbacks import callbacks_of
-from roslens.source.rules.match_file import Matched, match_file
+from roslens.source.rules.match_file import Matched, kinds_asked, match_file
 from roslens.source.settings import MacroSettings
 from roslens.source.syntax.facts import FileFacts
 from roslens.source.workspace.encoding import encoding_failure
@@ -41,9 +41,10 @@ def analyse_file(content: bytes, language: Language, macros: MacroSettings) -> F
 
 def analyse_parsed(content: bytes, parsed: ParsedFile, wanted: frozenset[str] | None = None) -> FileAnalysis:
     """Take the facts of what was parsed already; ``wanted`` are the rules that look at it, all for None."""
+    facts = parsed.facts(kinds_asked(parsed.syntax, wanted))
     view = parsed.view()
     return FileAnalysis(
-        parsed.facts(),
+        facts,
         suppressions(content),
         encoding_failure("", content),
         match_file(view, wanted),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Protocol
 
@@ -11,6 +12,8 @@ from roslens.source.syntax.facts import FileFacts
 from roslens.source.syntax.macros import MacroPreset, load_macros
 
 if TYPE_CHECKING:
+    from tree_sitter import Node
+
     from roslens.source.extract.program import Program
     from roslens.source.rules.file_view import FileView
 
@@ -23,10 +26,20 @@ def macro_preset(settings: MacroSettings) -> MacroPreset:
 
 
 class ParsedFile(Protocol):
-    """A file that was parsed once; each answer is made of the same tree."""
+    """A file that was parsed once; each answer is made of the same tree.
 
-    def facts(self) -> FileFacts:
-        """Return what metrics are made of."""
+    Attributes:
+        syntax: ``cpp`` or ``python``.
+    """
+
+    syntax: str
+
+    def facts(self, kinds: frozenset[str] = frozenset()) -> FileFacts:
+        """Return what metrics are made of.
+
+        ``kinds`` are the types of nodes that rules will ask for: the view that is taken afterwards has those that the
+        same pass through the tree met.
+        """
 
     def program(self) -> Program:
         """Return what tells of nodes, topics and parameters."""
@@ -36,15 +49,21 @@ class ParsedFile(Protocol):
 
 
 class _ParsedCpp:
+    syntax = "cpp"
+
     def __init__(self, content: bytes, macros: MacroPreset) -> None:
         from roslens.source.syntax.cpp import tree_of_cpp
 
         self._parsed = tree_of_cpp(content, macros)
+        self._of_kinds: Mapping[str, Sequence[Node]] = {}
 
-    def facts(self) -> FileFacts:
+    def facts(self, kinds: frozenset[str] = frozenset()) -> FileFacts:
         from roslens.source.syntax.cpp import facts_of_cpp
+        from roslens.source.syntax.cpp_query import Captures
 
-        return facts_of_cpp(self._parsed)
+        captures = Captures(self._parsed.tree, kinds)
+        self._of_kinds = captures.of_kinds
+        return facts_of_cpp(self._parsed, captures)
 
     def program(self) -> Program:
         from roslens.source.extract.cpp_program import lower_cpp
@@ -55,10 +74,13 @@ class _ParsedCpp:
         from roslens.source.rules.file_view import FileView
 
         parsed = self._parsed
-        return FileView("cpp", parsed.content, parsed.source, parsed.code[0], parsed.tree.root_node)
+        root = parsed.tree.root_node
+        return FileView("cpp", parsed.content, parsed.source, parsed.code[0], root, self._of_kinds)
 
 
 class _ParsedPython:
+    syntax = "python"
+
     def __init__(self, content: bytes) -> None:
         from roslens.source.syntax.python_tree import parse_tree, with_line_feeds
 
@@ -72,7 +94,7 @@ class _ParsedPython:
 
         return blank_comments(self._text, "python")
 
-    def facts(self) -> FileFacts:
+    def facts(self, kinds: frozenset[str] = frozenset()) -> FileFacts:  # noqa: ARG002 - its trees are small
         from roslens.source.syntax.python import facts_of_python
 
         return facts_of_python(self._content, self._parsed, self._code)

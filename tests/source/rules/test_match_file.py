@@ -54,3 +54,24 @@ def test_tests_are_spared(asked):
 
 def test_quoted_parts_are_asked_for_in_strings_alone(asked):
     assert asked('// /home/a\nauto x = "/home/b"; int home = a /home/ b;', quoted=("/home/",)) == ["/home/b"]
+
+
+def test_the_pass_of_the_metrics_finds_the_nodes_that_rules_would_find_themselves():
+    text = (
+        "struct A { A(int a) { if (a) for (;;) { throw a; } } };\nint f() { int a = 1, b; { int a = 2; return a; } }\n"
+    )
+    alone = parse_file(text.encode(), Language.CPP, MacroSettings())
+    shared = parse_file(text.encode(), Language.CPP, MacroSettings())
+    kinds = module.kinds_asked("cpp")
+    assert shared.facts(kinds) == alone.facts()
+    assert shared.view().of_kinds.keys() == kinds
+    assert not alone.view().of_kinds
+    found = match_file(shared.view())
+    assert found == match_file(alone.view())
+    assert {"cpp.explicit_constructor", "cpp.shadowed_name", "cpp.throw_pointer"} & {one.rule for one in found.hits}
+
+
+def test_nodes_of_other_types_than_rules_ask_for_are_looked_for_again():
+    parsed = parse_file(b"int f(int a) { goto b; b: return a; }", Language.CPP, MacroSettings())
+    parsed.facts(frozenset({"return_statement"}))
+    assert "cpp.goto" in {one.rule for one in match_file(parsed.view()).hits}

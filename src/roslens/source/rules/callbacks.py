@@ -10,6 +10,7 @@ from collections.abc import Iterator, Set
 
 from tree_sitter import Node
 
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.file_view import FileView, above, all_above, below
 
 REGISTERING_CPP = frozenset(
@@ -31,6 +32,11 @@ REGISTERING_PYTHON = frozenset(
 )
 """The same in rospy, rclpy and what stands on them."""
 
+_WORDS = {
+    syntax: frozenset(name.encode() for name in names)
+    for syntax, names in (("cpp", REGISTERING_CPP), ("python", REGISTERING_PYTHON))
+}
+
 STREAM = "stream "
 """Before the name of a callback that runs again and again: of a subscription or a timer."""
 
@@ -51,8 +57,7 @@ def callbacks_of(view: FileView) -> tuple[str, ...]:
 
     Those of subscriptions and timers are named once more, after :data:`STREAM`.
     """
-    names = REGISTERING_CPP if view.syntax == "cpp" else REGISTERING_PYTHON
-    if not any(name.encode() in view.code for name in names):
+    if _WORDS[view.syntax].isdisjoint(view.words):
         return ()
     streams = _STREAM_CPP if view.syntax == "cpp" else _STREAM_PYTHON
     found: set[str] = set()
@@ -117,16 +122,13 @@ def callee_name(call: Node, view: FileView) -> str:
 
 
 def _registrations(view: FileView) -> Iterator[Node]:
-    names, kind = (REGISTERING_CPP, "call_expression") if view.syntax == "cpp" else (REGISTERING_PYTHON, "call")
-    for name in names:
-        word = name.encode()
-        at = view.code.find(word)
-        while at >= 0:
+    kind = "call_expression" if view.syntax == "cpp" else "call"
+    for word in sorted(_WORDS[view.syntax] & view.words):
+        for at in word_places(word, view):
             node = view.node_at(at, at + len(word))
             call = node if node is None or node.type == kind else above(node, kind)
-            if call is not None and callee_name(call, view) == name:
+            if call is not None and callee_name(call, view) == word.decode():
                 yield call
-            at = view.code.find(word, at + len(word))
 
 
 def _named_cpp(call: Node, view: FileView) -> Iterator[str]:

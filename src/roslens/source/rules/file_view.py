@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
 
@@ -16,7 +16,7 @@ from roslens.source.rules.hit import Hit
 
 _LONGEST_CONTEXT = 200
 _LARGE = 1000
-_WORD = re.compile(rb"\w+")
+_WORDS = bytes(byte if byte < 0x80 and (chr(byte).isalnum() or chr(byte) == "_") else 0x20 for byte in range(256))
 _CPP_ALONE = re.compile(rb"\b(?:namespace|class|template|typename|virtual|nullptr|operator)\b|::")
 _OPEN = frozenset(
     (
@@ -34,15 +34,25 @@ class FileView:
         source: what was parsed; positions of nodes are positions in it.
         code: the same length with comments blanked and each string one word.
         root: of the tree.
+        of_kinds: nodes by their type, of those types that were looked for with the metrics.
     """
 
-    def __init__(self, syntax: str, content: bytes, source: bytes, code: bytes, root: Node) -> None:
+    def __init__(
+        self,
+        syntax: str,
+        content: bytes,
+        source: bytes,
+        code: bytes,
+        root: Node,
+        of_kinds: Mapping[str, Sequence[Node]] | None = None,
+    ) -> None:
         """Take what the one parse gave; ``content`` is the file as it is."""
         self.syntax = syntax
         self.content = content
         self.source = source
         self.code = code
         self.root = root
+        self.of_kinds = of_kinds or {}
 
     @cached_property
     def lines(self) -> list[bytes]:
@@ -52,7 +62,7 @@ class FileView:
     @cached_property
     def words(self) -> frozenset[bytes]:
         """The words of the code, of its strings too; a set is quicker to ask than the code for hundreds of them."""
-        return frozenset(_WORD.findall(self.code))
+        return frozenset(self.code.translate(_WORDS).split())
 
     @cached_property
     def _starts(self) -> list[int]:

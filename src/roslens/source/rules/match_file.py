@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Set
-from functools import cache
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from functools import cache, cached_property
 
 import msgspec
 from tree_sitter import Language, Node, Query, QueryCursor
@@ -52,8 +52,14 @@ class _Plan:
         for rule in rules:
             for kind in rule.kinds:
                 self.by_kind[kind].append(rule)
-        patterns = "".join(f"({kind}) @{kind}\n" for kind in sorted(self.by_kind))
-        self.query = Query(language, patterns) if patterns else None
+        self.kinds = frozenset(self.by_kind)
+        self._language = language
+
+    @cached_property
+    def query(self) -> Query:
+        """Of the types of nodes that rules ask for."""
+        query: Query = Query(self._language, "".join(f"({kind}) @{kind}\n" for kind in sorted(self.kinds)))
+        return query
 
 
 @cache
@@ -65,6 +71,11 @@ def _plan(syntax: str, wanted: frozenset[str] | None) -> _Plan:
     import tree_sitter_python
 
     return _Plan(syntax, Language(tree_sitter_python.language()), wanted)
+
+
+def kinds_asked(syntax: str, wanted: frozenset[str] | None = None) -> frozenset[str]:
+    """Return the types of nodes that rules ask for in files of a syntax; ``wanted`` as for :func:`match_file`."""
+    return _plan(syntax, wanted).kinds
 
 
 def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
@@ -82,8 +93,19 @@ def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
     asked = _Asked(view, found, broken)
     for rule, nodes in _lookouts(plan, view, _concerns(plan, view)):
         asked.ask(rule, nodes)
-    # Two anchors of one rule may lead to one place.
-    return Matched(tuple(sorted(dict.fromkeys(found), key=_order)), tuple(broken[one] for one in sorted(broken)))
+    found.sort(key=_order)
+    return Matched(tuple(_once(found)), tuple(broken[one] for one in sorted(broken)))
+
+
+def _once(hits: Iterable[Hit]) -> Iterator[Hit]:
+    """Yield sorted hits, each once: two anchors of one rule may lead to one place."""
+    alike: list[Hit] = []
+    for hit in hits:
+        if alike and alike[-1].line != hit.line:
+            alike.clear()
+        if hit not in alike:
+            alike.append(hit)
+            yield hit
 
 
 def _concerns(plan: _Plan, view: FileView) -> set[tuple[tuple[str, ...], bool]]:
@@ -97,7 +119,7 @@ def _concerns(plan: _Plan, view: FileView) -> set[tuple[tuple[str, ...], bool]]:
 
 def _lookouts(
     plan: _Plan, view: FileView, concerns: Set[tuple[tuple[str, ...], bool]]
-) -> Iterator[tuple[FileRule, Iterator[Node] | list[Node] | tuple[Node, ...]]]:
+) -> Iterator[tuple[FileRule, Iterator[Node] | Sequence[Node]]]:
     """Yield the rules that concern a file with the nodes that they look at."""
     for rule in plan.whole:
         if (rule.mentions, rule.spares_tests) in concerns:
@@ -114,11 +136,19 @@ def _lookouts(
     for rule, parts in plan.quoted:
         if (rule.mentions, rule.spares_tests) in concerns:
             yield from ((rule, _quoted(view, part)) for part in parts if part in view.content)
-    if plan.query is not None:
-        cursor = QueryCursor(plan.query)
-        cursor.set_max_start_depth(DEEPEST)
-        for kind, nodes in cursor.captures(view.root).items():
-            yield from ((rule, nodes) for rule in plan.by_kind[kind] if (rule.mentions, rule.spares_tests) in concerns)
+    for kind, nodes in _of_kinds(plan, view).items():
+        if nodes:
+            asked = plan.by_kind.get(kind, ())
+            yield from ((rule, nodes) for rule in asked if (rule.mentions, rule.spares_tests) in concerns)
+
+
+def _of_kinds(plan: _Plan, view: FileView) -> Mapping[str, Sequence[Node]]:
+    """Return the nodes of the types that rules ask for: those that were found with the metrics, if all of them were."""
+    if plan.kinds <= view.of_kinds.keys():
+        return view.of_kinds
+    cursor = QueryCursor(plan.query)
+    cursor.set_max_start_depth(DEEPEST)
+    return cursor.captures(view.root)
 
 
 class _Asked:
@@ -129,7 +159,7 @@ class _Asked:
         self._found = found
         self._broken = broken
 
-    def ask(self, rule: FileRule, nodes: Iterator[Node] | list[Node] | tuple[Node, ...]) -> None:
+    def ask(self, rule: FileRule, nodes: Iterator[Node] | Sequence[Node]) -> None:
         """Ask a rule about nodes until it has found :data:`MOST_HITS`."""
         room = len(self._found) + MOST_HITS
         try:

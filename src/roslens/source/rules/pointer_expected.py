@@ -8,6 +8,7 @@ from typing import cast
 from tree_sitter import Node
 
 from roslens.source.rules.callbacks import callee_name
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.file_view import FileView, above
 
 _TAKES_POINTERS = frozenset(
@@ -22,7 +23,12 @@ _GIVES_POINTERS = frozenset(("getenv", "fopen", "dynamic_cast", "strchr", "strst
 _NUMBERS = (
     rb"(?:int|bool|char|short|long|unsigned|size_t|float|double|auto|u?int\d+_t|pthread_t|uint|[A-Z]\w*(?:_t|ID|Id))"
 )
-_POINTERS = rb"(?:\*[ \t]*(?:const[ \t]+)?|(?:unique_ptr|shared_ptr|weak_ptr|function)<[^;{}()]*>[ \t]*)"
+_NUMBER = re.compile(rb"\b%s[ \t&]+\Z" % _NUMBERS)
+_BEHIND_NUMBER = re.compile(rb"[ \t]*[;,=){(\[]")
+_POINTER = re.compile(rb"(?:\*[ \t]*(?:const[ \t]+)?|(?:unique_ptr|shared_ptr|weak_ptr|function)<[^;{}()]*>[ \t]*)\Z")
+_BEHIND_POINTER = re.compile(rb"[ \t]*(?:[;,=){]|\(NULL)")
+_FARTHEST = 300
+"""How far before a name its type is looked for."""
 
 
 def is_pointer_expected(node: Node, view: FileView) -> bool:
@@ -91,9 +97,16 @@ def is_declared_pointer(name: str, view: FileView) -> bool:
     key = ("pointer", name)
     found = view.kept.get(key)
     if found is None:
-        word = re.escape(name.encode())
-        pointer = re.compile(_POINTERS + rb"\b%s\b[ \t]*(?:[;,=){]|\(NULL)" % word)
-        number = re.compile(rb"\b%s[ \t&]+%s\b[ \t]*[;,=){(\[]" % (_NUMBERS, word))
-        declared = pointer.search(view.code) is not None and number.search(view.code) is None
-        found = view.kept[key] = declared
+        found = view.kept[key] = _is_declared_pointer(name.encode(), view)
     return cast("bool", found)
+
+
+def _is_declared_pointer(word: bytes, view: FileView) -> bool:
+    code, is_pointer = view.code, False
+    for at in word_places(word, view):
+        end = at + len(word)
+        before = code[max(0, at - _FARTHEST) : at]
+        if _BEHIND_NUMBER.match(code, end) and _NUMBER.search(before):
+            return False
+        is_pointer = is_pointer or bool(_BEHIND_POINTER.match(code, end) and _POINTER.search(before))
+    return is_pointer

@@ -64,14 +64,18 @@ def parse_cpp(content: bytes, macros: MacroPreset) -> FileFacts:
     return facts_of_cpp(tree_of_cpp(content, macros))
 
 
-def facts_of_cpp(parsed: CppTree) -> FileFacts:
+def facts_of_cpp(parsed: CppTree, captures: Captures | None = None) -> FileFacts:
     """Return the facts of a C or C++ file.
 
     Never fails: what cannot be parsed becomes a :class:`~roslens.source.syntax.facts.SyntaxFault`, and the
     functions it stands in are marked approximate.
+
+    Args:
+        parsed: the file.
+        captures: of its tree, where they are there already.
     """
     content, source, tree = parsed.content, parsed.source, parsed.tree
-    captures = Captures(tree)
+    captures = Captures(tree) if captures is None else captures
     code, plain = parsed.code
     walk = Walk(source, code, captures)
     lines = LineMap(content, squeezed_lines(code))

@@ -80,7 +80,6 @@ _QUERY = """
 
 _LANGUAGE = Language(tree_sitter_cpp.language())
 _PARSER = Parser(_LANGUAGE)
-_COMPILED = Query(_LANGUAGE, _QUERY)
 _KIND_NUMBERS = {name: number for number, name in enumerate(KINDS)}
 
 Span = tuple[int, int]
@@ -141,11 +140,13 @@ class Captures:
         operators: extents of logical expressions to those of their operators.
         else_ifs: extents of the ``if`` of an ``else if``; ``else_of_ifs`` those of its ``else``.
         definitions: the nodes of functions, classes, namespaces and members by their kind, then by their extent.
+        of_kinds: the nodes of each type that was asked for besides, in source order.
     """
 
-    def __init__(self, tree: Tree) -> None:
-        """Run the query over ``tree``."""
-        captured = QueryCursor(_COMPILED).captures(tree.root_node)
+    def __init__(self, tree: Tree, kinds: frozenset[str] = frozenset()) -> None:
+        """Run the query over ``tree``, and in the same pass look for the nodes of some types that others ask for."""
+        captured = QueryCursor(_query(kinds)).captures(tree.root_node)
+        self.of_kinds = {kind: captured.pop(f"{_ASKED}{kind}", []) for kind in kinds}
 
         if _EMPTY_BODY.search(tree.root_node.text or b""):
             captured["perhaps_function"] = _with_values(tree)
@@ -204,6 +205,16 @@ class Captures:
                 starts.add(start)
             else:
                 self.not_executed.append((start, end))
+
+
+_ASKED = "node."
+
+
+@cache
+def _query(kinds: frozenset[str]) -> Query:
+    """Return the query with a pattern for each type of nodes: going through the tree costs most, not what is found."""
+    query: Query = Query(_LANGUAGE, _QUERY + "".join(f"({kind}) @{_ASKED}{kind}\n" for kind in sorted(kinds)))
+    return query
 
 
 _EMPTY_BODY = re.compile(rb"\)[\w\s>-]{0,60}\{[^{};]{0,200}\}\s*;")

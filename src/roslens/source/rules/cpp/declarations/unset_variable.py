@@ -2,28 +2,32 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
+from roslens.source.rules.cpp_declaration import declaration_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_GIVEN = re.compile(rb"[=({\[]")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each local number or pointer without an initialiser."""
-    if any(one in view.code[node.start_byte : node.end_byte] for one in (b"=", b"(", b"{", b"[")):
+    if _GIVEN.search(view.code, node.start_byte, node.end_byte):
         return
-    around = node.parent
-    if around is None or around.type not in ("compound_statement", "case_statement"):
+    declaration = declaration_of(node, view)
+    if declaration.place not in ("compound_statement", "case_statement"):
         return
     if any(one.type == "storage_class_specifier" for one in node.children):
         return
     kind = node.child_by_field_name("type")
     is_number = kind is not None and kind.type in ("primitive_type", "sized_type_specifier")
-    for one in node.children_by_field_name("declarator"):
+    for one, _, _ in declaration.names:
         if (is_number and one.type == "identifier") or (
             one.type == "pointer_declarator" and one.named_child_count == 1
         ):

@@ -25,6 +25,8 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     last = name.rpartition("::")[2]
     if body is None or declarator is None or not last.isidentifier():
         return
+    if view.code.find(last.encode(), body.start_byte, body.end_byte) < 0:
+        return
     parameters = parameters_of(declarator)
     least = sum(one.type == "parameter_declaration" for one in parameters)
     word, owner = last.encode(), name.rpartition("::")[0].encode()

@@ -23,7 +23,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if (
         declarator is None
         or declarator.type != "function_declarator"
-        or not view.code[: declarator.end_byte].endswith(b")")
+        or view.code[declarator.end_byte - 1 : declarator.end_byte] != b")"
     ):
         return
     kind, parameters = node.child_by_field_name("type"), declarator.child_by_field_name("parameters")

@@ -43,9 +43,9 @@ _SAYS_NOTHING = frozenset(
 def found(_: Node, view: FileView) -> Iterator[Hit]:
     """Yield a file that nothing keeps from being read twice; whether it is a header, its name tells."""
     first = _FIRST.match(view.code)
-    if first is None or _ONCE.search(view.code):
+    if first is None or (b"pragma" in view.words and _ONCE.search(view.code)):
         return
-    guard = _GUARD.search(view.code)
+    guard = _GUARD.search(view.code) if b"define" in view.words else None
     if guard is None:
         if not _declares(view):
             return

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.model.finding import Severity
-from roslens.source.rules.cpp_class import name_node
+from roslens.source.rules.cpp_declaration import declaration_of
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -18,15 +18,13 @@ _CONSTANT = re.compile(r"k[A-Z]\w*|[A-Z0-9_]+")
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each local variable with a capital letter."""
-    around = node.parent
-    if around is None or around.type not in ("compound_statement", "for_statement", "case_statement"):
+    declaration = declaration_of(node, view)
+    if declaration.place not in ("compound_statement", "for_statement", "case_statement"):
         return
-    for one in node.children_by_field_name("declarator"):
-        if one.type == "function_declarator":
+    for one, named, name in declaration.names:
+        if named is None or name == name.lower() or _CONSTANT.fullmatch(name):
             continue
-        named = name_node(one)
-        name = view.text(named)
-        if named is not None and named.type == "identifier" and name != name.lower() and not _CONSTANT.fullmatch(name):
+        if named.type == "identifier" and one.type != "function_declarator":
             better = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
             yield view.hit("cpp.variable_name", named, f"variable `{name}`; expected `{better}`")
 

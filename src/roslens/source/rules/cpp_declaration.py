@@ -1,0 +1,111 @@
+"""What a local declaration of C++ names, and which names the scopes around it have: worked out once for all rules."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple, cast
+
+from tree_sitter import Node
+
+from roslens.source.rules.cpp_class import function_of, name_node, parameters_of
+from roslens.source.rules.file_view import FileView
+
+_SCOPES = ("compound_statement", "for_statement", "for_range_loop", "if_statement", "while_statement")
+_ENDS = ("function_definition", "lambda_expression", "class_specifier", "struct_specifier")
+
+_Names = Mapping[str, tuple[int, Node]]
+
+
+class Declared(NamedTuple):
+    """A name that a declaration declares.
+
+    Attributes:
+        declarator: as it stands there.
+        named: the node of the name; None where there is none.
+        name: as it is written; empty without a node.
+    """
+
+    declarator: Node
+    named: Node | None
+    name: str
+
+
+class Declaration(NamedTuple):
+    """A declaration.
+
+    Attributes:
+        around: the node that it stands in, None for the file.
+        place: type of that node, empty for the file.
+        names: that it declares, in order.
+    """
+
+    around: Node | None
+    place: str
+    names: Sequence[Declared]
+
+
+def declaration_of(node: Node, view: FileView) -> Declaration:
+    """Return what a node of type ``declaration`` declares."""
+    key = ("declaration", node.id)
+    found = view.kept.get(key)
+    if found is None:
+        around = node.parent
+        names = []
+        for declarator in node.children_by_field_name("declarator"):
+            named = name_node(declarator)
+            names.append(Declared(declarator, named, view.text(named)))
+        found = view.kept[key] = Declaration(around, around.type if around is not None else "", names)
+    return cast("Declaration", found)
+
+
+def hidden_by(name: str, declaration: Declaration, view: FileView) -> Node | None:
+    """Return the declaration of the same name in a scope around that of a local one, or its parameter."""
+    if declaration.around is None or declaration.place not in _SCOPES:
+        return None
+    for names, inside in _scopes_around(declaration.around, view):
+        known = names.get(name)
+        if known is not None and known[0] < inside:
+            return known[1]
+    return None
+
+
+def _scopes_around(scope: Node, view: FileView) -> Sequence[tuple[_Names, int]]:
+    """Return the names of the scopes around one, the nearest first, each with where the way to it begins there."""
+    key = ("scopes around", scope.id)
+    found = view.kept.get(key)
+    if found is None:
+        chain: list[tuple[_Names, int]] = []
+        inside, one = scope, scope.parent
+        while one is not None:
+            kind = one.type
+            if kind in _ENDS:
+                if kind == "function_definition":
+                    chain.append((_parameters(one, view), one.end_byte))
+                break
+            if kind in _SCOPES:
+                chain.append((_names(one, view), inside.start_byte))
+            inside, one = one, one.parent
+        found = view.kept[key] = chain
+    return cast("Sequence[tuple[_Names, int]]", found)
+
+
+def _parameters(function: Node, view: FileView) -> _Names:
+    declarator = function_of(function, view).declarator
+    found: dict[str, tuple[int, Node]] = {}
+    for one in parameters_of(declarator) if declarator is not None else ():
+        name = view.text(name_node(one.child_by_field_name("declarator"))).lstrip("&* ")
+        found.setdefault(name, (one.start_byte, one))
+    return found
+
+
+def _names(scope: Node, view: FileView) -> _Names:
+    key = ("names", scope.id)
+    known = view.kept.get(key)
+    if known is None:
+        found: dict[str, tuple[int, Node]] = {}
+        for one in scope.named_children:
+            if one.type == "declaration":
+                for each in declaration_of(one, view).names:
+                    found.setdefault(each.name, (one.start_byte, one))
+        known = view.kept[key] = found
+    return cast("_Names", known)

@@ -198,12 +198,13 @@ def frozen(process: Process) -> Iterator[Fault]:
 
 
 @contextlib.contextmanager
-def frozen_children(process: Process) -> Iterator[Fault]:
-    """The process goes on, and those that it started stand still: SIGSTOP, SIGCONT."""
+def frozen_children(process: Process, word: str = "") -> Iterator[Fault]:
+    """The process goes on, and those that it started, with `word` in their commands, stand still: SIGSTOP, SIGCONT."""
     stopped: list[int] = []
 
     def stop() -> None:
-        stopped.extend(map(int, Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()))
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        stopped.extend(int(one) for one in children if word in Path(f"/proc/{one}/cmdline").read_text(errors="replace"))
         if not stopped:
             raise BedError(f"{process.name} has no children that could be stopped")
         for pid in stopped:

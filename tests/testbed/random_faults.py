@@ -14,6 +14,8 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from starved import CROWDED, LATE_S, SLOW, Sleeper
+
 from testbed import clock, fault_table, faults, robot_ros1, robot_ros2
 from testbed.action_table import CASES, FAKED, LIMIT, NEEDED, QUIET, Case
 from testbed.machine import BedError, wait_until
@@ -30,7 +32,9 @@ VERIFIED = frozenset(("gone", "frozen", "burns", "leaks", "full"))
 """Reactions that look whether they helped."""
 MORE = (
     Case("line to the agent of sensor is cut", lambda r: faults.silent_line(r.bed["sensor"], PORT), "", 0.0),
-    Case("observer of ROS is stopped for 4 s", lambda r: faults.frozen_children(r.monitor), "", 0.0, lasts=4.0),
+    # Nodes that were started again on its host are children of the monitor, too.
+    Case("observer of ROS is stopped for 4 s", lambda r: faults.frozen_children(r.monitor, "adapters"), "", 0.0,
+         lasts=4.0),
     Case("subscription asks for more than is offered", lambda r: fault_table.misfit(r, "reliable"), "", 0.0,
          generations=("ros2",), lasts=3.0),
     Case("subscription of another type", lambda r: fault_table.misfit(r, "type"), "", 0.0, generations=("ros2",),
@@ -61,6 +65,8 @@ class Found:
         missed: Faults about which nothing was done, or in vain.
         touched: Healthy nodes that were another process afterwards.
         times: Seconds from the beginning to the action about each fault.
+        starved: What kept the robot from the processors meanwhile, that was none of the bed's; empty of nothing. Its
+            nodes were late themselves then, and what was done about that was right.
     """
 
     strike: Strike
@@ -69,6 +75,7 @@ class Found:
     touched: list[str] = field(default_factory=list)
     times: list[float] = field(default_factory=list)
     load: float = 0.0
+    starved: str = ""
 
     @property
     def right(self) -> bool:
@@ -80,7 +87,8 @@ class Found:
         times = ", ".join(f"{one:.1f} s" for one in self.times)
         bad = [f"{what}: {'; '.join(told)}" for what, told in
                (("WRONG", self.wrong), ("MISSED", self.missed), ("TOUCHED", self.touched)) if told]  # fmt: skip
-        return " | ".join([self.strike.name, times or "nothing", *bad, f"load {self.load:.1f}"])
+        starved = [f"starved: {self.starved}"] if self.starved else []
+        return " | ".join([self.strike.name, times or "nothing", *bad, *starved, f"load {self.load:.1f}"])
 
 
 def strikes(seed: int, generation: str, *, clocks: bool = True) -> Iterator[Strike]:
@@ -218,6 +226,30 @@ def resident(pid: int) -> int:
     return 1024 * next((int(line.split()[1]) for line in lines if line.startswith("RssAnon")), 0)
 
 
+class _Machine:
+    """Whether others took the processors, by a process that does next to nothing (`tests/starved.py`)."""
+
+    def __init__(self) -> None:
+        self._sleeper = Sleeper()
+        self._since = time.monotonic()
+
+    def forget(self) -> None:
+        """Begin to look anew."""
+        self._since = time.monotonic()
+        self._sleeper.forget(self._since)
+
+    def starved(self) -> str:
+        """What was noticed since; empty of nothing."""
+        told = self._sleeper.told(self._since)
+        worst = {what: max(told[what]) for what in ("late", "slow", "crowded") if what in told}
+        bounds = {"late": LATE_S, "slow": SLOW, "crowded": CROWDED}
+        return ", ".join(f"{what} {much:.1f}" for what, much in worst.items() if much > bounds[what])
+
+    def close(self) -> None:
+        """End the process."""
+        self._sleeper.end()
+
+
 @dataclass
 class Soaked:
     """What came of a soak.
@@ -241,7 +273,7 @@ def soak(generation: str, seconds: float, seed: int) -> Iterator[Found | Soaked]
     faked = FAKED if clock.library() is not None else ""
     all_found = []
     reacting = Reacting(generation, faked_clock=faked)
-    with reacting:
+    with reacting, contextlib.closing(_Machine()) as machine:
         reacting.settle(NEEDED, 90.0)
         began = time.monotonic()
         level: tuple[float, dict[str, tuple[int, int]]] | None = None
@@ -253,7 +285,10 @@ def soak(generation: str, seconds: float, seed: int) -> Iterator[Found | Soaked]
                 level = time.monotonic(), {name: (pid, resident(pid)) for name, pid in watching(reacting).items()}
             if level is not None and any(_WATCHING in case.name for case in one.cases):
                 continue
-            all_found.append(strike(reacting, one))
+            machine.forget()
+            found = strike(reacting, one)
+            found.starved = machine.starved()
+            all_found.append(found)
             yield all_found[-1]
         since, before = level or (time.monotonic(), {})
         grown = {name: resident(pid) - size for name, (pid, size) in before.items()}
@@ -281,7 +316,7 @@ def main() -> int:
             )
             sys.stdout.writelines(f"  {name} {size / 1e6:+.2f} MB\n" for name, size in one.grown.items())
         else:
-            wrong |= not one.right
+            wrong |= not (one.right or one.starved)
             sys.stdout.write(f"{time.strftime('%H:%M:%S')} {one}\n")
         sys.stdout.flush()
     return int(wrong)

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.cli.ask_terminal import AskNobody, AskTerminal
 from roslens.cli.hold_file import Held
 from roslens.cli.param_reference import reference_sources
+from roslens.cli.react_page import AskEverywhere, serve_reacting, write_refusals
 from roslens.cli.react_reload import Renewal
 from roslens.cli.stretch import Stretch, never_saw
 from roslens.cli.until_stopped import when_stopped
@@ -29,8 +30,9 @@ from roslens.model.errors import DocumentError, UsageError
 
 if TYPE_CHECKING:
     from roslens.cli.watch_reload import ReferenceFiles
+    from roslens.dashboard.journal.questions import Questions
     from roslens.live.agent.host_hand import HostHand
-    from roslens.live.react.actor import Actor
+    from roslens.live.react.actor import Actor, Asker
     from roslens.live.react.all_hands import AllHands
     from roslens.live.react.far_agents import FarAgents
     from roslens.live.react.gate import Limits
@@ -59,10 +61,11 @@ def react_live(options: argparse.Namespace) -> int:
     if not files.reference.reactions:
         shown = ", ".join(str(one) for one in options.reference)
         raise UsageError(f"no reaction in {shown}", expected="a document with `reactions:`")
-    if options.mode == "ask" and not sys.stdin.isatty():
+    if options.mode == "ask" and not sys.stdin.isatty() and options.serve is None:
         raise UsageError(
-            "--mode ask where nobody can answer", expected="a terminal", advice="Take --mode dry-run or act"
-        )
+            "--mode ask where nobody can answer", expected="a terminal, or --serve PORT",
+            advice="Take --mode dry-run or act",
+        )  # fmt: skip
     length = length_of(options.length, "--for") if options.length is not None else None
     path = options.journal or state_folder(os.environ) / "journal.jsonl"
     with contextlib.ExitStack() as stack:
@@ -149,6 +152,12 @@ class _Reacting:
         self._reference = files.reference
         self._stack = stack
         self._held = Held(os.environ)
+        self._path = journal.path
+        self._questions: Questions | None = None
+        if options.serve is not None and options.mode != "dry-run":
+            from roslens.dashboard.journal.questions import Questions
+
+            self._questions = Questions()
         self._folder: Path = journal.path.parent
         self._journal = _Telling(journal, options.json)
         self._gate = Gate(limits)
@@ -174,6 +183,7 @@ class _Reacting:
         if topic:
             self._journal.publish = partial(hands.say, topic)
         self._wait_until_ready(hands)
+        shown = self._page(session)
         actor = self._actor(hands, started)
         renewal = Renewal(self._files, session, actor.reactor, hands, self._journal, steady=time.monotonic)
         ended = when_stopped(self._stack)
@@ -189,7 +199,7 @@ class _Reacting:
                 [*sources, _Wakes(hands)],
                 wall=time.time,
                 stopped=stretch.over,
-                told=lambda step: self._told(actor, here, renewal.look(step)),
+                told=lambda step: self._told(actor, here, renewal.look(step), shown),
             )
         finally:
             self._journal.add("ended", time.time(), text="nothing is done any more")
@@ -198,7 +208,7 @@ class _Reacting:
             print(f"roslens: {failure}", file=sys.stderr)
         return 3 if self._failed else 0
 
-    def _told(self, actor: Actor, here: _Here | None, step: Step) -> None:
+    def _told(self, actor: Actor, here: _Here | None, step: Step, shown: Callable[[Step], None] | None) -> None:
         for failure in step.failures:
             self._log.append(f"{time_of_day(step.time)} {failure}")
             if not self._options.quiet:
@@ -218,12 +228,27 @@ class _Reacting:
                 own = platform.node()
                 here.records.keep({one.pid for one in graph.nodes if one.host == own and one.pid})
         actor.take(step)
+        if self._questions is not None:
+            write_refusals(self._questions, self._journal)
+        # The page last: what is due does not wait for it.
+        if shown is not None:
+            shown(step)
+
+    def _page(self, session: Session) -> Callable[[Step], None] | None:
+        if self._options.serve is None:
+            return None
+        where = self._options.serve
+        return serve_reacting(self._stack, session, platform.node(), where, self._path, self._questions)
 
     def _actor(self, hands: AllHands, started: float) -> Actor:
         from roslens.live.react.actor import Actor
         from roslens.live.react.reactor import Reactor
 
-        asker = AskTerminal() if self._options.mode == "ask" else AskNobody()
+        places: list[Asker] = [self._questions] if self._questions is not None else []
+        # In mode `act`, too: a reaction may be more careful than that.
+        if self._options.mode != "dry-run" and sys.stdin.isatty():
+            places.append(AskTerminal())
+        asker = AskEverywhere(places) if places else AskNobody()
         reactor = Reactor(self._reference.reactions, start=started)
         return Actor(reactor, self._gate, self._journal, hands, asker, held=self._held, steady=time.monotonic)
 

@@ -15,6 +15,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.cli.served.door import Door
+    from roslens.dashboard.live.further import Further
     from roslens.live.session import Session, Step
 
 _LOOK_S = 0.1
@@ -38,8 +39,10 @@ def address_of(text: str) -> tuple[str, int]:
     return host, int(port)
 
 
-def serve(source: PageSource, address: tuple[str, int], door: Door | None = None) -> LivePage:
-    """Start to serve what ``source`` has to whom ``door`` lets in, and say where.
+def serve(
+    source: PageSource, address: tuple[str, int], door: Door | None = None, further: Further | None = None
+) -> LivePage:
+    """Start to serve what ``source`` has, and ``further`` pages, to whom ``door`` lets in, and say where.
 
     Raises:
         UsageError: the address cannot be listened on.
@@ -47,8 +50,9 @@ def serve(source: PageSource, address: tuple[str, int], door: Door | None = None
     host, port = address
     access, tls = (door.access, door.tls) if door else (None, None)
     page = LivePage(
-        source.newest, detail=source.detail, graph=source.graph, host=host, port=port, access=access, tls=tls
-    )
+        source.newest, detail=source.detail, graph=source.graph, host=host, port=port, access=access, tls=tls,
+        further=further,
+    )  # fmt: skip
     print(f"roslens: {door.address(page.url) if door else page.url}", file=sys.stderr, flush=True)
     return page
 
@@ -73,7 +77,7 @@ def page_of(session: Session, title: str, clock: Callable[[float], str]) -> tupl
 
 def page_beside(
     stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int],
-    clock: Callable[[float], str], door: Door | None = None,
+    clock: Callable[[float], str], door: Door | None = None, further: Further | None = None,
 ) -> tuple[str, Callable[[Step], None]]:  # fmt: skip
     """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
 
@@ -81,7 +85,7 @@ def page_beside(
         UsageError: the address cannot be listened on.
     """
     source, told = page_of(session, title, clock)
-    return stack.enter_context(serve(source, address, door)).url, told
+    return stack.enter_context(serve(source, address, door, further)).url, told
 
 
 class PageAfter:

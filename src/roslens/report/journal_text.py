@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from roslens.store.journal_entry import Entry
@@ -25,17 +25,25 @@ def _said(entry: Entry) -> str:
         parts.append(action_text(action))
     if entry.what == "decided":
         parts.append(f"about {_plain(fields.get('entity', ''))}")
-        if because := _because(fields.get("because")):
+        if because := because_text(fields.get("because")):
             parts.append(f"because {because}")
         if cause := fields.get("first_cause"):
             parts.append(f"(first cause: {_plain(cause)})")
         return "  ".join(parts)
+    return "  ".join((*parts, *_rest(fields, ())))
+
+
+def rest_text(fields: Mapping[str, Any], leave_out: Sequence[str] = ()) -> str:
+    """Return what an entry says beside its decision and action."""
+    return ", ".join(_rest(fields, leave_out))
+
+
+def _rest(fields: Mapping[str, Any], leave_out: Sequence[str]) -> Iterator[str]:
     for key, value in fields.items():
-        if key in _QUIET or value in ("", None, [], {}):
+        if key in _QUIET or key in leave_out or value in ("", None, [], {}):
             continue
         shown = f"{value:.3f} s" if key == "duration_s" and isinstance(value, float) else _plain(value)
-        parts.append(shown if key in ("result", "text", "gate", "verification", "duration_s") else f"{key}: {shown}")
-    return "  ".join(parts)
+        yield shown if key in ("result", "text", "gate", "verification", "duration_s") else f"{key}: {shown}"
 
 
 def action_text(action: Mapping[str, Any]) -> str:
@@ -47,7 +55,8 @@ def action_text(action: Mapping[str, Any]) -> str:
     return " ".join(filter(None, (str(action.get("kind", "")), str(target), f"({told})" if told else "")))
 
 
-def _because(told: Any) -> str:
+def because_text(told: Any) -> str:
+    """Return what made a condition true in words, with its values."""
     if not isinstance(told, (list, tuple)):
         return ""
     shown = []

@@ -17,6 +17,7 @@ EXAMPLES = """\
   roslens react rover.yaml --mode ask                       ask in the terminal before anything is done to the robot
   roslens react rover.yaml --mode act --allow allow.yaml
                                                             do it; on processes of this host what allow.yaml permits
+  roslens react rover.yaml --mode ask --serve 8080          ask on a page; its address has the key to answer with
   roslens react --hold "changing the gripper"               nothing is done any more, at once
   roslens react --release                                   go on
   roslens react rover.yaml --simulate --bag drive.mcap      what would have been done along a recording
@@ -39,6 +40,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--agents", metavar="HOST[:PORT]", help="where they connect to (default: 0.0.0.0:7412)")
     parser.add_argument("--journal", type=Path, metavar="FILE", help="default: in the state folder of this user")
+    parser.add_argument(
+        "--serve", metavar="[HOST:]PORT",
+        help="show it in a browser, with the journal and the questions of --mode ask (a port alone: on this machine)",
+    )  # fmt: skip
     parser.add_argument("--publish-journal", metavar="TOPIC", help="publish each entry in ROS, as JSON in a String")
     held = parser.add_mutually_exclusive_group()
     held.add_argument("--hold", nargs="?", const="", metavar="WHY", help="stop all that is done from here, at once")

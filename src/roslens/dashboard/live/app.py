@@ -19,6 +19,7 @@ from starlette.staticfiles import StaticFiles
 import roslens
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.guard import Guard
+from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.snapshot import Snapshot
 from roslens.dashboard.render import TEMPLATES, WEB
 
@@ -50,6 +51,7 @@ class Facts(msgspec.Struct, frozen=True):
         pace_s: least time between two snapshots of a stream.
         beside: whether the pages of a run are served beside it, from the root.
         access: who may view and who may act; by default everybody may view and nobody act.
+        further: pages beside this one.
     """
 
     names: frozenset[str] = frozenset()
@@ -57,6 +59,7 @@ class Facts(msgspec.Struct, frozen=True):
     pace_s: float = 1.0
     beside: bool = False
     access: Access | None = None
+    further: Further = Further()
 
 
 def nothing(_: str) -> bytes:
@@ -84,7 +87,7 @@ def create_live_app(
         stopped: whether streams should end.
     """
     facts = facts or Facts()
-    page = _template(facts.beside)
+    page = _template(facts)
     streams = _Streams(snapshot, facts.pace_s, stopped)
 
     async def show(_: Request) -> Response:
@@ -123,6 +126,7 @@ def create_live_app(
             Route("/events", events),
             Route("/detail.json", about),
             Route("/graph.json", whole),
+            *facts.further.routes,
             Mount("/web/live", StaticFiles(directory=HERE / "web")),
             Mount("/web", StaticFiles(directory=WEB)),
         ],
@@ -172,7 +176,7 @@ def _embeddable(text: bytes) -> Markup:
     return Markup(safe)  # noqa: S704 - escaped
 
 
-def _template(beside: bool) -> Callable[[Snapshot, Markup], str]:
+def _template(facts: Facts) -> Callable[[Snapshot, Markup], str]:
     environment = Environment(
         loader=FileSystemLoader([HERE / "templates", TEMPLATES]),
         autoescape=True,
@@ -182,5 +186,5 @@ def _template(beside: bool) -> Callable[[Snapshot, Markup], str]:
     )
     template = environment.get_template("live.html")
     return lambda shown, text: template.render(
-        snapshot=shown, text=text, keys=_KEYS, version=roslens.__version__, beside=beside
+        snapshot=shown, text=text, keys=_KEYS, version=roslens.__version__, beside=facts.beside, links=facts.further.links
     )

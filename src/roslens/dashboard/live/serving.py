@@ -10,6 +10,7 @@ import uvicorn
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
+from roslens.dashboard.live.further import Further
 from roslens.dashboard.patient_protocol import PatientProtocol
 
 _ADVICE = "Give --serve another port, or 0 for any free one"
@@ -22,7 +23,7 @@ class LivePage:
     def __init__(
         self, snapshot: Callable[[], bytes], *, detail: Callable[[str], bytes] = nothing,
         graph: Callable[[], bytes] = no_graph, host: str = "127.0.0.1", port: int = 0, access: Access | None = None,
-        tls: Tls | None = None,
+        tls: Tls | None = None, further: Further | None = None,
     ) -> None:  # fmt: skip
         """Serve what ``snapshot``, ``graph`` and, of an entity, ``detail`` return, called from the server's thread.
 
@@ -34,6 +35,7 @@ class LivePage:
             port: to listen on; 0 takes a free one.
             access: who may view and who may act; by default everybody may view and nobody act.
             tls: certificate and key to encrypt with.
+            further: pages beside this one.
 
         Raises:
             UsageError: the host is unknown, or the port is taken or not allowed.
@@ -42,7 +44,7 @@ class LivePage:
         self._listener = listen(host, port, local=local, free=_ADVICE)
         self.url = address_shown(self._listener, encrypted=tls is not None)
         self._stopping = Event()
-        facts = Facts(frozenset({host.lower()}), access=access)
+        facts = Facts(frozenset({host.lower()}), access=access, further=further or Further())
         self._server = uvicorn.Server(
             uvicorn.Config(
                 create_live_app(snapshot, facts, detail=detail, graph=graph, stopped=self._stopping.is_set),

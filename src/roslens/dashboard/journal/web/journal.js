@@ -1,0 +1,119 @@
+// Follows the journal and the questions: asks once a second whether there is anything new, and takes the same page again.
+// The server makes every row, so that what is shown is what was escaped there.
+
+const LOOK_MS = 1000;
+const main = document.getElementById("main");
+const lost = document.getElementById("lost");
+const key = document.getElementById("key");
+const name = document.getElementById("name");
+
+// The key comes behind the # of the address, which no server and no log gets, and stays in this tab alone.
+if (key) {
+  const given = new URLSearchParams(location.hash.slice(1)).get("key");
+  if (given) {
+    keep("roslens.key", given);
+    history.replaceState(null, "", location.pathname + location.search);
+  }
+  key.value = kept("roslens.key");
+  name.value = kept("roslens.name");
+  key.addEventListener("input", () => keep("roslens.key", key.value));
+  name.addEventListener("input", () => keep("roslens.name", name.value));
+  document.addEventListener("submit", (event) => {
+    const form = event.target;
+    if (!form.elements.decision) return;
+    form.elements.key.value = key.value;
+    form.elements.name.value = name.value;
+  });
+}
+
+function kept(what) {
+  try {
+    return sessionStorage.getItem(what) || "";
+  } catch (refused) {
+    return "";
+  }
+}
+
+function keep(what, value) {
+  try {
+    sessionStorage.setItem(what, value);
+  } catch (refused) {
+    // Storage may be forbidden: the key is pasted again.
+  }
+}
+
+for (const button of document.querySelectorAll("[data-do=theme]")) button.addEventListener("click", theme);
+document.addEventListener("keydown", (event) => {
+  const typing = ["INPUT", "SELECT", "TEXTAREA"].includes(event.target.tagName);
+  if (event.key === "d" && !typing && !event.ctrlKey && !event.metaKey && !event.altKey) theme();
+});
+name_theme();
+
+function dark() {
+  const chosen = document.documentElement.dataset.theme;
+  return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+}
+
+function name_theme() {
+  for (const button of document.querySelectorAll("[data-do=theme]")) button.textContent = dark() ? "Light" : "Dark";
+}
+
+function theme() {
+  const next = dark() ? "light" : "dark";
+  document.documentElement.dataset.theme = next;
+  try {
+    localStorage.setItem("roslens.theme", next);
+  } catch (refused) {
+    // Storage may be forbidden: it holds for this page.
+  }
+  name_theme();
+}
+
+async function look() {
+  try {
+    const answer = await fetch("journal/state.json", { cache: "no-store" });
+    if (!answer.ok) throw new Error(answer.status);
+    const { version } = await answer.json();
+    if (version !== main.dataset.version) await renew();
+    lost.hidden = true;
+  } catch (failed) {
+    lost.hidden = false;
+  }
+  setTimeout(look, LOOK_MS);
+}
+
+async function renew() {
+  const answer = await fetch(location.pathname + location.search, { cache: "no-store" });
+  if (!answer.ok) throw new Error(answer.status);
+  const fresh = new DOMParser().parseFromString(await answer.text(), "text/html");
+  const known = new Set([...document.querySelectorAll("#entries tbody tr")].map((row) => row.id));
+  const held = document.activeElement && document.activeElement.closest(".question");
+  for (const id of ["verified", "shown"]) {
+    const [before, after] = [document.getElementById(id), fresh.getElementById(id)];
+    if (!before || !after) continue;
+    if (known.size) for (const row of after.querySelectorAll("#entries tbody tr")) if (!known.has(row.id)) row.className = "new";
+    before.replaceWith(document.adoptNode(after));
+  }
+  const nav = fresh.querySelector(".top nav");
+  if (nav) document.querySelector(".top nav").replaceWith(document.adoptNode(nav));
+  main.dataset.version = fresh.getElementById("main").dataset.version;
+  if (held) refocus(held);
+}
+
+// A question that was in hand is in hand again, as long as it is asked.
+function refocus(held) {
+  const decision = held.querySelector("[name=decision]").value;
+  for (const one of document.querySelectorAll(".question")) {
+    if (one.querySelector("[name=decision]").value === decision) one.querySelector("button").focus();
+  }
+}
+
+function count() {
+  for (const one of document.querySelectorAll("[data-until]")) {
+    const left = Math.round(Number(one.dataset.until) - Date.now() / 1000);
+    one.textContent = left > 0 ? `${left} s left` : "its time is over";
+  }
+}
+
+setTimeout(look, LOOK_MS);
+setInterval(count, LOOK_MS);

@@ -21,7 +21,8 @@ from testbed.action_table import CASES, FAKED, LIMIT, NEEDED, QUIET, Case
 from testbed.machine import BedError, wait_until
 from testbed.reacting import Done, Reacting
 from testbed.robot import NODES
-from testbed.watched import PORT
+from testbed.robot_ros1 import Ros1Robot
+from testbed.watched import MONITOR, PORT, ROSLENS
 
 _WATCHING = "begins again"
 """In the names of faults after which a monitor or an agent is another process."""
@@ -30,7 +31,37 @@ _PAIRED = 0.25
 _HEALED_S = 30.0
 VERIFIED = frozenset(("gone", "frozen", "burns", "leaks", "full"))
 """Reactions that look whether they helped."""
+
+
+@contextlib.contextmanager
+def _mended_by_hand(reacting: Reacting) -> Iterator[None]:
+    """The ROS master begins again, and who looks after the robot holds reactions, starts its nodes, and releases."""
+    robot = reacting.robot
+    assert isinstance(robot, Ros1Robot)
+    assert robot.master is not None
+    base = reacting.bed[MONITOR]
+    react = [ROSLENS, "react"]
+    base.run([*react, "--hold", "the master begins again"], reacting.environment)
+    robot.master.stop()
+    robot.master.start_again()
+    robot.wait_for_master()
+    for node in NODES:
+        reacting.bed[node.host].run(["pkill", "-KILL", "-f", _program(reacting, node.name)], check=False)
+        process = robot.processes[node.name]
+        process.kill()
+        process.start_again()
+    reacting.wait_until_ok(NEEDED, 60.0)
+    base.run([*react, "--release"], reacting.environment)
+    yield
+
+
+def _program(reacting: Reacting, node: str) -> str:
+    return f"python[^ ]* [^ ]*{reacting.generation}_{node}.py"
+
+
 MORE = (
+    Case("ROS master restarts, and is mended by hand", _mended_by_hand, "", 0.0, generations=("ros1",), lasts=2.0,
+         on=frozenset(f"/{node.name}" for node in NODES)),
     Case("line to the agent of sensor is cut", lambda r: faults.silent_line(r.bed["sensor"], PORT), "", 0.0),
     # Nodes that were started again on its host are children of the monitor, too.
     Case("observer of ROS is stopped for 4 s", lambda r: faults.frozen_children(r.monitor, "adapters"), "", 0.0,
@@ -41,6 +72,8 @@ MORE = (
          lasts=3.0),
 )  # fmt: skip
 """Faults of docs/faults.md that nobody has to act upon, beside those of the table of actions."""
+LEFT_OUT = frozenset({"ROS master restarts"})
+"""After which the table itself starts the nodes again; here an operator does."""
 
 
 @dataclass(frozen=True)
@@ -195,7 +228,7 @@ def processes(reacting: Reacting) -> dict[str, str]:
     """The process of each node of the robot that runs, whoever started it, as its host numbers them."""
     found = {}
     for node in NODES:
-        words = ["pgrep", "-f", f"python[^ ]* [^ ]*{reacting.generation}_{node.name}.py"]
+        words = ["pgrep", "-f", _program(reacting, node.name)]
         if running := reacting.bed[node.host].run(words, check=False).stdout.split():
             found[f"/{node.name}"] = " ".join(running)
     return found

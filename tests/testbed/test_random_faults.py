@@ -5,12 +5,12 @@ import itertools
 import pytest
 
 from testbed.action_table import CASES
-from testbed.random_faults import MORE, strikes
+from testbed.random_faults import LEFT_OUT, MORE, strikes
 
 
 @pytest.mark.parametrize("generation", ["ros1", "ros2"])
 def test_every_fault_strikes_before_any_strikes_again(generation):
-    wanted = sorted(one.name for one in (*CASES, *MORE) if generation in one.generations)
+    wanted = sorted(one.name for one in (*CASES, *MORE) if generation in one.generations and one.name not in LEFT_OUT)
     came = []
     for one in strikes(5, generation):
         came += [case.name for case in one.cases]

@@ -194,6 +194,7 @@ def test_what_is_withdrawn_or_late_is_asked_no_more(scene):
         FORM,
         {**FORM, "origin": "http://evil.example"},
         {**FORM, "origin": "null"},
+        {**FORM, "origin": "null", "sec-fetch-site": "cross-site"},
         {**FORM, "origin": "https://localhost"},
         {**FORM, "origin": "http://localhost:81"},
         {**OWN, "sec-fetch-site": "cross-site"},
@@ -206,6 +207,12 @@ def test_only_a_page_of_this_server_may_answer(scene, headers):
     assert scene.answer(headers=headers).status_code == 403
     assert scene.questions.answers() == []
     assert [one.address for one in scene.questions.refusals()] == ["127.0.0.1"]
+
+
+@pytest.mark.parametrize("origin", ["null", "http://localhost"])
+def test_a_page_of_this_server_may_whatever_its_referrer(scene, origin):
+    scene.questions.ask(decision(), 160.0)
+    assert scene.answer(headers={**FORM, "origin": origin, "sec-fetch-site": "same-origin"}).status_code == 303
 
 
 @pytest.mark.parametrize("key", ["", "x", KEY[:-1], KEY + "k", "ü" * 32])

@@ -165,7 +165,8 @@ class _Pages:
             page=page, title=self._title, links=journal_links(acting=self._acting is not None), waiting=waiting,
             release=roslens.__version__, **told,
         )  # fmt: skip
-        return HTMLResponse(text, status_code=status)
+        # So that forms say where they come from, to this server alone.
+        return HTMLResponse(text, status_code=status, headers={"referrer-policy": "same-origin"})
 
 
 _SAID = {

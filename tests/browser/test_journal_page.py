@@ -1,4 +1,4 @@
-"""The journal and the questions in a browser: they follow, and are answered with the key of the address."""
+"""The journal and the questions in a browser: they follow, and are answered by who may operate."""
 
 from __future__ import annotations
 
@@ -12,11 +12,13 @@ from dashboard.journal.test_journal_pages import about, decision
 from dashboard.live.scripted_robot import ScriptedRobot
 from playwright.sync_api import Browser, Page, expect
 
+from roslens.dashboard.access.person import Person, Role
+from roslens.dashboard.access.policy import Access
 from roslens.dashboard.journal.journal_view import JournalView
 from roslens.dashboard.journal.questions import Questions
-from roslens.dashboard.journal.routes import Acting, journal_links, journal_routes
+from roslens.dashboard.journal.routes import journal_links, journal_routes
+from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.serving import LivePage
-from roslens.dashboard.operator_key import OperatorKey
 from roslens.store.journal import Journal
 
 KEY = "k" * 32
@@ -28,10 +30,12 @@ class Scene:
     def __init__(self, folder: Path) -> None:
         self.path = folder / "journal.jsonl"
         self.questions = Questions()
-        acting = Acting(self.questions, OperatorKey(text=KEY))
         robot = ScriptedRobot()
-        more = journal_routes(JournalView(self.path, lambda seconds: f"{seconds:.1f}"), "rover", acting=acting)
-        self.live = LivePage(robot.page.newest, more=more, links=journal_links(acting=True))
+        more = journal_routes(
+            JournalView(self.path, lambda seconds: f"{seconds:.1f}"), "rover", questions=self.questions
+        )
+        access = Access({KEY: Person("Ada", Role.OPERATE)})
+        self.live = LivePage(robot.page.newest, access=access, further=Further(more, journal_links(acting=True)))
 
     def write(self, *entries: tuple[str, dict[str, Any]]) -> None:
         with Journal(self.path) as journal:
@@ -76,16 +80,13 @@ def test_the_journal_follows_and_is_filtered(scene: Scene, visit: Callable[..., 
     expect(page.locator("#verified")).to_contain_text("Changed after it was written")
 
 
-def test_a_question_comes_up_and_is_allowed_with_the_key_of_the_address(
-    scene: Scene, visit: Callable[..., Page]
-) -> None:
-    page = visit(f"/questions#key={KEY}")
+def test_a_question_comes_up_and_is_allowed_by_who_may_operate(scene: Scene, visit: Callable[..., Page]) -> None:
+    page = visit(f"/questions?token={KEY}")
     expect(page.locator("#shown")).to_contain_text("Nothing is asked.")
     assert KEY not in page.url
     scene.ask()
     expect(page.locator(".question")).to_contain_text("restart node:/lidar")
     expect(page.locator("#waiting")).to_have_text("1")
-    page.get_by_label("Your name").fill("Ada")
     page.get_by_role("button", name="Allow").click()
     expect(page.locator("#shown")).to_contain_text("Allowed.")
     expect(page.locator(".question")).to_have_count(0)
@@ -98,7 +99,7 @@ def test_a_question_comes_up_and_is_allowed_with_the_key_of_the_address(
 
 def test_a_question_is_answered_by_keyboard_and_keeps_the_focus(scene: Scene, visit: Callable[..., Page]) -> None:
     scene.ask()
-    page = visit(f"/questions#key={KEY}")
+    page = visit(f"/questions?token={KEY}")
     page.get_by_role("button", name="Deny").focus()
     scene.ask(2)
     expect(page.locator(".question")).to_have_count(2)
@@ -109,10 +110,9 @@ def test_a_question_is_answered_by_keyboard_and_keeps_the_focus(scene: Scene, vi
     assert [(one, allowed) for one, allowed, _ in scene.questions.answers()] == [("r.one/1.1", False)]
 
 
-def test_without_scripts_the_key_is_typed(scene: Scene, visit: Callable[..., Page]) -> None:
+def test_it_is_answered_without_scripts(scene: Scene, visit: Callable[..., Page]) -> None:
     scene.ask()
-    page = visit("/questions", java_script_enabled=False)
-    page.get_by_label("Key").fill(KEY)
+    page = visit(f"/questions?token={KEY}", java_script_enabled=False)
     page.get_by_role("button", name="Allow").click()
     expect(page.locator("#shown")).to_contain_text("Allowed.")
     assert [(one, allowed) for one, allowed, _ in scene.questions.answers()] == [("r.one/1.1", True)]

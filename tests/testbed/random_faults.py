@@ -128,7 +128,9 @@ def strikes(seed: int, generation: str, *, clocks: bool = True) -> Iterator[Stri
     """Yields strikes for ever, the same ones for a seed: each fault comes once before any comes again."""
     chance = random.Random(seed)
     all_of_it = [
-        one for one in (*CASES, *MORE) if generation in one.generations and (clocks or "clock" not in one.name)
+        one
+        for one in (*CASES, *MORE)
+        if generation in one.generations and one.name not in LEFT_OUT and (clocks or "clock" not in one.name)
     ]
     while True:
         left = list(all_of_it)

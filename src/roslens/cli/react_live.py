@@ -237,8 +237,7 @@ class _Reacting:
     def _page(self, session: Session) -> Callable[[Step], None] | None:
         if self._options.serve is None:
             return None
-        where = self._options.serve
-        return serve_reacting(self._stack, session, platform.node(), where, self._path, self._questions)
+        return serve_reacting(self._stack, session, platform.node(), self._options, self._path, self._questions)
 
     def _actor(self, hands: AllHands, started: float) -> Actor:
         from roslens.live.react.actor import Actor

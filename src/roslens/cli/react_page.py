@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+import argparse
 import contextlib
-import sys
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+from roslens.cli.served.door import door_of
 from roslens.cli.watch_screen import time_of_day
-from roslens.cli.watch_serve import Beside, address_of, page_beside
+from roslens.cli.watch_serve import address_of, page_beside
 
 if TYPE_CHECKING:
+    from roslens.dashboard.access.audit import Entry
     from roslens.dashboard.journal.questions import Questions
+    from roslens.dashboard.live.further import Further
     from roslens.live.react.actor import Asker
     from roslens.live.session import Session, Step
     from roslens.model.reaction import Decision
+
+_REFUSED = 400
 
 
 class Writing(Protocol):
@@ -31,31 +36,33 @@ def journal_clock(seconds: float) -> str:
     return f"{time.strftime('%Y-%m-%d', time.localtime(seconds))} {time_of_day(seconds)}"
 
 
-def journal_beside(path: Path, title: str, questions: Questions | None = None) -> tuple[Beside, str]:
-    """Return the pages of a journal, and the key that answers questions; empty where none can be answered."""
+def journal_pages(path: Path, title: str, questions: Questions | None = None) -> Further:
+    """Return the pages of a journal, and of the questions where there are any."""
     from roslens.dashboard.journal.journal_view import JournalView
-    from roslens.dashboard.journal.routes import Acting, journal_links, journal_routes
-    from roslens.dashboard.operator_key import OperatorKey
+    from roslens.dashboard.journal.routes import journal_links, journal_routes
+    from roslens.dashboard.live.further import Further
 
-    acting = Acting(questions, OperatorKey()) if questions is not None else None
-    routes = journal_routes(JournalView(path, journal_clock), title, acting=acting)
-    return Beside(routes, journal_links(acting=acting is not None)), acting.key.text if acting is not None else ""
+    routes = journal_routes(JournalView(path, journal_clock), title, questions=questions)
+    return Further(routes, journal_links(acting=questions is not None))
 
 
 def serve_reacting(
-    stack: contextlib.ExitStack, session: Session, title: str, where: str, journal: Path, questions: Questions | None
-) -> Callable[[Step], None]:
+    stack: contextlib.ExitStack, session: Session, title: str, options: argparse.Namespace, journal: Path,
+    questions: Questions | None,
+) -> Callable[[Step], None]:  # fmt: skip
     """Serve until ``stack`` is left, say where, and return what to tell each step.
 
     Raises:
-        UsageError: the address is none, or cannot be listened on.
+        UsageError: the address is none, or cannot be listened on, or tokens or certificates are wrong.
     """
-    beside, key = journal_beside(journal, title, questions)
-    url, told = page_beside(stack, session, title, address_of(where), time_of_day, beside)
-    if key:
-        # To whoever sits here: with it the page may allow what is asked.
-        print(f"roslens: to answer questions: {url.rstrip('/')}/questions#key={key}", file=sys.stderr, flush=True)
-    return told
+    address = address_of(options.serve)
+
+    def told(entry: Entry) -> None:
+        if questions is not None and entry.method == "POST" and entry.status >= _REFUSED:
+            questions.refused(entry.peer, f"{entry.path}: {entry.why or entry.status}")
+
+    door = door_of(options, address[0], acting=questions is not None, told=told)
+    return page_beside(stack, session, title, address, time_of_day, door, journal_pages(journal, title, questions))[1]
 
 
 class AskEverywhere:

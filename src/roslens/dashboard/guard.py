@@ -240,11 +240,15 @@ def _session(cookies: str, name: str) -> str:
 def _same_origin(scope: Scope, *, needed: bool) -> bool:
     """Return whether a page of this server sent it; ``needed``, whether one that does not say so counts as not."""
     given = Headers(scope=scope)
-    if given.get("sec-fetch-site", "same-origin") != "same-origin":
+    site = given.get("sec-fetch-site")
+    if site not in (None, "same-origin"):
         return False
     origin = given.get("origin")
     if origin is None:
         return not needed
+    # A form of a page that sends no referrer: browsers hide its origin, and say of what site it is all the same.
+    if origin == "null" and site is not None:
+        return True
     return origin.lower() == f"{scope['scheme']}://{given.get('host', '')}".lower()
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from roslens.cli import react_simulate
 from roslens.cli.observers import add_observer_arguments
 from roslens.cli.param_reference import add_reference_argument, reference_argument
+from roslens.cli.served.door import add_door_arguments
 from roslens.cli.streams import add_stream_arguments
 from roslens.model.errors import UsageError
 
@@ -17,7 +18,7 @@ EXAMPLES = """\
   roslens react rover.yaml --mode ask                       ask in the terminal before anything is done to the robot
   roslens react rover.yaml --mode act --allow allow.yaml
                                                             do it; on processes of this host what allow.yaml permits
-  roslens react rover.yaml --mode ask --serve 8080          ask on a page; its address has the key to answer with
+  roslens react rover.yaml --mode ask --serve 8080          ask on a page; who opens its address may answer
   roslens react --hold "changing the gripper"               nothing is done any more, at once
   roslens react --release                                   go on
   roslens react rover.yaml --simulate --bag drive.mcap      what would have been done along a recording
@@ -44,6 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--serve", metavar="[HOST:]PORT",
         help="show it in a browser, with the journal and the questions of --mode ask (a port alone: on this machine)",
     )  # fmt: skip
+    add_door_arguments(parser)
     parser.add_argument("--publish-journal", metavar="TOPIC", help="publish each entry in ROS, as JSON in a String")
     held = parser.add_mutually_exclusive_group()
     held.add_argument("--hold", nargs="?", const="", metavar="WHY", help="stop all that is done from here, at once")

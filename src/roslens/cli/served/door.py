@@ -13,6 +13,7 @@ import msgspec
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from roslens.dashboard.access.audit import Entry
     from roslens.dashboard.access.person import Person
     from roslens.dashboard.access.policy import Access
     from roslens.dashboard.listener import Tls
@@ -53,8 +54,9 @@ def add_door_arguments(parser: argparse.ArgumentParser | argparse._ArgumentGroup
 
 
 def door_of(
-    options: argparse.Namespace, host: str, *, acting: bool = False, wall: Callable[[], float] = time.time
-) -> Door:
+    options: argparse.Namespace, host: str, *, acting: bool = False, wall: Callable[[], float] = time.time,
+    told: Callable[[Entry], None] = lambda _: None,
+) -> Door:  # fmt: skip
     """Return how a server that listens on ``host`` is entered.
 
     Args:
@@ -62,6 +64,7 @@ def door_of(
         host: name or address that is listened on.
         acting: whether there is something that who may operate can do.
         wall: seconds since the epoch.
+        told: is told what the file of `--audit` is told.
 
     Raises:
         UsageError: the tokens, the certificate or its key are not what they should be.
@@ -82,10 +85,16 @@ def door_of(
         holders = {token: Person("terminal", Role.OPERATE if acting else Role.VIEW)}
     if options.audit is not None and not options.audit.parent.is_dir():
         raise UsageError(f"no folder {options.audit.parent}", expected="a folder that is there", where="--audit")
+    written = AuditFile(options.audit) if options.audit is not None else forgotten
+
+    def audit(entry: Entry) -> None:
+        told(entry)
+        written(entry)
+
     access = Access(
         holders,
         view_needs_token=not here,
-        audit=AuditFile(options.audit) if options.audit is not None else forgotten,
+        audit=audit,
         wall=wall,
     )
     return Door(access, checked_tls(*options.tls) if options.tls else None, token)

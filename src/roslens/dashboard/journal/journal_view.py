@@ -23,6 +23,7 @@ _LARGE = 4_000_000
 _VERIFY_LARGE_EVERY_S = 10.0
 """The hashes of a journal of many bytes take a while."""
 _BAD = frozenset(("failed", "refused", "gave-up", "held", "still there", "unknown", "refuse", "give up"))
+_FIRST = ("result", "gate", "verification", "text")
 _GOOD = frozenset(("done", "gone", "allow"))
 
 
@@ -174,5 +175,6 @@ def _text(what: str, fields: Mapping[str, Any]) -> str:
         if text := fields.get("text"):
             parts.append(str(text))
     else:
-        parts.append(rest_text(fields, leave_out=("entity",)))
+        first = {key: fields[key] for key in _FIRST if key in fields}
+        parts.append(rest_text({**first, **fields}, leave_out=("entity",)))
     return "; ".join(filter(None, parts))

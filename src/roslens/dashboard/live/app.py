@@ -186,5 +186,10 @@ def _template(facts: Facts) -> Callable[[Snapshot, Markup], str]:
     )
     template = environment.get_template("live.html")
     return lambda shown, text: template.render(
-        snapshot=shown, text=text, keys=_KEYS, version=roslens.__version__, beside=facts.beside, links=facts.further.links
+        snapshot=shown,
+        text=text,
+        keys=_KEYS,
+        version=roslens.__version__,
+        beside=facts.beside,
+        links=facts.further.links,
     )

@@ -4,43 +4,6 @@
 const LOOK_MS = 1000;
 const main = document.getElementById("main");
 const lost = document.getElementById("lost");
-const key = document.getElementById("key");
-const name = document.getElementById("name");
-
-// The key comes behind the # of the address, which no server and no log gets, and stays in this tab alone.
-if (key) {
-  const given = new URLSearchParams(location.hash.slice(1)).get("key");
-  if (given) {
-    keep("roslens.key", given);
-    history.replaceState(null, "", location.pathname + location.search);
-  }
-  key.value = kept("roslens.key");
-  name.value = kept("roslens.name");
-  key.addEventListener("input", () => keep("roslens.key", key.value));
-  name.addEventListener("input", () => keep("roslens.name", name.value));
-  document.addEventListener("submit", (event) => {
-    const form = event.target;
-    if (!form.elements.decision) return;
-    form.elements.key.value = key.value;
-    form.elements.name.value = name.value;
-  });
-}
-
-function kept(what) {
-  try {
-    return sessionStorage.getItem(what) || "";
-  } catch (refused) {
-    return "";
-  }
-}
-
-function keep(what, value) {
-  try {
-    sessionStorage.setItem(what, value);
-  } catch (refused) {
-    // Storage may be forbidden: the key is pasted again.
-  }
-}
 
 for (const button of document.querySelectorAll("[data-do=theme]")) button.addEventListener("click", theme);
 document.addEventListener("keydown", (event) => {

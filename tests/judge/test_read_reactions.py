@@ -178,6 +178,12 @@ EACH = "{node: /x*, is: gone, match: each}"
         ("{all: [{node: /x, lifecycle: active}, {node: /x, lifecycle: inactive}]}", "[{snapshot: {}}]", "never begin"),
         ("{all: [{node: /x, is: ok}, {node: /x, is: bad}]}", "[{snapshot: {}}]", "never begin"),
         ("{all: [{topic: /x, is: low, signal: rate}, {topic: /x, is: high, signal: rate}]}", "[{stop: /x}]", "never"),
+        (f"{{any: [{GONE}, {{not: {GONE}}}]}}", "[{snapshot: {}}]", "5:45: `when` is true whatever happens"),
+        (
+            f"{GONE}\n  only_while: {{any: [{{node: /y, lifecycle: active}}, {{not: {{node: /y, lifecycle: active}}}}]}}",
+            "[{snapshot: {}}]", "`only_while` is true whatever happens",
+        ),
+        (f"{GONE}\n  unless: {{any: [{{host: a, is: bad}}, {{not: {{host: a, is: bad}}}}]}}", "[{stop: /x}]", "never"),
         (f"{GONE}\n  only_while: {{not: {GONE}}}", "[{snapshot: {}}]", "never begin"),
         (f"{GONE}\n  unless: {{any: [{{host: a, is: bad}}, {GONE}]}}", "[{snapshot: {}}]", "never begin"),
     ],
@@ -194,7 +200,6 @@ def test_what_is_wrong_with_a_reaction(when, do, said):
         "{all: [{topic: /x, is: low}, {topic: /x, is: high}]}",
         "{all: [{node: /x*, is: gone}, {node: /x*, is: there}]}",
         f"{{all: [{GONE}, {{not: {{node: /x, is: gone, for: 5 s}}}}]}}",
-        f"{{any: [{GONE}, {{not: {GONE}}}]}}",
         f"{{all: [{GONE}, {{node: /y, is: there}}]}}",
     ],
 )
@@ -253,3 +258,16 @@ def test_two_documents_that_fight_over_one_node(mine, theirs, fight):
     assert message.startswith("r1.yaml:3:")
     assert "of node:/x, and `" in message
     assert "at r0.yaml:3:" in message
+
+
+@pytest.mark.parametrize(
+    "when",
+    [
+        "{any: [{node: /x, is: gone, for: 2 s}, {not: {node: /x, is: gone}}]}",
+        "{any: [{node: /x, is: gone}, {not: {node: /y, is: gone}}]}",
+        "{any: [{node: /x*, is: gone}, {not: {node: /x*, is: gone}}]}",
+        "{all: [{node: /x, is: gone}, {not: {node: /x, is: gone, for: 2 s}}]}",
+    ],
+)
+def test_what_can_be_true_and_false_is_taken(when):
+    assert one(when).name == "robot.a"

@@ -1,4 +1,4 @@
-"""Conditions that can never be true, because two of their statements exclude each other."""
+"""Conditions that can never be true, as two of their statements exclude each other, or are true whatever happens."""
 
 from __future__ import annotations
 
@@ -27,6 +27,11 @@ def excluding(conditions: Iterable[Condition]) -> tuple[Stated, Stated] | None:
     return None
 
 
+def always(condition: Condition) -> tuple[Stated, Stated] | None:
+    """Return two statements of which one is so whatever happens, so that a condition is always true; None for none."""
+    return excluding((Not(condition),))
+
+
 def statements(condition: Condition) -> Iterator[Stated]:
     """Yield every statement of a condition, those of ``within … of`` too."""
     if isinstance(condition, Stated):
@@ -38,13 +43,14 @@ def statements(condition: Condition) -> Iterator[Stated]:
 
 def _asked(condition: Condition, *, wanted: bool) -> Iterator[tuple[Stated, bool]]:
     """Yield statements about one entity that have to be true, or false, for the condition to be ``wanted``."""
+    if not wanted and (condition.time.for_s or condition.time.of is not None):
+        # That it has not been so for long does not say that it is not so now.
+        return
     if isinstance(condition, Stated):
         if Pattern.parse(condition.selector.name).literal is not None and condition.unknown is None:
             yield condition, wanted
     elif isinstance(condition, Not):
-        # That it has not been so for long does not say that it is not so now.
-        if condition.part.time.for_s == 0 and condition.part.time.of is None:
-            yield from _asked(condition.part, wanted=not wanted)
+        yield from _asked(condition.part, wanted=not wanted)
     elif isinstance(condition, AllOf if wanted else AnyOf) or len(getattr(condition, "parts", ())) == 1:
         for part in condition.parts:
             yield from _asked(part, wanted=wanted)

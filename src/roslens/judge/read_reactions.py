@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from roslens.judge.condition_contradiction import excluding, statements
+from roslens.judge.condition_contradiction import always, excluding, statements
 from roslens.judge.document import Section
 from roslens.judge.pattern import Pattern
 from roslens.judge.reaction_keys import CONDITION_KEYS, NAMED_CONDITION_KEYS, REACTION_KEYS
@@ -141,6 +141,15 @@ def _refuse_impossible(section: Section, reaction: Reaction) -> None:
             where=other.place,
             expected="statements that can be true together",
         )
+    for key, condition in (("when", reaction.when), ("only_while", reaction.only_while)):
+        if condition is not None and (pair := always(condition)):
+            one, other = pair
+            raise DocumentError(
+                f"`{key}` is true whatever happens: of {other.written!r} and {one.written!r} at {one.place} one is always "
+                "so",
+                where=other.place,
+                expected="a condition that can be false",
+            )
 
 
 def bound(when: Condition) -> Stated | None:

@@ -185,9 +185,14 @@ class AllHands:
         if not lines:
             self._fail(decision, "no ROS is observed in which it can be done")
             return
-        if len(lines) > 1 and kind.targets:
-            self._fail(decision, "ROS 1 and ROS 2 are observed, and nobody knows of which the node is")
-            return
+        if len(lines) > 1 and kind.targets and decision.action.target is not None:
+            name = decision.action.target.name
+            generations = self._places.generations_of(name)
+            if len(generations) != 1:
+                known = "a node of that name is in both" if generations else "nobody saw of which it is"
+                self._fail(decision, f"ROS 1 and ROS 2 are observed, and {name} cannot be told: {known}")
+                return
+            lines = [one for one in lines if one.generation in generations]
         self._waited_for[decision.id] = len(lines)
         target = call.target.name if call.target is not None else ""
         for line in lines:

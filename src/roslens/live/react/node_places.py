@@ -1,4 +1,4 @@
-"""Where nodes live, or lived last: who is gone has to be started on the host and as the process that it was."""
+"""Where nodes live, or lived last, and in which ROS: who is gone has to be started where and as what it was."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import msgspec
 from roslens.model.graph import Graph
 
 _MOST = 10_000
+_BY_SLASHES = {1: 1, 2: 2}
+"""``package/Type`` is of ROS 1, ``package/msg/Type`` of ROS 2."""
 
 
 class Home(msgspec.Struct, frozen=True):
@@ -22,6 +24,7 @@ class NodePlaces:
 
     def __init__(self) -> None:
         self._homes: dict[str, Home] = {}
+        self._generations: dict[str, frozenset[int]] = {}
 
     def take(self, graph: Graph) -> None:
         """Take what is there now."""
@@ -35,9 +38,20 @@ class NodePlaces:
         for node in graph.nodes:
             if node.host and not node.pid and node.name not in self._homes:
                 self._homes[node.name] = Home(node.host, 0)
-        while len(self._homes) > _MOST:
-            del self._homes[next(iter(self._homes))]
+        # Nodes of a union are of one generation or the other; the types of their ends are written differently.
+        seen: dict[str, set[int]] = {}
+        for end in graph.endpoints:
+            if end.type.count("/") in _BY_SLASHES:
+                seen.setdefault(end.node, set()).add(_BY_SLASHES[end.type.count("/")])
+        self._generations.update((name, frozenset(found)) for name, found in seen.items())
+        for kept in (self._homes, self._generations):
+            while len(kept) > _MOST:
+                del kept[next(iter(kept))]
 
     def of(self, node: str) -> Home | None:
         """Return where a node lives, or lived last; None where nobody saw that."""
         return self._homes.get(node)
+
+    def generations_of(self, node: str) -> frozenset[int]:
+        """Return the generations of ROS that a node is, or was last, in; empty where nobody saw that."""
+        return self._generations.get(node, frozenset())

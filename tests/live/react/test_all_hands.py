@@ -1,0 +1,67 @@
+"""Who is asked to carry an action out where ROS 1 and ROS 2 are observed at once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from roslens.live.react.all_hands import AllHands
+from roslens.live.react.node_places import NodePlaces
+from roslens.model.entity import EntityId, EntityKind
+from roslens.model.graph import Endpoint, Graph, Role
+from roslens.model.reaction import ActionCall, Decision
+
+ENDS = (
+    Endpoint("/old", Role.PUBLISHER, "/rosout", "rosgraph_msgs/Log"),
+    Endpoint("/new", Role.PUBLISHER, "/rosout", "rcl_interfaces/msg/Log"),
+    Endpoint("/bridge", Role.PUBLISHER, "/scan", "sensor_msgs/LaserScan"),
+    Endpoint("/bridge", Role.SUBSCRIBER, "/scan", "sensor_msgs/msg/LaserScan"),
+)
+
+
+class Line:
+    """A process that acts in one ROS, of which only what it is told is kept."""
+
+    def __init__(self, generation):
+        self.generation = generation
+        self.told = []
+
+    def do(self, id_, kind, target, arguments):
+        self.told.append((kind, target))
+
+    def poll(self):
+        return []
+
+
+class Scene:
+    def __init__(self):
+        self.lines = [Line(1), Line(2)]
+        places = NodePlaces()
+        places.take(Graph("ros1+ros2", endpoints=ENDS))
+        places.take(Graph("ros1+ros2"))
+        self.hands = AllHands(
+            self.lines, places, "here", here=None, far=None, recordings=Path("r"), monitor=lambda _: lambda: ""
+        )
+
+    def do(self, kind, node=""):
+        target = EntityId(EntityKind.NODE, node) if node else None
+        arguments = {"name": "speed", "value": 1} if node else {"topic": "/stop", "type": "std_msgs/Bool"}
+        self.hands.do(Decision("r/1.1", "r", "node:/x", 0, ActionCall(kind, target, arguments), 1.0))
+        return [len(one.told) for one in self.lines], [one.text for one in self.hands.poll()]
+
+
+@pytest.mark.parametrize(("node", "asked"), [("/old", [1, 0]), ("/new", [0, 1])])
+def test_a_node_that_is_gone_is_acted_upon_in_the_ros_that_it_was_seen_in(node, asked):
+    assert Scene().do("set_parameter", node) == (asked, [])
+
+
+@pytest.mark.parametrize(("node", "why"), [("/bridge", "is in both"), ("/nobody", "nobody saw of which")])
+def test_what_cannot_be_told_is_left_alone(node, why):
+    asked, (text,) = Scene().do("set_parameter", node)
+    assert asked == [0, 0]
+    assert why in text
+
+
+def test_what_has_no_target_is_done_in_both():
+    assert Scene().do("publish") == ([1, 1], [])

@@ -33,7 +33,8 @@ demo-ros2: .venv/stamp
 	sh .ci/ros2
 	ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST sh examples/robot/watch_ros2.sh $(BIN)/roslens build/ros2/bin/python
 
-# Three hosts on this machine with a robot on them, until Ctrl-C; says how to look into them and break them. As root.
+# Three hosts on this machine with a robot on them that helps itself, until Ctrl-C; says how to look into them and break
+# them, and what is done about it. As root. ARGS=--no-reactions leaves it alone.
 testbed: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m testbed $(ARGS)
 

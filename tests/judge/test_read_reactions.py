@@ -179,10 +179,7 @@ EACH = "{node: /x*, is: gone, match: each}"
         ("{all: [{node: /x, is: ok}, {node: /x, is: bad}]}", "[{snapshot: {}}]", "never begin"),
         ("{all: [{topic: /x, is: low, signal: rate}, {topic: /x, is: high, signal: rate}]}", "[{stop: /x}]", "never"),
         (f"{{any: [{GONE}, {{not: {GONE}}}]}}", "[{snapshot: {}}]", "5:45: `when` is true whatever happens"),
-        (
-            f"{GONE}\n  only_while: {{any: [{{node: /y, lifecycle: active}}, {{not: {{node: /y, lifecycle: active}}}}]}}",
-            "[{snapshot: {}}]", "`only_while` is true whatever happens",
-        ),
+        (f"{GONE}\n  only_while: {{any: [{{not: {GONE}}}, {GONE}]}}", "[{stop: /x}]", "`only_while` is true"),
         (f"{GONE}\n  unless: {{any: [{{host: a, is: bad}}, {{not: {{host: a, is: bad}}}}]}}", "[{stop: /x}]", "never"),
         (f"{GONE}\n  only_while: {{not: {GONE}}}", "[{snapshot: {}}]", "never begin"),
         (f"{GONE}\n  unless: {{any: [{{host: a, is: bad}}, {GONE}]}}", "[{snapshot: {}}]", "never begin"),

@@ -122,6 +122,11 @@ class Reacting(Watched):
             self.journal.append(Done(line["time"], line["what"], decision, line["fields"]))
         return super()._line(line)
 
+    def well(self) -> bool:
+        """Whether the monitor sees the robot, so that it may decide."""
+        self.read()
+        return any(one.what == "well" for one in self.journal)
+
     def announced(self, since: float) -> list[Done]:
         """What was begun since a moment of the wall clock."""
         return [one for one in self.journal if one.what == "announced" and one.time >= since]

@@ -24,11 +24,11 @@ def read_until(process: subprocess.Popen[str], mark: str, limit: float) -> str:
 
 
 @pytest.fixture
-def testbed(allowed):
+def testbed(request, allowed):
     if robot_ros1.why_not() and robot_ros2.why_not():
         pytest.skip(f"no ROS here: {robot_ros1.why_not()}; {robot_ros2.why_not()}")
     process = subprocess.Popen(
-        [sys.executable, "-m", "testbed", "--comes-back=1", "--for=90"],
+        [sys.executable, "-m", "testbed", "--for=120", *request.param],
         env={**os.environ, "PYTHONPATH": str(TESTS)},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -41,6 +41,24 @@ def testbed(allowed):
     process.stdout.close()
 
 
+@pytest.mark.nightly
+@pytest.mark.parametrize("testbed", [["--reactions"]], indirect=True)
+def test_it_helps_itself_and_tells_what_is_done(testbed):
+    text = read_until(testbed, "all that is done is told here", 100)
+    kill, hold = re.search(r"kill -9 \d+", text), re.search(r"\S+/in-base .* react --hold .*", text)
+    assert kill, text
+    assert hold, text
+    subprocess.run(kill[0], shell=True, check=True)
+    told = read_until(testbed, "verified", 60)
+    assert "[actions.gone/" in told
+    assert "started again as process" in told, told
+    assert "everything is held" in subprocess.run(hold[0], shell=True, capture_output=True, text=True).stdout
+    assert "held" in read_until(testbed, "I look at it", 30)
+    testbed.send_signal(signal.SIGINT)
+    assert testbed.wait(60) == 0
+
+
+@pytest.mark.parametrize("testbed", [["--comes-back=1", "--no-reactions"]], indirect=True)
 def test_the_commands_it_prints_work_and_ctrl_c_ends_it(testbed):
     text = read_until(testbed, "All topics are heard", 60)
     assert "All topics are heard" in text, text

@@ -145,8 +145,7 @@ def _refuse_impossible(section: Section, reaction: Reaction) -> None:
         if condition is not None and (pair := always(condition)):
             one, other = pair
             raise DocumentError(
-                f"`{key}` is true whatever happens: of {other.written!r} and {one.written!r} at {one.place} one is always "
-                "so",
+                f"`{key}` is true whatever happens: {other.written!r}, or {one.written!r} at {one.place}, is always so",
                 where=other.place,
                 expected="a condition that can be false",
             )

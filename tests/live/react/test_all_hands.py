@@ -16,7 +16,7 @@ ENDS = (
     Endpoint("/old", Role.PUBLISHER, "/rosout", "rosgraph_msgs/Log"),
     Endpoint("/new", Role.PUBLISHER, "/rosout", "rcl_interfaces/msg/Log"),
     Endpoint("/bridge", Role.PUBLISHER, "/scan", "sensor_msgs/LaserScan"),
-    Endpoint("/bridge", Role.SUBSCRIBER, "/scan", "sensor_msgs/msg/LaserScan"),
+    Endpoint("/bridge", Role.SUBSCRIPTION, "/scan", "sensor_msgs/msg/LaserScan"),
 )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +23,8 @@ EXAMPLES = """\
   roslens react --simulate robot.yaml --bag drive.mcap --json         the same for programs"""
 
 VERSION = 1
+TELL_S = 2.0
+"""How often it is said how far a recording was replayed."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,8 +34,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--timeline", type=Path, metavar="FILE", help="along a time line (YAML)")
 
 
-def simulate(files: Sequence[str], *, bag: Sequence[Path] | None, timeline: Path | None, as_json: bool) -> int:
-    """Print what would have been done; return 1 where that is anything.
+def simulate(
+    files: Sequence[str], *, bag: Sequence[Path] | None, timeline: Path | None, as_json: bool, quiet: bool = True
+) -> int:
+    """Print what would have been done; return 1 where that is anything. Unless ``quiet`` it says how far it is.
 
     Raises:
         DocumentError: a document is wrong.
@@ -50,7 +55,7 @@ def simulate(files: Sequence[str], *, bag: Sequence[Path] | None, timeline: Path
     reference = load_reference([Path(file) for file in files], BY_KEY)
     if not reference.reactions:
         raise UsageError(f"no reaction in {', '.join(files)}", expected="a document with `reactions`")
-    runs = [_along_bag(reference, bag)] if bag else _along_time_lines(reference, timeline or Path())
+    runs = [_along_bag(reference, bag, quiet)] if bag else _along_time_lines(reference, timeline or Path())
     if as_json:
         _print_json(runs)
     else:
@@ -65,7 +70,7 @@ _Run = tuple[str, float, float, "Simulation", bool]
 """Name, start, end, what was decided, and whether something could not be read."""
 
 
-def _along_bag(reference: Reference, files: Sequence[Path]) -> _Run:
+def _along_bag(reference: Reference, files: Sequence[Path], quiet: bool) -> _Run:
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.react.simulation import Simulation
     from roslens.live.replay import replay
@@ -73,8 +78,17 @@ def _along_bag(reference: Reference, files: Sequence[Path]) -> _Run:
     bag = open_bag(list(files))
     simulation = Simulation(reference.reactions, start=bag.start)
 
+    length = bag.end - bag.start
+    due = time.monotonic() + TELL_S
+
     def take(step: Step) -> None:
+        nonlocal due
         simulation.take(step)
+        if not quiet and time.monotonic() >= due:
+            due = time.monotonic() + TELL_S
+            done, actions = step.time - bag.start, len(simulation.decisions)
+            text = f"{done:.0f} of {length:.0f} s replayed, {actions} action{'' if actions == 1 else 's'} so far"
+            print(f"roslens: {text}", file=sys.stderr, flush=True)
 
     replay(bag, reference, told=take)
     for failure in bag.failures:

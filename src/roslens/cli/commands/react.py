@@ -86,7 +86,9 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("nothing to react to", expected="a FILE with `reactions:` in it")
     if options.simulate:
         files = [str(one) for one in options.reference]
-        return react_simulate.simulate(files, bag=options.bag, timeline=options.timeline, as_json=options.json)
+        return react_simulate.simulate(
+            files, bag=options.bag, timeline=options.timeline, as_json=options.json, quiet=options.quiet
+        )
     if options.bag or options.timeline:
         option = "--bag" if options.bag else "--timeline"
         raise UsageError(f"{option} without --simulate", expected="both", advice="What is over cannot be helped")

@@ -46,6 +46,7 @@ class PastRuns:
         tree: PastTree, history: tuple[CommitLog, tuple[Release, ...]],
     ) -> None:  # fmt: skip
         """Use :func:`past_runs`."""
+        from roslens.source.history.parts_of_commits import PartsOfCommits
         from roslens.source.keys import analyser_version, key_of
         from roslens.source.remembered_facts import RememberedFacts
 
@@ -57,6 +58,7 @@ class PastRuns:
         self._cache = cache
         self._tree = tree
         self._remembered = RememberedFacts()
+        self._parts = PartsOfCommits(self.log)
         self._key = key_of(analyser_version(), settings)
         self._known = {one.commit: one.run for one in store.revisions() if one.key == self._key}
 
@@ -97,7 +99,7 @@ class PastRuns:
         from roslens.source.pipeline import Clock, analyse
 
         now = time.time()
-        past = PastOfCommit(self.log, commit.id, self.released, self.repository.below, self._lacking())
+        past = PastOfCommit(self.log, commit.id, self.released, self.repository.below, self._lacking(), self._parts)
         return analyse(
             [self._tree.folder],
             self._settings,

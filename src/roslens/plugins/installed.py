@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from pathlib import Path
 
 import msgspec
@@ -40,9 +41,22 @@ def find_installed(search: Sequence[str]) -> Installed:
 
     The first of two distributions, or HAROS plug-ins, of one name counts, as it does for imports.
     """
+    folders = tuple(dict.fromkeys(search))
+    return _found(folders, tuple(map(_changed, folders)))
+
+
+def _changed(folder: str) -> int:
+    try:
+        return Path(folder).stat().st_mtime_ns
+    except OSError:
+        return 0
+
+
+@lru_cache(maxsize=4)
+def _found(search: tuple[str, ...], _changed: tuple[int, ...]) -> Installed:
     distributions: dict[str, tuple[InstalledEntryPoint, ...]] = {}
     haros: dict[str, str] = {}
-    for folder in dict.fromkeys(search):
+    for folder in search:
         for entry in _list(folder):
             if entry.name.endswith((".dist-info", ".egg-info")):
                 name, version = _identity(entry.name)

@@ -10,6 +10,7 @@ from roslens.model.process import Coupling, Release, RepositoryProcess
 from roslens.source.history.commit_log import Change, Commit, CommitLog, skewed
 from roslens.source.history.metrics import change_coupling, hotspot, releases, revisions_since_release
 from roslens.source.history.metrics.table import PROCESS_METRICS
+from roslens.source.history.parts_of_commits import PartsOfCommits
 from roslens.source.history.touched import Touched
 
 Commits = list[tuple[Commit, Sequence[Change]]]
@@ -24,6 +25,7 @@ def measure_history(
     files: Mapping[str, str],
     complexity: Mapping[str, float],
     as_of_s: float | None = None,
+    parts: PartsOfCommits | None = None,
 ) -> RepositoryProcess:
     """Return what the log says of a repository, its packages and their files.
 
@@ -35,29 +37,30 @@ def measure_history(
         files: path below the root of the workspace by path below that of the repository, of files to measure.
         complexity: of all functions of a file together, by path below the root of the workspace.
         as_of_s: the time that ages are told at, in seconds since 1970; None for the head's own.
+        parts: of the commits of this log or of a later one, where several heads of one are told of.
     """
     head = log.commits[0]
     at_s = head.time_s if as_of_s is None else as_of_s
-    owners = _owners(log.paths, packages)
+    layout = (parts or PartsOfCommits(log)).of(packages)
     wanted = [name in files for name in log.paths]
     of_package: dict[str, Commits] = defaultdict(list)
     of_path: dict[int, Commits] = defaultdict(list)
     for commit in log.commits:
         if commit.is_merge:
             continue
-        parts: dict[str, list[Change]] = defaultdict(list)
-        for change in commit.changes:
-            if wanted[change.path]:
-                of_path[change.path].append((commit, [change]))
-            parts[owners[change.path]].append(change)
-        for owner, changes in parts.items():
+        if files:
+            for change in commit.changes:
+                if wanted[change.path]:
+                    of_path[change.path].append((commit, [change]))
+        for owner, changes in layout.parts(commit).changes:
             of_package[owner].append((commit, changes))
     whole: Commits = [(commit, commit.changes) for commit in log.commits]
-    couples = [not change_coupling.RELEASE_FILES.fullmatch(name) for name in log.paths]
-    coupled_files = (
-        change_coupling.couplings(_named(log, [files.get(name, "") for name in log.paths], couples)) if files else ()
+    coupled_files = change_coupling.couplings(_coupled_files(log, files)) if files else ()
+    coupled_packages = change_coupling.couplings(
+        (len(commit.changes), layout.parts(commit).coupled)
+        for commit in log.commits
+        if not commit.is_merge and commit.changes
     )
-    coupled_packages = change_coupling.couplings(_named(log, owners, couples))
 
     def values(kind: EntityKind, commits: Commits) -> dict[str, float]:
         touched = Touched(kind, commits, as_of_s=at_s, head_s=head.time_s)
@@ -107,29 +110,15 @@ def _values(touched: Touched, *, lines: bool) -> Iterator[tuple[str, float]]:
             yield quantity.key, float(value)
 
 
-def _named(log: CommitLog, names: Sequence[str], counts: Sequence[bool]) -> Iterator[tuple[int, frozenset[str]]]:
-    """Yield how many files each commit changes, and the names of those that count; what has none is left out."""
+def _coupled_files(log: CommitLog, files: Mapping[str, str]) -> Iterator[tuple[int, frozenset[str]]]:
+    """Yield how many files each commit changes, and those among them that are measured and no mere release."""
+    names = ["" if change_coupling.RELEASE_FILES.fullmatch(name) else files.get(name, "") for name in log.paths]
     for commit in log.commits:
         if not commit.is_merge and commit.changes:
-            found = frozenset(names[change.path] for change in commit.changes if counts[change.path])
-            yield len(commit.changes), found - {""}
+            yield len(commit.changes), frozenset(names[change.path] for change in commit.changes) - {""}
 
 
 def _add_partners(values: dict[str, dict[str, float]], found: Iterable[Coupling]) -> None:
     numbers = change_coupling.partners(found)
     for name, known in values.items():
         known[change_coupling.QUANTITY.key] = float(numbers[name])
-
-
-def _owners(paths: Sequence[str], packages: Mapping[str, str]) -> list[str]:
-    """Return the id of the package that each path is in; empty for none."""
-    folders = {("" if folder in ("", ".") else folder): package for package, folder in packages.items()}
-    known: dict[str, str] = {}
-
-    def owner(folder: str) -> str:
-        if folder not in known:
-            above = folder.rpartition("/")[0] if folder else ""
-            known[folder] = folders[folder] if folder in folders else owner(above) if folder else ""
-        return known[folder]
-
-    return [owner(path.rpartition("/")[0]) for path in paths]

@@ -12,6 +12,7 @@ from roslens.model.source import OUTSIDE_PACKAGES, SourceFile
 from roslens.source.history.commit_log import CommitLog, behind
 from roslens.source.history.histories import without_contents
 from roslens.source.history.measure_history import measure_history
+from roslens.source.history.parts_of_commits import PartsOfCommits
 from roslens.source.keys import key_of
 
 
@@ -24,6 +25,7 @@ class PastOfCommit(msgspec.Struct, frozen=True):
         released: releases behind the later head.
         below: the folder of the repository that is looked at; empty or ending with ``/``.
         failures: of the revision.
+        parts: of the commits of the log, which all revisions share.
     """
 
     log: CommitLog
@@ -31,6 +33,7 @@ class PastOfCommit(msgspec.Struct, frozen=True):
     released: tuple[Release, ...]
     below: str = ""
     failures: tuple[Failure, ...] = ()
+    parts: PartsOfCommits | None = None
 
     @property
     def key(self) -> str:
@@ -52,7 +55,7 @@ class PastOfCommit(msgspec.Struct, frozen=True):
         folders.pop(OUTSIDE_PACKAGES, None)
         found = measure_history(
             then, [one for one in self.released if one.commit in known], path=".", packages=folders, files={},
-            complexity=complexity,
+            complexity=complexity, parts=self.parts,
         )  # fmt: skip
         lacking = () if then.has_lines else (without_contents(".", has_changes=then.has_changes),)
         return (found,), lacking

@@ -6,6 +6,7 @@ Sources: the keys of rosdep (base.yaml, python.yaml of the ROS index), and the m
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 NEEDS_NO_KEY = frozenset({
     "Threads", "OpenMP", "PkgConfig", "PythonInterp", "PythonLibs", "Python", "Python2", "Python3", "CUDA",
@@ -136,6 +137,7 @@ def looks_like_ros_package(name: str) -> bool:
     return is_ros_package(name) or _NAME.match(name) is not None
 
 
+@lru_cache(maxsize=1 << 14)
 def stands_for(key: str, name: str) -> bool:
     """Return whether a declared dependency is what ``find_package`` or an import calls ``name``."""
     declared, wanted = _plain(key), _plain(name)

@@ -48,8 +48,10 @@ def couplings(commits: Iterable[tuple[int, frozenset[str]]]) -> tuple[Coupling, 
     shared: Counter[tuple[str, str]] = Counter()
     for number, names in commits:
         if number <= LARGEST_COMMIT:
-            single.update(names)
-            shared.update(combinations(sorted(names), 2))
+            for name in names:
+                single[name] += 1
+            if len(names) > 1:
+                shared.update(combinations(sorted(names), 2))
     return tuple(sorted(_coupled(single, shared), key=lambda one: (-one.shared, -one.degree, one.first, one.second)))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from difflib import get_close_matches
+from functools import lru_cache
 
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -24,12 +25,18 @@ def found(view: PackageView) -> Iterator[Hit]:
         name = one.name
         if name in OF_THE_CORE or name in told or len(name) < SHORTEST or one.kind in ("conflict", "replace", "group"):
             continue
-        close = get_close_matches(name, OF_THE_CORE, 1, _ALIKE)
-        if close and _digits(close[0]) == _digits(name):
+        if close := _close(name):
             told.add(name)
             where = one.location
-            message = f"dependency {name!r}; meant {close[0]!r}?"
+            message = f"dependency {name!r}; meant {close!r}?"
             yield Hit("package.misspelt_dependency", message, where.line, where.column, context=name, path=where.path)
+
+
+@lru_cache(maxsize=4096)
+def _close(name: str) -> str:
+    """Return the package of ROS that is almost of this name; empty for none."""
+    close = next(iter(get_close_matches(name, OF_THE_CORE, 1, _ALIKE)), "")
+    return close if close and _digits(close) == _digits(name) else ""
 
 
 def _digits(name: str) -> str:

@@ -365,7 +365,7 @@ def test_a_mirror_without_a_recording_gives_the_rest(server, here, capsys):
     lacking(server, "arm", "arm/pic[1].gif")
     repos(here, arm=url)
     assert main(["fetch", "--distribution", "in.repos", "--into", "ws"]) == 0
-    assert "does not have 2 files, the first arm/long.bag; no source" in capsys.readouterr().out
+    assert "lacks the content of 2 files, first arm/long.bag; none is a source" in capsys.readouterr().out
     assert (here / "ws/arm/arm/a.cpp").read_text() == "int f();\n"
     assert not (here / "ws/arm/arm/long.bag").exists()
     assert server.git(here / "ws/arm", "status", "--porcelain") == ""

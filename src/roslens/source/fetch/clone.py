@@ -206,8 +206,12 @@ def _set_to(git: GitRunner, request: Request, place: Path, commit: str, how: How
     taken = described(git, request, place, how)
     notes = list(taken.notes)
     if lacking:
-        notes.append(f"the server does not have {len(lacking)} files, the first {lacking[0]}; no source is among them")
+        notes.append(f"the server lacks the content of {_files(len(lacking))}, first {lacking[0]}; none is a source")
     if gone:
         git.do(folder, "update-index", "--skip-worktree", "--", *gone)
         notes.append(f"{len(gone)} links that lead out of the repository are left out, the first at {gone[0]}")
     return msgspec.structs.replace(taken, notes=tuple(notes))
+
+
+def _files(number: int) -> str:
+    return "1 file" if number == 1 else f"{number} files"

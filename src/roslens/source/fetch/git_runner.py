@@ -15,6 +15,10 @@ _MOST_PROCESSES = 60
 """Of one command. A server that leaves out commits which it should have makes git start another git, endlessly."""
 
 
+_UNREAD = "Could not read from remote repository"
+_ADVICE = ("Please make sure you have the correct access rights", "and the repository exists.")
+
+
 class GitError(Exception):
     """Git did not do what it was asked for; the text is what it said."""
 
@@ -101,5 +105,8 @@ def _output(done: Ended) -> str:
 def _said(done: Ended) -> str:
     lines = [line.strip() for line in done.stderr[-8192:].decode("utf-8", "replace").splitlines()]
     told = [line for line in lines if line.startswith(("fatal:", "error:", "remote:", "ssh:"))]
+    if any(_UNREAD in line for line in told):
+        # What kept ssh out stands before, in a line of its own, and git's advice behind.
+        told = [line for line in lines if line not in _ADVICE]
     words = " ".join(dict.fromkeys(told)) or " ".join(line for line in lines if line) or done.complaint()
     return words[:500]

@@ -13,6 +13,7 @@ PAUSES_S = (2.0, 8.0, 30.0)
 _FINAL = re.compile(
     r"not found|does not exist|does not appear to be a git repository|couldn't find remote ref|no such (?:remote|ref)"
     r"|authentication failed|could not read (?:username|password)|permission denied|access denied|not our ref"
+    r"|host key verification failed"
     r"|returned error: 40[134]|not allowed|certificate|no space left|cannot be started|repository corruption",
     re.IGNORECASE,
 )

@@ -363,3 +363,21 @@ def test_a_thousand_topics_cost_few_milliseconds_of_a_processor(visitor_of: Call
         assert min(layout) < 200 * slowness()
         visitor.close()
         assert not visitor.problems
+
+
+def test_the_graph_of_causes_follows_what_is_wrong(robot: ScriptedRobot, follow: Open) -> None:
+    page = follow()
+    expect(page.locator("#causes")).to_be_hidden()
+    robot.gone.add("/lidar")
+    robot.rates["/scan"] = 0
+    robot.rates["/cmd_vel"] = 4
+    robot.run(8)
+    expect(page.locator("#causes")).to_be_visible()
+    expect(page.locator("#causes .cause.first")).to_contain_text("/lidar")
+    expect(page.locator("#causes .why", has_text="subscribes to").first).to_be_visible()
+    page.locator("#causes summary").click()
+    expect(page.locator("#causes-said")).to_contain_text("node:/planner subscribes to topic:/scan")
+    robot.gone.clear()
+    robot.rates.clear()
+    robot.run(8)
+    expect(page.locator("#causes")).to_be_hidden()

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.cli.watch_causes import causes_of
 from roslens.cli.watch_detail import detail_of
 from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
 from roslens.cli.watch_screen import nameless, urgency, value_text
@@ -132,6 +133,7 @@ class PageSource:
             columns=tuple(column for column in COLUMNS if any(column[0] in row.shown for row in rows)),
             rows=rows,
             alerts=_alerts(standing, self._clock),
+            causes=causes_of(standing, shown_text),
             picture=self._picture.of(session.graph(), rows, standing),
             happened=tuple(sorted(self._happened, key=lambda one: one.time)[::-1]),
             failures=tuple(reversed(self._failures)),

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import msgspec
 
+from roslens.dashboard.live.causes import CausePicture
+
 VERSION = 2
 """Of the document; it rises when something in it changes its meaning or goes away."""
 
@@ -150,6 +152,7 @@ class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
         state: worst state of all; ``unjudged`` where nothing is judged.
         counts: how many verdicts are in which state.
         unjudged: how many rows nothing judges.
+        causes: why what is wrong is wrong, as far as something else explains it.
         cost: what watching costs, in words.
         columns: key and heading of the values in the tree, in order.
         rows: the tree.
@@ -174,3 +177,4 @@ class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
     happened: tuple[Happening, ...]
     failures: tuple[str, ...]
     unjudged: int = 0
+    causes: CausePicture = CausePicture()

@@ -5,6 +5,7 @@ import { make, settled } from "../dom.js";
 import { onKey, startKeys } from "../keys.js";
 import { startShell } from "../shell.js";
 import { Alerts } from "./alerts.js";
+import { Causes } from "./causes.js";
 import { Detail } from "./detail.js";
 import { Happened } from "./happened.js";
 import { Picture } from "./picture.js";
@@ -20,6 +21,7 @@ const tree = new Tree(by("tree"), { count: by("tree-count"), empty: by("empty") 
 const picture = new Picture(by("canvas"), { svg: by("picture"), scene: by("scene"), layers: { lines: by("lines"), items: by("items") }, leftOut: by("left-out") },
   (entity) => choose(entity, "picture"));
 const alerts = new Alerts(by("alerts"), by("said"), (entity) => choose(entity, "alerts"));
+const causes = new Causes(by("causes"));
 const happened = new Happened(by("happened"), by("failures"), [by("happened-none"), by("failures-none")]);
 
 const detail = new Detail(by("detail"), () => choose("", "keys"));
@@ -82,6 +84,7 @@ function drawn() {
   const begun = performance.now();
   tree.update(snapshot);
   picture.update(snapshot);
+  causes.update(snapshot);
   happened.update(snapshot);
   detail.update(snapshot);
   const end = performance.now();

@@ -1,0 +1,48 @@
+// Draws what is wrong and why, as the server does in causes.html.
+
+import { draw, make } from "../dom.js";
+
+const cut = (text, most) => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
+
+/** Keeps the graph of causes of a page. */
+export class Causes {
+  constructor(section) {
+    this.section = section;
+    this.said = "";
+  }
+
+  update(snapshot) {
+    const { boxes = [], lines = [], width = 0, height = 0, left_out: left = "" } = snapshot.causes || {};
+    const said = JSON.stringify([boxes, lines, left]);
+    if (said === this.said) return;
+    this.said = said;
+    this.section.hidden = boxes.length === 0;
+    const svg = this.section.querySelector("svg");
+    for (const [name, value] of [["width", width], ["height", height], ["viewBox", `0 0 ${width} ${height}`]]) svg.setAttribute(name, value);
+    svg.replaceChildren(...lines.map(line), ...boxes.map(box));
+    this.section.querySelector("ul").replaceChildren(...lines.map((one) => sentence(one, boxes)));
+    const more = this.section.querySelector("p");
+    more.hidden = !left;
+    more.textContent = left;
+  }
+}
+
+function line(one) {
+  return draw("g", { class: "why" }, draw("title", { text: one.evidence }), draw("path", { d: one.path }),
+    draw("text", { x: one.x, y: one.y, text: `← ${one.relation}` }),
+    draw("text", { class: "shows", x: one.x, y: one.y + 18, text: cut(one.evidence, 29) }));
+}
+
+function box(one) {
+  const state = one.state === "unjudged" ? "not judged" : one.state;
+  return draw("g", { class: `cause ${one.state}${one.first ? " first" : ""}` }, draw("title", { text: one.entity }),
+    draw("rect", { x: one.x, y: one.y, width: 200, height: 34, rx: 5 }),
+    draw("text", { x: one.x + 10, y: one.y + 15, text: cut(one.name, 26) }),
+    draw("text", { class: "is", x: one.x + 10, y: one.y + 28, text: `${one.kind}, ${state}${one.first ? ", first cause" : ""}` }));
+}
+
+function sentence(one, boxes) {
+  const parts = [make("bdi", { text: boxes[one.effect].entity }), ` ${one.relation} `, make("bdi", { text: boxes[one.cause].entity })];
+  if (one.evidence) parts.push(": ", make("bdi", { text: one.evidence }));
+  return make("li", {}, ...parts);
+}

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.cli.monitor_address import fetched
 from roslens.compare.conformance.observed import recorded_side, running_side
 from roslens.compare.conformance.side import Side, SideKind
 from roslens.model.errors import UsageError
@@ -22,7 +23,6 @@ QUIET_S = 3.0
 """A graph that stays as it is for so long is taken for the whole of it, in seconds."""
 LONGEST_S = 30.0
 _PATIENCE_S = 10.0
-_MOST_BYTES = 64 << 20
 GRAPH = "graph.json"
 
 
@@ -104,36 +104,6 @@ def monitor_side(address: str) -> Side:
     if not graph.nodes and not graph.endpoints:
         raise UsageError(f"the monitor at {address} sees no node", expected="one that sees a robot")
     return running_side(graph, f"what {address} sees")
-
-
-def fetched(address: str, what: str) -> bytes:
-    """Return a document of the live page at an address; of `roslens serve --live` too, whose live page is below /live.
-
-    Raises:
-        UsageError: nobody answers there, or what answers is no live page.
-    """
-    import urllib.error
-    import urllib.request
-
-    base = address if "://" in address else f"http://{address}"
-    if not base.startswith(("http://", "https://")):
-        raise UsageError(f"{address!r}", expected="HOST:PORT or an address that begins with http")
-    tried = "nothing"
-    for place in ("", "live/"):
-        url = f"{base.rstrip('/')}/{place}{what}"
-        try:
-            with urllib.request.urlopen(url, timeout=_PATIENCE_S) as answer:  # noqa: S310 - only http, see above
-                if "json" in answer.headers.get("content-type", ""):
-                    return bytes(answer.read(_MOST_BYTES))
-                tried = "a page that is no live page"
-        except urllib.error.HTTPError as error:
-            tried = f"{error.code} {error.reason}"
-        except (OSError, ValueError) as error:
-            raise UsageError(
-                f"{address} does not answer: {getattr(error, 'reason', error)}", expected="a `roslens watch --serve`",
-                advice="Look at the address that it printed when it was started",
-            ) from None  # fmt: skip
-    raise UsageError(f"{address} answers with {tried}", expected="a `roslens watch --serve` or `roslens serve --live`")
 
 
 def written_side(path: str) -> Side:

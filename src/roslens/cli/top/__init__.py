@@ -1,0 +1,1 @@
+"""``roslens top``: the robot that runs, in a terminal."""

@@ -10,6 +10,7 @@ from rich.text import Text
 from textual.app import App, ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical, VerticalScroll
+from textual.coordinate import Coordinate
 from textual.widgets import DataTable, Footer, Input, OptionList, Static
 from textual.widgets.option_list import Option
 
@@ -147,7 +148,7 @@ class Board(App[None]):
             for place, (one, before) in enumerate(zip(found, self._lines, strict=True)):
                 for column, cell in enumerate(_cells(one)):
                     if one.cells[column] != before.cells[column] or one.style != before.style:
-                        table.update_cell_at((place, column), cell)
+                        table.update_cell_at(Coordinate(place, column), cell)
         self._headings, self._lines = headings, found
 
     def _rebuild(self, table: DataTable[Text], headings: tuple[tuple[str, str], ...], found: tuple[Line, ...]) -> None:

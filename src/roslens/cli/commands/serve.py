@@ -77,6 +77,7 @@ def run(options: argparse.Namespace) -> int:
                 snapshot=page.newest if page else None,
                 detail=page.detail if page else nothing,
                 graph=page.graph if page else no_graph,
+                past=page.past if page else None,
                 access=door.access,
                 tls=door.tls,
             )

@@ -18,7 +18,6 @@ from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
-from roslens.dashboard.live.past import Past
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
@@ -40,7 +39,6 @@ def create_app(
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
-    past: Past | None = None,
     stopped: Callable[[], bool] = lambda: False,
     access: Access | None = None,
 ) -> Starlette:
@@ -52,7 +50,6 @@ def create_app(
         snapshot: returns the newest snapshot of what runs, for a live page beside the others.
         detail: returns all that is known of one of its entities.
         graph: returns its computation graph as JSON.
-        past: of what runs; None where nothing is kept.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
     """
@@ -75,7 +72,7 @@ def create_app(
     beside: list[BaseRoute] = []
     if snapshot is not None:
         facts = Facts(names, advice=_ADVICE, beside=True, access=access)
-        live = create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, stopped=stopped)
+        live = create_live_app(snapshot, facts, detail=detail, graph=graph, stopped=stopped)
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
@@ -126,7 +123,6 @@ def serve(
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
-    past: Past | None = None,
     access: Access | None = None,
     tls: Tls | None = None,
 ) -> None:
@@ -140,7 +136,6 @@ def serve(
         snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
         detail: returns all that is known of one of its entities; called from this thread too.
         graph: returns its computation graph as JSON; called from this thread too.
-        past: of what runs; None where nothing is kept.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.
 
@@ -160,9 +155,8 @@ def serve(
 
     names = frozenset({host.lower()})
     app = create_app(
-        site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, stopped=lambda: bool(stopping),
-        access=access,
-    )  # fmt: skip
+        site, names, snapshot=snapshot, detail=detail, graph=graph, stopped=lambda: bool(stopping), access=access
+    )
     local, free = (
         "Leave --host out to listen on this machine only",
         "Give another one with --port, or --port 0 for any free one",

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 
 from roslens.cli.watch_page import PageSource
 from roslens.judge.read_reference import GivenText, load_reference
-from roslens.live.past.keeper import in_memory
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
@@ -73,8 +72,6 @@ class ScriptedRobot:
         self._graph: Graph | None = None
         self._asked = 0.0
         self.page = PageSource("rover", clock=written, live=True, steady=self._steady)
-        self.keeper = in_memory(self.session)
-        self.page.remember(self.keeper.recall())
         self.run(6)
 
     def _steady(self) -> float:
@@ -108,10 +105,7 @@ class ScriptedRobot:
             ]
         )
         self._graph = graph
-        step = self.session.look(self.now)
-        self.page.take(step)
-        self.keeper.take(step)
-        self.keeper.end()
+        self.page.take(self.session.look(self.now))
         self.page.make(self.session, self.now, "0.4 % of a core, 1,234 records")
 
     def _graph_now(self) -> Graph:

@@ -1,4 +1,4 @@
-"""``roslens reference``: check, explain, draft, test, mutate and import what says how a running robot should behave."""
+"""``roslens reference``: documents that say how a running robot should behave, and what is done with them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli import reference_draft, reference_mutate, reference_test
+from roslens.cli import reference_draft, reference_export, reference_mutate, reference_test
 from roslens.cli.boundary import BAD_INPUT, CLEAN, NOT_ANALYSED
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from roslens.judge.unmatched import Subject
     from roslens.model.entity import EntityId
 
-TEXT = "Check, explain, draft, test, mutate or import references: documents that say how a running robot should behave."
+TEXT = "Check, explain, draft, test, export or import references: documents that say how a running robot should behave."
 EXAMPLES = """\
   roslens reference check base.yaml site.yaml
   roslens reference check robot.yaml --bag drive.bag         and what of it is about nothing there
@@ -31,6 +31,7 @@ EXAMPLES = """\
   roslens reference test robot.yaml --bag drive.bag --expect alarms.yaml
   roslens reference test robot.yaml                         the time lines beside it
   roslens reference mutate robot.yaml --bag drive.bag        which faults it would see
+  roslens reference export robot.yaml --grafana -o robot.json    or --prometheus, --alertmanager, --foxglove
   roslens reference import arni.yaml -o robot.yaml"""
 
 _CHECK = "Say what is wrong with references, and what they expect together."
@@ -71,7 +72,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "-o", "--output", metavar="FILE", help="where to write the reference (default: standard output)"
     )
     importing.set_defaults(act=_import)
-    for name, module in (("draft", reference_draft), ("test", reference_test), ("mutate", reference_mutate)):
+    for name, module in (
+        ("draft", reference_draft),
+        ("test", reference_test),
+        ("mutate", reference_mutate),
+        ("export", reference_export),
+    ):
         module.add_arguments(
             actions.add_parser(
                 name,

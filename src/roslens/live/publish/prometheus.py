@@ -51,7 +51,7 @@ def prometheus_text(
                 rows.setdefault(key, []).append(f"{{{labels}}} {_number(value)}")
     for key, signal in BY_KEY.items():
         if key in rows:
-            name = f"roslens_{key}{_UNITS[signal.unit]}"
+            name = metric_name(key)
             lines += [f"# HELP {name} {_help(signal.text)}", f"# TYPE {name} gauge"]
             lines += [name + row for row in rows[key]]
     states = [_state(verdict) for verdict in verdicts]
@@ -60,6 +60,11 @@ def prometheus_text(
     for name, value in (counters or {}).items():
         lines += [f"# TYPE roslens_{name} gauge", f"roslens_{name} {_number(value)}"]
     return "\n".join(lines) + "\n"
+
+
+def metric_name(key: str) -> str:
+    """Return the name of the metric of a signal: ``roslens_rate_hertz``."""
+    return f"roslens_{key}{_UNITS[BY_KEY[key].unit]}"
 
 
 def _labels(entity: EntityId) -> str:

@@ -1,0 +1,1 @@
+"""What roslens says of a robot that runs, in rqt."""

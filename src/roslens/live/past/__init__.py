@@ -1,1 +1,0 @@
-"""A system as it was: what is kept of a session, and the same tree from what was kept."""

@@ -1,0 +1,91 @@
+"""Alerting rules of Prometheus, one for each sentence of a reference.
+
+They ask for the verdicts that ``roslens watch --prometheus`` serves, not for values: what has to last how long,
+with which hysteresis and grace, the monitor has judged already, so that no rule has a ``for`` of its own.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from roslens.live.publish.exported.sentences import ALARMS, by_group, of_reference, quoted, words_of
+
+if TYPE_CHECKING:
+    from roslens.judge.expectation import Reference
+    from roslens.judge.reference_document import Sentence
+
+NOT_HEARD, NOT_JUDGED = "RoslensNotHeard", "RoslensNotJudged"
+_BAD = "|".join(ALARMS)
+_HEAD = """\
+# Alerting rules made of the reference {name} by `roslens reference export --prometheus`.
+# Scrape `roslens watch --prometheus PORT`.
+# Each asks for a verdict, which has lasted already as long as the reference says.
+"""
+
+
+def prometheus_rules(reference: Reference) -> str:
+    """Return the rules as YAML."""
+    groups = [
+        {
+            "name": f"roslens.{reference.name}.{group}" if group else f"roslens.{reference.name}",
+            "rules": [_rule(one, reference) for one in sentences],
+        }
+        for group, sentences in by_group(reference)
+    ]
+    groups.append({"name": f"roslens.{reference.name}.monitor", "rules": _of_monitor(reference)})
+    text = yaml.safe_dump({"groups": groups}, sort_keys=False, allow_unicode=True, width=110)
+    return _HEAD.format(name=reference.name) + str(text)
+
+
+def alert_name(sentence: Sentence) -> str:
+    """Return the name of the alert of a sentence: of letters, digits and underscores alone."""
+    return f"Roslens_{re.sub('[^a-zA-Z0-9]+', '_', sentence.told.id).strip('_')}"
+
+
+def _rule(sentence: Sentence, reference: Reference) -> dict[str, Any]:
+    told = sentence.told
+    annotations = {
+        "summary": "{{ $labels.kind }} {{ $labels.name }}: {{ $labels.quantity }} is {{ $labels.state }}"
+        + ("; expected: " + _literal(words_of(sentence))),
+        "cause": "{{ with $labels.cause }}follows from {{ . }}{{ end }}",
+    }
+    if told.text:
+        annotations["description"] = _literal(told.text)
+    if told.where:
+        annotations["sentence"] = _literal(told.where)
+    labels = {"severity": told.severity.value, "reference": reference.name}
+    if told.group:
+        labels["group"] = _literal(told.group)
+    expression = f'roslens_state{{expectation={quoted(told.id)},state=~"{_BAD}"}} == 1'
+    return {"alert": alert_name(sentence), "expr": expression, "labels": labels, "annotations": annotations}
+
+
+def _of_monitor(reference: Reference) -> list[dict[str, Any]]:
+    labels = {"severity": "error", "reference": reference.name}
+    unknown = f'roslens_state{{{of_reference(reference)},severity="error",state="unknown"}} == 1'
+    return [
+        {
+            "alert": NOT_HEARD,
+            "expr": "absent(roslens_records_total)",
+            "for": "30s",
+            "labels": labels,
+            "annotations": {"summary": "No monitor tells how the robot stands: nothing is known of it."},
+        },
+        {
+            "alert": NOT_JUDGED,
+            "expr": unknown,
+            "for": "5m",
+            "labels": {**labels, "severity": "warning"},
+            "annotations": {
+                "summary": "{{ $labels.kind }} {{ $labels.name }}: {{ $labels.quantity }} is not known for 5 min"
+            },
+        },
+    ]
+
+
+def _literal(text: str) -> str:
+    """Return a text that templates of Prometheus take as it is."""
+    return text.replace("{{", '{{ "{{" }}')

@@ -1,0 +1,41 @@
+"""The sentences of a reference as monitoring programs need them: what is judged, in which range, and how it is told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from roslens.judge.merge_references import sentences_of
+from roslens.judge.sentence_words import expected_words, subject_words
+
+if TYPE_CHECKING:
+    from roslens.judge.expectation import Reference
+    from roslens.judge.reference_document import Sentence
+
+ALARMS = ("low", "high", "absent")
+"""States that somebody is to be told of."""
+
+
+def by_group(reference: Reference) -> Iterator[tuple[str, list[Sentence]]]:
+    """Yield the groups under which operators see sentences, by name, each with its sentences; without a group first."""
+    groups: dict[str, list[Sentence]] = {}
+    for one in sentences_of(reference):
+        groups.setdefault(one.told.group, []).append(one)
+    yield from sorted(groups.items())
+
+
+def words_of(sentence: Sentence) -> str:
+    """Return what a sentence says: ``topic /scan: rate 25 Hz ± 15 %``."""
+    return f"{subject_words(sentence)}: {expected_words(sentence)}"
+
+
+def quoted(text: str) -> str:
+    """Return a text as PromQL writes one."""
+    return '"' + text.replace("\\", r"\\").replace('"', r"\"").replace("\n", r"\n") + '"'
+
+
+def of_reference(reference: Reference) -> str:
+    """Return the matcher of what a reference and those that it includes say: their ids begin with their names."""
+    names = sorted({one.told.id.partition(".")[0] for one in sentences_of(reference)} | {reference.name})
+    joined = "|".join(names)
+    return f"expectation=~{quoted(f'(?:{joined})[.].+')}"

@@ -1,0 +1,26 @@
+import pytest
+
+from roslens.judge.read_reference import GivenText, load_reference
+from roslens.live.signals import BY_KEY
+
+TEXT = """\
+kind: reference
+name: rover
+title: A small robot
+defaults: {group: driving}
+constraints:
+  - {topic: /scan, rate: 25 Hz ± 15 %, severity: error, text: 'Look at "{{ the }}" cable'}
+  - {topic: "/camera/**", bandwidth: <= 20 MB/s, without: ["/camera/raw"]}
+  - {connection: /scan, subscriber: /planner, latency: <= 20 ms, group: ""}
+  - {node: "/{lidar,planner}", cpu: <= 80 %}
+  - {host: "*", disk_share: <= 95 %}
+  - {node: /planner, expected: always, severity: error}
+  - {topic: "re:/scan(?#front)", rate: ">= 1 Hz"}
+fields:
+  - {topic: /scan, field: "ranges[0]", range: 0.1..30}
+"""
+
+
+@pytest.fixture
+def rover():
+    return load_reference([GivenText("rover.yaml", TEXT.encode())], BY_KEY)

@@ -55,6 +55,10 @@ def simulate(
     reference = load_reference([Path(file) for file in files], BY_KEY)
     if not reference.reactions:
         raise UsageError(f"no reaction in {', '.join(files)}", expected="a document with `reactions`")
+    from roslens.cli.reference_reactions import types_not_checked
+
+    for text in types_not_checked(reference.reactions):
+        print(f"roslens: {text}", file=sys.stderr)
     runs = [_along_bag(reference, bag, quiet)] if bag else _along_time_lines(reference, timeline or Path())
     if as_json:
         _print_json(runs)

@@ -22,6 +22,22 @@ def reactions_table(reactions: Sequence[Reaction]) -> str:
     return "\n".join([*lines, f"{len(reactions)} reaction{'' if len(reactions) == 1 else 's'}"])
 
 
+def types_not_checked(reactions: Sequence[Reaction]) -> list[str]:
+    """Return a line for each type that actions name and nobody here knows.
+
+    Raises:
+        DocumentError: a package that is known here has no such type, or a type no such field.
+    """
+    import os
+
+    from roslens.live.react.definitions import folders_of, unchecked_types
+
+    return [
+        f"{one.place}: not checked: no definition of {one.type} is here. `roslens react` asks ROS before it begins"
+        for one in unchecked_types(reactions, folders_of(os.environ))
+    ]
+
+
 def given_graph(text: str) -> Graph:
     """Return the graph of a run, as ``3:drive.launch.xml``, or of a file.
 

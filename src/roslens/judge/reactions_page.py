@@ -125,10 +125,11 @@ wildcards: what is to be done to each of several wants `match: each`.
 
 ## What is refused
 
-Conditions that can never be true, circles of named conditions, unknown actions, missing or unknown arguments, values of
-the wrong type, templates that name what there is not, a target that nothing fills, and two documents of which one ends
-what the other one starts: each with `file:line:column`. `roslens reference check FILE… --bag FILE` says which targets
-were not there in a recording.
+Conditions that can never be true or always are, circles of named conditions, unknown actions, missing or unknown
+arguments, values of the wrong type, templates that name what there is not, a target that nothing fills, and two
+documents of which one ends what the other one starts: each with `file:line:column`. `roslens reference check FILE…
+--bag FILE` says which targets were not there in a recording. Messages, services and fields that do not exist are
+refused there and by `roslens react`, as far as their definitions are here.
 
 ## Trying it
 

@@ -322,9 +322,10 @@ ACTION_KINDS: tuple[ActionKind, ...] = (
     ),
     ActionKind(
         "snapshot",
-        "Keep how things stand for the post-mortem: graph, verdicts, values, processes, last log lines.",
+        "Keep how things stand for the post-mortem: graph, verdicts, values, processes, last log lines, /rosout.",
         By.MONITOR,
-        details="A folder for each time, below the folder of the journal, with JSON files and a page of text.",
+        details="A folder for each time, below the folder of the journal, with JSON files, a page of text, and what "
+        "nodes said on /rosout in the last 60 s as MCAP (`rosout-ros2.mcap`). That is held in memory, at most 64 MB.",
         touches=False,
     ),
 )

@@ -100,7 +100,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _check(options: argparse.Namespace) -> int:
-    from roslens.cli.reference_reactions import reactions_table
+    from roslens.cli.reference_reactions import reactions_table, types_not_checked
 
     merged = _merged(options.files)
     for contradiction in merged.contradictions:
@@ -109,6 +109,8 @@ def _check(options: argparse.Namespace) -> int:
         print(_table(merged))
         if reactions := reactions_table(merged.reference.reactions):
             print(reactions)
+    for text in types_not_checked(merged.reference.reactions):
+        print(f"roslens: {text}", file=sys.stderr)
     for text in _about_nothing(merged, options) if options.bag or options.graph else ():
         print(f"roslens: {text}", file=sys.stderr)
     return BAD_INPUT if merged.contradictions else CLEAN

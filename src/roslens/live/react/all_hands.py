@@ -15,6 +15,7 @@ from roslens.live.react.node_places import NodePlaces
 from roslens.live.react.prepared import Prepared
 from roslens.live.react.ros import ActionError
 from roslens.live.react.ros_line import RosLine
+from roslens.live.react.rosout_beside import RosoutBeside
 from roslens.model.action_kind import ActionKind, By, action_kind
 from roslens.model.entity import EntityKind
 from roslens.model.errors import RoslensError
@@ -81,10 +82,13 @@ class AllHands:
         self._prepared = Prepared()
         self._next: Prepared | None = None
         self._turn = 0
+        self._rosout = RosoutBeside(self._lines)
+        self._snapshots: dict[str, Path] = {}
 
     def prepare(self, reactions: Sequence[Reaction]) -> None:
         """Get ready for every action of some reactions that is done through ROS; :meth:`unready` says how that goes."""
         self._prepared.ask(self._lines, reactions)
+        self._rosout.prepare(reactions)
 
     def unready(self) -> dict[str, str]:
         """Return what cannot be done in any ROS that is observed, and why, by its place in the document."""
@@ -100,6 +104,7 @@ class AllHands:
         self._turn += 1
         self._next = Prepared(self._turn)
         self._next.ask(self._lines, reactions)
+        self._rosout.prepare(reactions)
         return self._next
 
     def take_next(self) -> None:
@@ -133,6 +138,8 @@ class AllHands:
             except RoslensError as error:
                 self._fail(decision, str(error))
                 return
+            if kind.key == "snapshot":
+                self._snapshots[decision.id] = self._recordings.parent / "snapshots" / name_of(decision)
             threading.Thread(target=self._here_and_now, args=(decision, work), name=decision.id, daemon=True).start()
 
     def descriptors(self) -> list[int]:
@@ -144,15 +151,21 @@ class AllHands:
         found: list[CarriedOut] = []
         while True:
             try:
-                found.append(self._came.get_nowait())
+                came = self._came.get_nowait()
             except queue.Empty:
                 break
+            folder = self._snapshots.pop(came.decision, None)
+            if folder is None or not self._rosout.add(came, folder):
+                found.append(came)
         for line in self._lines:
             for reply in line.poll():
                 if reply.verb is Verb.PREPARE:
                     for prepared in filter(None, (self._prepared, self._next)):
                         prepared.take(line.generation, reply)
-                elif reply.id != "journal":
+                    continue
+                of_rosout, snapshot = self._rosout.take(reply)
+                found += [snapshot] if snapshot is not None else []
+                if not of_rosout and reply.id != "journal":
                     found += self._of_line(CarriedOut(reply.id, reply.done, reply.text, reply.duration_s))
         if self._far is not None:
             found += self._far.poll()

@@ -325,3 +325,33 @@ def test_a_stop_that_was_taken_out_of_the_document_ends():
     reactor.replace([])
     look(reactor, 6.1)
     assert reactor.holds(found.id) is False
+
+
+def holding(states):
+    text = f"kind: reference\nname: r\nreactions:\n- {{id: a, settled: 0 s, when: {{topic: /t, is: {states}, effects: true, for: 1 s}}, do: [{{snapshot: {{}}}}]}}\n"  # noqa: E501
+    reactor = Reactor(load_reference([GivenText("r.yaml", text.encode())], BY_KEY).reactions, start=0.0)
+    for number in range(1, 60):
+        look(reactor, number / 10)
+    return reactor
+
+
+def test_silence_that_is_told_late_counts_from_when_it_began():
+    assert len(look(holding("absent"), 6.0, verdict("topic:/t", State.ABSENT, "", 4.9))) == 1
+    reactor = holding("absent")
+    assert look(reactor, 6.0, verdict("topic:/t", State.ABSENT, "", 5.5)) == []
+    assert look(reactor, 6.4) == []
+    assert len(look(reactor, 6.5)) == 1
+
+
+def test_a_value_over_its_bound_counts_from_when_it_was_told():
+    reactor = holding("bad")
+    assert look(reactor, 6.0, verdict("topic:/t", State.LOW, "", 4.0)) == []
+    assert look(reactor, 6.9) == []
+    assert len(look(reactor, 7.0)) == 1
+
+
+def test_silence_does_not_count_while_the_monitor_was_not_well():
+    reactor = holding("absent")
+    # It slept for longer than its conditions may be believed.
+    assert look(reactor, 60.0, verdict("topic:/t", State.ABSENT, "", 6.0)) == []
+    assert reactor.unwell

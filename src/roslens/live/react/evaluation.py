@@ -83,6 +83,7 @@ class Evaluation:
         self._chosen = chosen
         self._start = start
         self._since: dict[_Key, float] = {}
+        self._fresh = start
 
     def truth(self, bound: EntityId | None) -> tuple[Truth, tuple[Because, ...]]:
         """Return whether it is true now, with hold times, and what shows it; ``bound`` is what ``each`` is about."""
@@ -101,6 +102,7 @@ class Evaluation:
     def forget(self, bound: EntityId | None = None) -> None:
         """Begin all hold times anew; with an entity those of what is bound to it."""
         self._since = {} if bound is None else {key: at for key, at in self._since.items() if key[1] != bound}
+        self._fresh = self._known.now
 
     def _of(
         self, condition: Condition, path: _Path, bound: EntityId | None, shows: list[Because], effects: bool
@@ -129,7 +131,8 @@ class Evaluation:
             said = say(stated, entity, self._known, effects=effects)
             truth = self._settled(stated, said, path, bound, entity)
             if stated.time.for_s:
-                truth = self._held(said.truth, (path, bound, entity), stated.time.for_s) and truth
+                began = max(_silent_since(said), self._fresh)
+                truth = self._held(said.truth, (path, bound, entity), stated.time.for_s, began) and truth
             if truth:
                 shows += said.shows
             truths.append(truth)
@@ -152,11 +155,12 @@ class Evaluation:
             return (bound,) if bound is not None else ()
         return self._chosen.of(stated.selector)
 
-    def _held(self, truth: Truth, key: _Key, for_s: float) -> Truth:
+    def _held(self, truth: Truth, key: _Key, for_s: float, began: float = float("inf")) -> Truth:
+        """Return whether it has been true for so long: since it was told, or ``began`` where that is before."""
         if truth is not True:
             self._since.pop(key, None)
             return truth
-        return self._known.now - self._since.setdefault(key, self._known.now) >= for_s - _CLOSE_S
+        return self._known.now - self._since.setdefault(key, min(began, self._known.now)) >= for_s - _CLOSE_S
 
     def _in_time(self, time: OverTime, truth: Truth, path: _Path, bound: EntityId | None, effects: bool) -> Truth:
         if time.after_start_s and self._known.now - self._start < time.after_start_s - _CLOSE_S:
@@ -188,6 +192,17 @@ class Evaluation:
         if not truths:
             return condition.unknown
         return (all_of if condition.matching is Matching.ALL else any_of)(truths)
+
+
+def _silent_since(said: Said) -> float:
+    """Return since when nothing has come, where that is what is said; infinity of anything else.
+
+    Silence is told late, once nobody is left to be asked who might have heard something. That it has lasted is a fact:
+    nothing arrived since then, so that hold times count from there. A value over its bound says nothing of before.
+    """
+    verdicts = [one for one in said.shows if one.quantity]
+    silent = bool(verdicts) and all(one.state == State.ABSENT.value for one in verdicts)
+    return max(one.since for one in verdicts) if silent else float("inf")
 
 
 def _parts(condition: AllOf | AnyOf | AtLeast | Not) -> Iterator[Condition]:

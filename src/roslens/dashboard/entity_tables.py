@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.field_column import field_cell, field_column
 from roslens.dashboard.finding_list import file_ref
 from roslens.dashboard.measured import measured_on
 from roslens.dashboard.site import Site
@@ -59,6 +60,7 @@ def _ranking(
             )
             for place, key in enumerate(keys)
         ),
+        field_column(kind),
         Column("approximate", "Sure?", hint="Approximate where part of it could not be parsed", optional=True),
     )
     rows = tuple(
@@ -67,6 +69,7 @@ def _ranking(
             Cell(entity.path, ref=file_ref(site, entity.path)),
             Cell(entity.line or None),
             *(_value(site, kind, key, entity.values.get(key)) for key in keys),
+            field_cell(kind, entity.values, site.quantities),
             Cell("approximate" if entity.approximate else ""),
         )
         for entity in entities

@@ -10,7 +10,7 @@ from roslens.dashboard.figures import number
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.judge.constraint import Constraint
-from roslens.judge.field import Field, load_field, package_distributions
+from roslens.judge.field import Field, distributions_of, load_field
 from roslens.judge.rate import Rating, rate
 from roslens.judge.select import matcher, name_of
 from roslens.model.entity import Entity, EntityKind
@@ -74,7 +74,7 @@ def metrics_table(site: Site, entities: Sequence[Entity]) -> Table:
 
 def _standing(field: Field, key: str, value: float | None) -> Cell:
     """Return how many of a hundred packages of the field have a smaller value than the package."""
-    distribution = package_distributions(field.name).get(key)
+    distribution = distributions_of(EntityKind.PACKAGE, field.name).get(key)
     if value is None or distribution is None:
         return Cell(None, text=" ")
     percentile = distribution.percentile(value)

@@ -84,10 +84,10 @@ class Field(msgspec.Struct, frozen=True):
         return next((one for one in found if one.n >= FEWEST), None)
 
 
-@lru_cache(maxsize=4)
-def package_distributions(name: str = CURRENT) -> Mapping[str, Distribution]:
-    """Return the distributions over all packages of a field by quantity, for those who look up many."""
-    wanted = (one for one in load_field(name).distributions if one.kind is EntityKind.PACKAGE and not one.group)
+@lru_cache(maxsize=16)
+def distributions_of(kind: EntityKind, name: str = CURRENT) -> Mapping[str, Distribution]:
+    """Return the distributions over all entities of a kind by quantity, for those who look up many."""
+    wanted = (one for one in load_field(name).distributions if one.kind is kind and not one.group)
     return {one.quantity: one for one in wanted if one.n >= FEWEST}
 
 

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import msgspec
 
+from roslens.judge.unusual import most_unusual
+from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.result import PackageSummary
 from roslens.model.tags import TagFilter
@@ -14,6 +16,10 @@ from roslens.report.terminal import Terminal, columns, left, right
 NAME_WIDTH = 40
 _NAME_LEAST = 22
 _AROUND = 2
+
+
+_FIELD = "field"
+"""Where the package stands in the field, in what of it is most unusual: no quantity of its own."""
 
 
 class _Metric(msgspec.Struct, frozen=True):
@@ -33,12 +39,13 @@ class _Metric(msgspec.Struct, frozen=True):
 _METRICS = (
     _Metric("loc", "lines", 0),
     _Metric("cyclomatic_complexity.max", "complexity", 1),
-    _Metric("cognitive_complexity.max", "cognitive", 5),
-    _Metric("nesting.max", "nesting", 3),
-    _Metric("cbo.max", "coupling", 4),
-    _Metric("comment_ratio", "comments", 2, " %"),
-    _Metric("duplication_ratio", "duplicated", 6, " %"),
-    _Metric("dependents", "dependents", 7),
+    _Metric("cognitive_complexity.max", "cognitive", 6),
+    _Metric("nesting.max", "nesting", 4),
+    _Metric("cbo.max", "coupling", 5),
+    _Metric("comment_ratio", "comments", 3, " %"),
+    _Metric("duplication_ratio", "duplicated", 7, " %"),
+    _Metric("dependents", "dependents", 8),
+    _Metric(_FIELD, "field", 2, " %"),
 )
 
 
@@ -78,7 +85,7 @@ def package_table(terminal: Terminal, shown: Sequence[PackageCounts], everything
         severity for severity in reversed(Severity) if any(counted.counts[severity] for counted in everything)
     ]
     metrics = [
-        metric for metric in _METRICS if any(metric.quantity in counted.package.values for counted in everything)
+        metric for metric in _METRICS if any(_value(metric, counted.package) is not None for counted in everything)
     ]
     names = [terminal.clean(counted.package.id) for counted in shown]
     longest = max(len("package"), *map(columns, names))
@@ -143,8 +150,15 @@ def _metric_cell(terminal: Terminal, metric: _Metric, counted: PackageCounts, wi
 
 
 def _number(terminal: Terminal, metric: _Metric, package: PackageSummary) -> str:
-    value = package.values.get(metric.quantity)
+    value = _value(metric, package)
     return terminal.glyph("none") if value is None else f"{value:,.0f}{metric.unit}"
+
+
+def _value(metric: _Metric, package: PackageSummary) -> float | None:
+    if metric.quantity != _FIELD:
+        return package.values.get(metric.quantity)
+    found = most_unusual(EntityKind.PACKAGE, package.values)
+    return found.percentile if found else None
 
 
 def _is_beyond(metric: _Metric, package: PackageSummary) -> bool:
@@ -156,6 +170,9 @@ def _is_beyond(metric: _Metric, package: PackageSummary) -> bool:
 
 
 def _legend(terminal: Terminal, metrics: Sequence[_Metric], shown: Iterable[PackageCounts]) -> Iterator[str]:
+    if any(metric.quantity == _FIELD for metric in metrics):
+        what = "field: how many of a hundred ROS packages have less, of what is most unusual; `roslens percentile`"
+        yield from (terminal.paint(line, "quiet") for line in terminal.wrap(what, "  "))
     heads = [metric.head for metric in metrics if metric.worst]
     if not heads:
         return

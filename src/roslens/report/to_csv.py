@@ -12,6 +12,8 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import TextIO
 
+from roslens.judge.unusual import percentiles
+from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.result import PackageSummary
 from roslens.model.tags import TagFilter
@@ -104,8 +106,10 @@ def _packages(view: RunView, tags: TagFilter) -> Table:
         "functions",
     )
     counts = (*(f"{severity.value}s" for severity in Severity), "failures")
+    standing = {package.id: percentiles(EntityKind.PACKAGE, package.values) for package in packages}
+    known = sorted({key for found in standing.values() for key in found})
     return (
-        (*head, *counts, *quantities),
+        (*head, *counts, *quantities, *(f"{key}.percentile" for key in known)),
         (
             (
                 package.id,
@@ -121,6 +125,7 @@ def _packages(view: RunView, tags: TagFilter) -> Table:
                 *(_found(package, severity, tags) for severity in Severity),
                 package.failures,
                 *(package.values.get(quantity) for quantity in quantities),
+                *(standing[package.id].get(key) for key in known),
             )
             for package in packages
         ),

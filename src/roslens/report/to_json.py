@@ -12,7 +12,8 @@ from typing import Any, TextIO
 
 import msgspec
 
-from roslens.model.entity import Entity
+from roslens.judge.unusual import percentiles
+from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo
 from roslens.model.process import RepositoryProcess
@@ -151,6 +152,7 @@ def _package(package: PackageSummary) -> dict[str, Any]:
         "build_type": package.build_type,
         "dependencies": package.dependencies,
         "metrics": {key: plain(value) for key, value in sorted(package.values.items())},
+        "percentiles": {key: plain(value) for key, value in percentiles(EntityKind.PACKAGE, package.values).items()},
     }
 
 

@@ -6,12 +6,14 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.field_column import field_cell, field_column
 from roslens.dashboard.figures import plural
 from roslens.dashboard.line_chart import day
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
 from roslens.judge.quality_model import rule_id
+from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.result import RuleCount
 from roslens.model.source import number_of_packages
@@ -119,6 +121,7 @@ def _worst(site: Site) -> Table:
         Column("warnings", "Warnings", "number"),
         Column("notes", "Notes", "number", optional=True),
         Column("aside", "Elsewhere", "number", hint=ELSEWHERE),
+        field_column(EntityKind.PACKAGE, optional=True),
         Column("loc", "Code lines", "number", optional=True),
     )
     cells = tuple(
@@ -129,6 +132,7 @@ def _worst(site: Site) -> Table:
             Cell(by_severity[Severity.WARNING]),
             Cell(by_severity[Severity.NOTE]),
             Cell(aside, ref=_listed(package.id, "aside") if aside else None),
+            field_cell(EntityKind.PACKAGE, package.values, site.quantities),
             Cell(package.values.get("loc")),
         )
         for package, by_severity, total, aside in rows[:FIRST]

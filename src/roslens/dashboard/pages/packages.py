@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.field_column import field_cell, field_column
 from roslens.dashboard.layout.tiers import cycles_of, needs_of, tiers_of
 from roslens.dashboard.measured import measured_on
 from roslens.dashboard.site import Site
@@ -71,6 +72,7 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
             optional=True,
         ),
         Column("per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines, both of own code", decimals=1),
+        field_column(EntityKind.PACKAGE),
         Column("loc", "Code lines", "number", bar=True, hint="Lines with code"),
         *(
             Column(
@@ -98,6 +100,7 @@ def packages_table(site: Site, *, tags: TagFilter, text: str = "", every_value: 
         (
             Cell(package.id, ref=PageRef("package", package.id), hint=package.description),
             *_counts(site, package, tags),
+            field_cell(EntityKind.PACKAGE, package.values, site.quantities),
             Cell(package.values.get("loc")),
             *(
                 Cell(
@@ -140,6 +143,7 @@ def _repositories(site: Site, tags: TagFilter, request: Request) -> tuple[Table,
         Column(
             "per_kloc", "Per kLOC", "number", hint="Findings per 1,000 lines of code of all its packages", decimals=1
         ),
+        field_column(EntityKind.PACKAGE),
         Column("loc", "Code lines", "number", bar=True, hint="Lines with code"),
         Column("version", "Version", hint="Branch, tag or commit that was fetched", optional=True),
         Column("commit", "Commit", "code", hint="With + where files differ from it"),

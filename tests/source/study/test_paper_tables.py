@@ -94,6 +94,10 @@ def test_sentences_that_the_data_contradicts_are_told(study):
     held = {one.says: (one.holds, one.found) for one in study.statements}
     assert held["Findings of MAC are below a dozen."] == (False, "12 in 8 packages")
     assert held["Findings of WMC are below a dozen."][0]
+    assert held["How many packages and repositories are looked at."][1] == "180 packages with code in 45 repositories"
+    assert held["How much code there is in all."][1] == "261,747 lines of code, 109,344 of comments"
+    assert held["How often rules are broken in all."][1].endswith("287,017 of all other rules, 288,462 together")
+    assert held["Which coding rules are broken most."] == (None, "no table of coding rules was given")
     wrong = [found for holds, found in held.values() if holds is False]
     assert wrong[1] == "30 packages, 24 of them with fewer, 6 with 332 to 1,841"
     assert wrong[2].startswith("8 of 55 pairs have |r| of 0.5 or more: LOC and #RCV 0.91")

@@ -17,6 +17,7 @@ _SECTION = "V"
 _SMALL = 300
 _LOW = 0.5
 _DOZEN = 12
+_MOST_CODING = 5
 _NO_RULES = "no table of rules was given"
 
 
@@ -25,16 +26,41 @@ def paper_statements(
 ) -> tuple[Statement, ...]:
     """Return the sentences; those about rules say nothing without a table of rules."""
     return (
+        _scope(corpus),
         _roles(corpus),
+        _sizes(corpus),
+        _findings(corpus, rules),
         _order(corpus, rules),
         *(
             _less_than_a_dozen(rules, rule, title)
             for rule, title in (("MAX_AVAILABLE_METHODS", "MAC"), ("MAX_WEIGHT_METHODS", "WMC"))
         ),
         *(_by_role(rules, rule) for rule in ("MIN_COM_RATIO", "MAX_COUPLING", "MAX_CC")),
+        _coding(rules),
         _without_findings(corpus),
         _correlations(corpus, correlations),
     )
+
+
+def _scope(corpus: Corpus) -> Statement:
+    found = f"{len(corpus.packages)} packages with code in {len(corpus.repositories)} repositories"
+    return Statement(_SECTION, "How many packages and repositories are looked at.", found, None)
+
+
+def _sizes(corpus: Corpus) -> Statement:
+    lines, comments = (int(sum(one.values.get(key, 0) for one in corpus.packages)) for key in ("loc", "comment_lines"))
+    found = f"{lines:,} lines of code, {comments:,} of comments"
+    return Statement(_SECTION, "How much code there is in all.", found, None)
+
+
+def _findings(corpus: Corpus, rules: Sequence[RuleTotal]) -> Statement:
+    """The corpus counts breaches of the model, and all others as coding rules, other models' limits among them."""
+    model, others = (int(sum(one.values.get(key, 0) for one in corpus.packages)) for key in ("rqv", "rcv"))
+    found = f"{model:,} of the quality model, {others:,} of all other rules, {model + others:,} together"
+    told = sum(one.count for one in rules if one.kind == "metric")
+    if rules and told != model:
+        found += f"; the table of rules has {told:,} of the quality model"
+    return Statement(_SECTION, "How often rules are broken in all.", found, None)
 
 
 def _roles(corpus: Corpus) -> Statement:
@@ -73,6 +99,13 @@ def _by_role(rules: Sequence[RuleTotal], rule: str) -> Statement:
         return Statement(_SECTION, says, _NO_RULES, None)
     parts = sorted(total.by_role.items(), key=lambda one: (-one[1], one[0]))
     return Statement(_SECTION, says, f"of {total.count}: " + ", ".join(f"{role} {n}" for role, n in parts), None)
+
+
+def _coding(rules: Sequence[RuleTotal]) -> Statement:
+    says = "Which coding rules are broken most."
+    coding = [one for one in rules if one.kind == "coding"][:_MOST_CODING]
+    told = ", ".join(f"{one.rule} {one.count:,} (in {one.packages})" for one in coding)
+    return Statement(_SECTION, says, told or "no table of coding rules was given", None)
 
 
 def _without_findings(corpus: Corpus) -> Statement:

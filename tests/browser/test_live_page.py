@@ -41,7 +41,7 @@ def visitor_of(browser: Browser, request: pytest.FixtureRequest) -> Callable[[st
 @pytest.fixture
 def follow(robot: ScriptedRobot, visitor_of: Callable[[str], Any]) -> Iterator[Open]:
     """Open the page of the robot; fails the test on any problem that it shows."""
-    with LivePage(robot.page.newest, detail=robot.page.detail) as live:
+    with LivePage(robot.page.newest, detail=robot.page.detail, past=robot.page.past) as live:
         visitor = visitor_of(live.url)
         yield visitor.open
         visitor.close()
@@ -160,7 +160,7 @@ def test_a_click_in_the_graph_shows_neighbours_and_the_row(follow: Open) -> None
     expect(row(page, "topic:/scan")).to_have_count(0)
     item(page, "topic:/scan").locator(".diamond").click()
     expect(row(page, "topic:/scan")).to_have_class(re.compile("chosen"))
-    expect(page).to_have_url(re.compile("at=topic%3A%2Fscan"))
+    expect(page).to_have_url(re.compile("select=topic%3A%2Fscan"))
     near = page.locator("#items .item.near").evaluate_all("found => found.map(one => one.dataset.entity).sort()")
     assert near == ["node:/lidar", "node:/planner", "node:/slam", "topic:/scan"]
     assert item(page, "node:/camera").evaluate("one => getComputedStyle(one).opacity") < "0.9"

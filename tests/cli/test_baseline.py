@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 
 import pytest
@@ -230,3 +231,33 @@ def test_what_does_not_parse_counts_where_it_changed(walking, capsys):
     (walking / "talk/talk/fresh.py").write_text("x = 1\n")
     assert check(walking, capsys, "--changed", "--fail-on", "never", code=0)["failures"] == []
     assert len(check(walking, capsys, "--changed", "HEAD~1", "--fail-on", "never", code=3)["failures"]) == 1
+
+
+def first_on_the_page(root, folder):
+    assert main(["report", str(root), "-o", str(folder), "--no-graph", "-q", "--jobs", "1"]) == 0
+    for page in folder.rglob("*.html"):
+        assert not re.search(r" x\)\s*<span class=.quiet.>\(", page.read_text("utf-8")), f"{page.name}: an excess twice"
+    rows = (folder / "index.html").read_text("utf-8").partition("<h2>Fix first</h2>")[2].partition("</ol>")[0]
+    return [("chip" in row, row.partition("<code>")[2].partition("</code>")[0]) for row in rows.split("<li>")[1:]]
+
+
+def first_in_the_terminal(text):
+    rows = text.partition("Fix first")[2].partition("\n\n")[0].splitlines()
+    rules = [one.strip() for one in rows if one.strip().removeprefix("new: ").startswith("ros.")]
+    return [(one.startswith("new: "), one.removeprefix("new: ")) for one in rules]
+
+
+def test_pages_fix_first_what_the_terminal_does(walking, capsys, tmp_path_factory):
+    tangled = "def {}(step):\n" + "    if step:\n        step += 1\n" * 40 + "    return step\n\n\n"
+    with (walking / "talk/talk/walking.py").open("a") as stream:
+        stream.write(tangled.format("known"))
+    git(walking, "commit", "-qam", "second")
+    with (walking / "talk/talk/walking.py").open("a") as stream:
+        stream.write(tangled.format("added"))
+    told = first_in_the_terminal(check(walking, capsys, "--baseline", "HEAD", code=1, form="text"))
+    assert told[0][0]
+    assert first_on_the_page(walking, tmp_path_factory.mktemp("compared") / "out") == told
+    told = first_in_the_terminal(check(walking, capsys, code=1, form="text"))
+    assert told
+    assert not any(new for new, _ in told)
+    assert first_on_the_page(walking, tmp_path_factory.mktemp("alone") / "out") == told

@@ -61,9 +61,13 @@ and `make graph-findings` writes this page and what the pages of rules say of it
 
 
 _BELOW = """\
-Below {:.0f} % over all tables, with five or more read. All but two were mended by the causes below, or became a note in
-part; `node.exception_in_callback` and `node.sleep_in_callback` are as they were, for whether it is done on purpose the
-code does not say. What was read before still counts here, and the last table is of the rule before its last mending:"""
+Below {:.0f} % over all tables, with five or more read, and still warnings or errors: each was mended by the causes
+below. What was read before still counts here, and the last table is of the rule before its last mending:"""
+_NOTES_BY_NOW = """\
+Below {:.0f} % over all tables, with five or more read, and notes by now: whether it is a mistake the code does not say
+often enough.
+
+{}."""
 
 
 def rules_page(found: Mapping[str, Sample]) -> str:
@@ -107,6 +111,13 @@ def _together(found: Mapping[str, Sample], on: Sequence[str], errors: Container[
         true, read = sums[rule]
         last = shares(found[latest[rule]])[rule]
         lines.append(f"- `{rule}`: {true} of {read}; in the last table that has it {last[0]} of {last[1]}")
+    notes = [rule.id for rule in native_rules().values() if rule.profiles and rule.severity is Severity.NOTE]
+    less = [
+        f"`{one}` ({sums[one][0]} of {sums[one][1]})"
+        for one in notes
+        if one in sums and sums[one][1] >= _FEW and 100 * sums[one][0] < least * sums[one][1]
+    ]
+    lines += ["", _NOTES_BY_NOW.format(least, ", ".join(less))]
     few = [one for one in on if one in errors and sums.get(one, (0, 0))[1] < _FEW]
     lines += [
         "",

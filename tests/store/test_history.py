@@ -115,3 +115,11 @@ def test_a_series_that_was_let_go_goes_on_in_the_same_buckets(tmp_path):
         history.flush(final=True)
         (point,) = [one for one in history.points("host:a", "cpu", begin, begin + 80 * 86_400) if one.time == begin]
         assert (point.count, point.mean, point.least, point.greatest) == (3, 5.0, 1.0, 10.0)
+
+
+def test_a_verdict_about_a_name_that_utf8_cannot_write_is_kept():
+    with History.open(None) as history:
+        history.add_verdicts([verdict(NOW, entity=EntityId(EntityKind.HOST, "a\udcff"))])
+        history.flush()
+        (found,) = history.verdicts(NOW, NOW + 1)
+        assert found.entity.name == "a\\xff"

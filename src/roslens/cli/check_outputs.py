@@ -154,7 +154,7 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
             findings=view.workspace.findings,
             set_aside=Counter(one.state.value for one in view.set_aside(tags=wanted.tags)),
             since=tuple(_since(view, wanted)),
-            new=_new(view, wanted),
+            new=new_first(view, wanted),
             tags=wanted.tags,
             width=width_of(stream),
             color=wants_color(options, stream),
@@ -163,7 +163,7 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
     )
 
 
-def _new(view: RunView, wanted: Wanted) -> tuple[RuleCount, ...]:
+def new_first(view: RunView, wanted: Wanted) -> tuple[RuleCount, ...]:
     """Return what to mend first of what is new since a baseline."""
     from roslens.report.fix_first import first_to_fix
     from roslens.store.narrowed import NarrowedView

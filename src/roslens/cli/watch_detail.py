@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from roslens.cli.watch_graph import encodable
 from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.detail import Detail, Judgement, Value
+from roslens.judge.amount import parse_limits
 from roslens.live.links import links_text
 from roslens.live.signals import BY_KEY
 from roslens.live.tree import SystemView
@@ -74,6 +75,19 @@ def _values(part: SystemView | None) -> tuple[Value, ...]:
         for key, value in found
         if math.isfinite(value)
     )
+
+
+def limits_of(one: Verdict) -> tuple[float | None, float | None]:
+    """Return the least and the greatest value that are fine, in the unit of the signal; None is no such bound."""
+    signal = BY_KEY.get(one.quantity)
+    if signal is None or not one.range:
+        return None, None
+    try:
+        found = parse_limits(one.range, signal.unit).range
+    except ValueError:
+        # Ranges of texts, and what a newer reference may write.
+        return None, None
+    return found.minimum, found.maximum
 
 
 def _judgement(one: Verdict, clock: Callable[[float], str]) -> Judgement:

@@ -20,6 +20,7 @@ from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_output import Teller
 from roslens.cli.watch_publish import publish_through, unpublished, wanted
 from roslens.cli.watch_screen import screen, time_of_day
+from roslens.live.past.keeper import Keeper
 from roslens.live.reported_levels import is_reported
 from roslens.live.session import Session, Source, Step, run
 from roslens.model.errors import UsageError
@@ -31,9 +32,6 @@ if TYPE_CHECKING:
     from roslens.store.history import History
 
 _REDRAW_S = 1.0
-_FLUSH_S = 5.0
-_LET_GO_S = 60.0
-_PRUNE_S = 600.0
 _HOME, _CLEAR_LINE, _CLEAR_BELOW = "\x1b[H", "\x1b[K", "\x1b[J"
 _ENTER, _LEAVE = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"
 
@@ -61,7 +59,7 @@ def _watched(
         publishes = wanted(options)
         sources = _sources(options, publishes)
         history = stack.enter_context(_history(options))
-        sinks: list[Callable[[Step], None]] = [_keep(session, history)] if history is not None else []
+        sinks: list[Callable[[Step], None]] = [Keeper(session, history).take] if history is not None else []
         if publishes is not None:
             sinks.append(publish_through(sources, session, lambda: files.reference, publishes))
         if options.prometheus is not None:
@@ -73,7 +71,8 @@ def _watched(
 
             address = address_of(options.serve)
             door = door_of(options, address[0])
-            page, shown = page_beside(stack, session, platform.node(), address, time_of_day, door)
+            recall = history.recall() if history is not None else None
+            page, shown = page_beside(stack, session, platform.node(), address, time_of_day, door, recall=recall)
             sinks.append(shown)
         on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None
         sinks.append(stack.enter_context(_screen(teller, session, sources, page)) if on_screen else teller.tell)
@@ -222,30 +221,6 @@ def _history(options: argparse.Namespace) -> Iterator[History | None]:
 
     with History.open(options.history) as history:
         yield history
-
-
-def _keep(session: Session, history: History) -> Callable[[Step], None]:
-    """Return what writes a step into the history: values once a second, the file every few."""
-    due = {"values": 0.0, "flush": 0.0, "let go": time.time() + _LET_GO_S, "prune": time.time() + _PRUNE_S}
-
-    def keep(step: Step) -> None:
-        history.add_verdicts((*step.changes, *step.causes))
-        history.add_events(step.events)
-        if step.time >= due["values"]:
-            due["values"] = step.time + 1.0
-            for entity, values in session.readings(step.time):
-                history.add_values(str(entity), step.time, values)
-        if step.time >= due["flush"]:
-            due["flush"] = step.time + _FLUSH_S
-            history.flush()
-        if step.time >= due["let go"]:
-            due["let go"] = step.time + _LET_GO_S
-            history.let_go(step.time)
-        if step.time >= due["prune"]:
-            due["prune"] = step.time + _PRUNE_S
-            history.prune(step.time)
-
-    return keep
 
 
 def _serve(

@@ -22,13 +22,14 @@ from roslens.live.signals import BY_KEY
 from roslens.live.worth_a_row import badge, not_judged, worth_a_row
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
-from roslens.model.graph import Change
+from roslens.model.graph import Change, Event, Graph
 from roslens.model.verdict import Verdict
 
 if TYPE_CHECKING:
+    from roslens.cli.page.past_page import PastPage
     from roslens.live.session import Session, Step
     from roslens.live.tree import SystemView
-    from roslens.model.graph import Graph
+    from roslens.store.past.recall import Recall
 
 COLUMNS = (
     ("rate", "Rate"),
@@ -74,6 +75,13 @@ class PageSource:
         self._newest = b""
         self._graph: Graph | None = None
         self._shown: tuple[SystemView, Sequence[Verdict], str] | None = None
+        self.past: PastPage | None = None
+
+    def remember(self, recall: Recall) -> None:
+        """Show the past from a history, too."""
+        from roslens.cli.page.past_page import PastPage
+
+        self.past = PastPage(recall, self._title, clock=self._clock, picture=lambda: self._picture)
 
     def newest(self) -> bytes:
         """Return the newest snapshot; the same object while there is no newer one."""
@@ -117,42 +125,23 @@ class PageSource:
 
     def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
         """Return how the system stands at ``now``; ``cost`` says what watching it costs."""
-        view = session.tree(now)
-        rows = tuple(_rows(view.children, 0, ""))
-        standing = session.monitor.standing()
-        return Snapshot(
-            version=VERSION,
+        return document(
+            session.tree(now),
+            session.monitor.standing(),
+            session.graph(),
+            self._picture,
             time=now,
-            when=self._clock(now),
-            title=shown_name(self._title),
+            clock=self._clock,
+            title=self._title,
             live=self._live,
-            state=view.worst.value if view.worst else UNJUDGED,
-            counts=view.counts,
-            unjudged=not_judged(view),
             cost=cost,
-            columns=tuple(column for column in COLUMNS if any(column[0] in row.shown for row in rows)),
-            rows=rows,
-            alerts=_alerts(standing, self._clock),
-            causes=causes_of(standing, shown_text),
-            picture=self._picture.of(session.graph(), rows, standing),
-            happened=tuple(sorted(self._happened, key=lambda one: one.time)[::-1]),
+            happened=sorted(self._happened, key=lambda one: one.time)[::-1],
             failures=tuple(reversed(self._failures)),
         )
 
     def _of_step(self, step: Step) -> Iterator[Happening]:
-        for event in step.events:
-            if event.entity.startswith(_PROCESS) and event.change in (Change.APPEARED, Change.VANISHED):
-                # Programs come and go all the time; of those that hold nodes the nodes tell it.
-                continue
-            text = shown_text(event.entity)
-            what, detail = event.change.value, shown_text(event.detail)
-            yield Happening(event.time, self._clock(event.time), what, text, text.partition(":")[2], "", detail)
-        for one in step.changes:
-            entity = shown_text(str(one.entity))
-            detail = shown_text(sentence(one)) if one.state.bad or one.of_observer else _title(one.quantity)
-            name = shown_name(one.entity.name)
-            when = self._clock(one.since)
-            yield Happening(one.since, when, f"is {one.state.value}", entity, name, one.state.value, detail)
+        yield from (event_line(one, self._clock) for one in step.events if told_of(one))
+        yield from (verdict_line(one, self._clock) for one in step.changes)
         for one in step.causes:
             entity, name, when = shown_text(str(one.entity)), shown_name(one.entity.name), self._clock(one.time)
             detail = shown_text(f"because of {one.cause}" if one.cause else "because of nothing else")
@@ -160,6 +149,62 @@ class PageSource:
         for note in step.notes:
             when, text = self._clock(note.time), shown_text(note.text)
             yield Happening(note.time, when, note.kind.value, "", "reference", "", text)
+
+
+def document(
+    view: SystemView,
+    standing: Sequence[Verdict],
+    graph: Graph,
+    picture: GraphPicture,
+    *,
+    time: float,
+    clock: Callable[[float], str],
+    title: str,
+    live: bool,
+    cost: str,
+    happened: Iterable[Happening],
+    failures: tuple[str, ...] = (),
+) -> Snapshot:
+    """Return a system at one instant as the live page shows it, be it now or once."""
+    rows = tuple(_rows(view.children, 0, ""))
+    return Snapshot(
+        version=VERSION,
+        time=time,
+        when=clock(time),
+        title=shown_name(title),
+        live=live,
+        state=view.worst.value if view.worst else UNJUDGED,
+        counts=view.counts,
+        unjudged=not_judged(view),
+        cost=cost,
+        columns=tuple(column for column in COLUMNS if any(column[0] in row.shown for row in rows)),
+        rows=rows,
+        alerts=_alerts(standing, clock),
+        causes=causes_of(standing, shown_text),
+        picture=picture.of(graph, rows, standing),
+        happened=tuple(happened),
+        failures=failures,
+    )
+
+
+def told_of(event: Event) -> bool:
+    """Whether to tell an event: programs come and go all the time; of those that hold nodes the nodes tell it."""
+    return not (event.entity.startswith(_PROCESS) and event.change in (Change.APPEARED, Change.VANISHED))
+
+
+def event_line(event: Event, clock: Callable[[float], str]) -> Happening:
+    """Return a change of the graph as the page tells it."""
+    text = shown_text(event.entity)
+    what, detail = event.change.value, shown_text(event.detail)
+    return Happening(event.time, clock(event.time), what, text, text.partition(":")[2], "", detail)
+
+
+def verdict_line(one: Verdict, clock: Callable[[float], str]) -> Happening:
+    """Return a change of a verdict as the page tells it."""
+    entity = shown_text(str(one.entity))
+    detail = shown_text(sentence(one)) if one.state.bad or one.of_observer else _title(one.quantity)
+    name = shown_name(one.entity.name)
+    return Happening(one.since, clock(one.since), f"is {one.state.value}", entity, name, one.state.value, detail)
 
 
 def shown_name(name: str) -> str:

@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import tempfile
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.until_stopped import when_stopped
 from roslens.cli.watch_page import PageSource
 from roslens.dashboard.live.serving import LivePage
+from roslens.live.past.keeper import MOST_VALUES, Keeper, in_memory
 from roslens.model.errors import UsageError
+from roslens.store.history import History
 
 if TYPE_CHECKING:
     from roslens.cli.served.door import Door
     from roslens.dashboard.live.further import Further
     from roslens.live.session import Session, Step
+    from roslens.store.past.recall import Recall
 
 _LOOK_S = 0.1
 
@@ -50,16 +55,26 @@ def serve(
     host, port = address
     access, tls = (door.access, door.tls) if door else (None, None)
     page = LivePage(
-        source.newest, detail=source.detail, graph=source.graph, host=host, port=port, access=access, tls=tls,
-        further=further,
+        source.newest, detail=source.detail, graph=source.graph, past=source.past, host=host, port=port, access=access,
+        tls=tls, further=further,
     )  # fmt: skip
     print(f"roslens: {door.address(page.url) if door else page.url}", file=sys.stderr, flush=True)
     return page
 
 
-def page_of(session: Session, title: str, clock: Callable[[float], str]) -> tuple[PageSource, Callable[[Step], None]]:
-    """Return what shows a session that goes on, and what to tell each step."""
+def page_of(
+    session: Session, title: str, clock: Callable[[float], str], recall: Recall | None = None
+) -> tuple[PageSource, Callable[[Step], None]]:
+    """Return what shows a session that goes on, and what to tell each step.
+
+    Its past is that of ``recall``, which somebody else keeps; without one the last hours are kept in memory.
+    """
     source = PageSource(title, clock=clock, live=True, steady=time.monotonic)
+    keeper = None
+    if recall is None:
+        keeper = in_memory(session)
+        recall = keeper.recall()
+    source.remember(recall)
     begun, cpu = time.monotonic(), time.process_time()
 
     def make(now: float) -> None:
@@ -68,6 +83,8 @@ def page_of(session: Session, title: str, clock: Callable[[float], str]) -> tupl
 
     def told(step: Step) -> None:
         source.take(step)
+        if keeper is not None:
+            keeper.take(step)
         if source.due():
             make(step.time)
 
@@ -78,13 +95,14 @@ def page_of(session: Session, title: str, clock: Callable[[float], str]) -> tupl
 def page_beside(
     stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int],
     clock: Callable[[float], str], door: Door | None = None, further: Further | None = None,
+    recall: Recall | None = None,
 ) -> tuple[str, Callable[[Step], None]]:  # fmt: skip
     """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
 
     Raises:
         UsageError: the address cannot be listened on.
     """
-    source, told = page_of(session, title, clock)
+    source, told = page_of(session, title, clock, recall)
     return stack.enter_context(serve(source, address, door, further)).url, told
 
 
@@ -98,10 +116,21 @@ class PageAfter:
         self._source = PageSource(title, clock=clock, live=False, steady=time.monotonic)
         self._address = address
         self._door = door
+        self._keeper: Keeper | None = None
+        self._folder = contextlib.ExitStack()
+
+    def keep(self, session: Session) -> None:
+        """Keep what a session does from now on, for who looks back; a file is given up when the page ends."""
+        folder = self._folder.enter_context(tempfile.TemporaryDirectory(prefix="roslens-"))
+        history = self._folder.enter_context(History.open(Path(folder) / "recording.sqlite"))
+        self._keeper = Keeper(session, history, most_values=MOST_VALUES)
+        self._source.remember(self._keeper.recall())
 
     def take(self, step: Step) -> None:
         """Remember what happened in a step."""
         self._source.take(step)
+        if self._keeper is not None:
+            self._keeper.take(step)
 
     def show(self, session: Session, end: float, cost: str) -> None:
         """Serve how it was at ``end``, until Ctrl-C or a request to end.
@@ -109,8 +138,10 @@ class PageAfter:
         Raises:
             UsageError: the address cannot be listened on.
         """
+        if self._keeper is not None:
+            self._keeper.end()
         self._source.make(session, end, cost)
-        with contextlib.ExitStack() as stack:
+        with self._folder as stack:
             ended = when_stopped(stack)
             stack.enter_context(serve(self._source, self._address, self._door))
             while not ended:

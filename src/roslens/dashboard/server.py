@@ -18,6 +18,7 @@ from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
+from roslens.dashboard.live.past import Past
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
@@ -39,6 +40,7 @@ def create_app(
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
+    past: Past | None = None,
     stopped: Callable[[], bool] = lambda: False,
     access: Access | None = None,
 ) -> Starlette:
@@ -50,6 +52,7 @@ def create_app(
         snapshot: returns the newest snapshot of what runs, for a live page beside the others.
         detail: returns all that is known of one of its entities.
         graph: returns its computation graph as JSON.
+        past: of what runs; None where nothing is kept.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
     """
@@ -72,7 +75,7 @@ def create_app(
     beside: list[BaseRoute] = []
     if snapshot is not None:
         facts = Facts(names, advice=_ADVICE, beside=True, access=access)
-        live = create_live_app(snapshot, facts, detail=detail, graph=graph, stopped=stopped)
+        live = create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, stopped=stopped)
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
@@ -123,6 +126,7 @@ def serve(
     snapshot: Callable[[], bytes] | None = None,
     detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
+    past: Past | None = None,
     access: Access | None = None,
     tls: Tls | None = None,
 ) -> None:
@@ -136,6 +140,7 @@ def serve(
         snapshot: returns the newest snapshot of what runs, for a live page; called from this thread.
         detail: returns all that is known of one of its entities; called from this thread too.
         graph: returns its computation graph as JSON; called from this thread too.
+        past: of what runs; None where nothing is kept.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.
 
@@ -155,8 +160,9 @@ def serve(
 
     names = frozenset({host.lower()})
     app = create_app(
-        site, names, snapshot=snapshot, detail=detail, graph=graph, stopped=lambda: bool(stopping), access=access
-    )
+        site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, stopped=lambda: bool(stopping),
+        access=access,
+    )  # fmt: skip
     local, free = (
         "Leave --host out to listen on this machine only",
         "Give another one with --port, or --port 0 for any free one",

@@ -94,6 +94,7 @@ class Site:
         self._graphs_counted = graphs_counted
         self._unstarted = tuple(unstarted)
         self.past: Past | None = None
+        self.new_first: tuple[RuleCount, ...] = ()
         """Past revisions; None where none were analysed."""
         self.reading = ""
         """What of the graphs is being read still; empty where all of them are there."""

@@ -70,17 +70,24 @@ class Recording(Protocol):
 
 
 def replay(
-    recording: Recording, reference: Reference, *, step_s: float | None = None, told: Callable[[Step], None]
+    recording: Recording,
+    reference: Reference,
+    *,
+    step_s: float | None = None,
+    told: Callable[[Step], None],
+    begun: Callable[[Session], None] = lambda _: None,
 ) -> Session:
     """Rate a recording and tell each step; returns the session as it was at the end.
 
     Stamps and fields are read only of topics for which the reference has a sentence about them. A step is by default
-    half as long as the tightest bound on gaps, or gaps shortly after one another could not be told apart.
+    half as long as the tightest bound on gaps, or gaps shortly after one another could not be told apart. ``begun``
+    is given the session before its first step.
 
     Raises:
         UsageError: the recording does not have what it says.
     """
     session = Session(reference, start=recording.start)
+    begun(session)
     session.take([Frame(VERSION, "recording", 0, recording.start, graph=recording.graph())])
     fields = recording.fields(wanted_fields(reference, ((topic.name, topic.type) for topic in recording.topics)))
     waiting = next(fields, None)

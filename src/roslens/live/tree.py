@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
+from typing import Protocol
 
 import msgspec
 
@@ -14,7 +15,7 @@ from roslens.live.topic import ENDS, Topic
 from roslens.live.traffic import MEASURES
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
-from roslens.model.graph import Role
+from roslens.model.graph import Graph, Role
 from roslens.model.verdict import State
 
 _WORSE = {state: place for place, state in enumerate(State)}
@@ -50,19 +51,97 @@ class SystemView(msgspec.Struct, frozen=True, omit_defaults=True):
     worst: State | None = None
 
 
+class Parts(Protocol):
+    """What a tree is made of: a system that runs, or one that did."""
+
+    @property
+    def graph(self) -> Graph | None:
+        """Who is there; None before anybody looked."""
+
+    @property
+    def sampled(self) -> Collection[EntityId]:
+        """Hosts, nodes, processes and services of which values are known."""
+
+    @property
+    def topics(self) -> Iterable[str]:
+        """Names of all topics."""
+
+    def host_of(self, node: str) -> str:
+        """Return the host of a node, empty where unknown."""
+
+    def publishers_of(self, topic: str) -> Iterable[str]:
+        """Return the nodes that publish a topic, or did last; the empty name for unknown ones with connections."""
+
+    def connections_of(self, topic: str, node: str) -> Iterable[EntityId]:
+        """Return the connections of a topic from one node."""
+
+    def values_of(self, entity: EntityId) -> tuple[dict[str, float], str]:
+        """Return the latest values of an entity, and how they were observed."""
+
+
 def view_of(world: World, standing: Iterable[Standing], now: float) -> SystemView:
     """Return the tree at ``now``; an entity below several others counts once in what is above them all."""
-    return _Tree(world, standing, now).build()
+    states: dict[EntityId, list[State]] = {}
+    for one in standing:
+        states.setdefault(one.entity, []).append(one.state.state)
+    return tree_of(_Running(world, now), states)
+
+
+def tree_of(parts: Parts, states: dict[EntityId, list[State]]) -> SystemView:
+    """Return the tree of parts and of how each entity stands by every sentence about it."""
+    return _Tree(parts, states).build()
+
+
+class _Running:
+    """The parts of a system that runs."""
+
+    def __init__(self, world: World, now: float) -> None:
+        self._world = world
+        self._now = now
+        self.host_of = world.host_of
+
+    @property
+    def graph(self) -> Graph | None:
+        return self._world.graph
+
+    @property
+    def sampled(self) -> Collection[EntityId]:
+        return self._world.sampled
+
+    @property
+    def topics(self) -> Iterable[str]:
+        return self._world.topics
+
+    def publishers_of(self, topic: str) -> Iterable[str]:
+        known = self._world.topics[topic]
+        return {*(known.publishers or known.former), *filter(None, known.connections)}
+
+    def connections_of(self, topic: str, node: str) -> Iterable[EntityId]:
+        return [one.id for one in self._world.topics[topic].connections.get(node, ())]
+
+    def values_of(self, entity: EntityId) -> tuple[dict[str, float], str]:
+        sampled = self._world.sampled.get(entity)
+        if sampled is not None:
+            return _of_sampled(sampled, self._now)
+        if entity.kind is EntityKind.TOPIC:
+            topic = self._world.topics[entity.name]
+            for one in topic.all_connections():
+                one.settle(self._now)
+            return _of_traffic(topic, (*MEASURES, *sorted(ENDS)))
+        if entity.kind is EntityKind.CONNECTION:
+            connection = self._world.connection_of(entity)
+            if connection is not None:
+                connection.settle(self._now)
+                return _of_traffic(connection, tuple(MEASURES))
+        return {}, ""
 
 
 class _Tree:
-    def __init__(self, world: World, standing: Iterable[Standing], now: float) -> None:
-        self._world = world
-        self._now = now
-        self._states: dict[EntityId, list[State]] = {}
+    def __init__(self, parts: Parts, states: dict[EntityId, list[State]]) -> None:
+        self._parts = parts
+        self._graph = parts.graph
+        self._states = states
         self._services: dict[str, set[EntityId]] = {}
-        for one in standing:
-            self._states.setdefault(one.entity, []).append(one.state.state)
 
     def build(self) -> SystemView:
         placed = self._placed()
@@ -70,17 +149,17 @@ class _Tree:
         for node in self._services:
             placed.setdefault(node, set())
         commands = {}
-        for process in self._world.graph.processes if self._world.graph else ():
+        for process in self._graph.processes if self._graph else ():
             commands[f"{process.host}/{process.pid}"] = command_name(process.command)
         hosts: dict[str, list[SystemView]] = {}
         below: dict[str, set[EntityId]] = {}
         for node in sorted(placed):
             view, entities = self._node(node, placed[node])
-            host = self._world.host_of(node) if node else UNKNOWN_NAME
+            host = self._parts.host_of(node) if node else UNKNOWN_NAME
             hosts.setdefault(host, []).append(view)
             below.setdefault(host, set()).update(entities)
         others = [one for one in self._states if one.kind not in (EntityKind.NODE, EntityKind.TOPIC)]
-        for entity in dict.fromkeys((*self._world.sampled, *others)):
+        for entity in dict.fromkeys((*self._parts.sampled, *others)):
             if entity.kind is EntityKind.HOST:
                 hosts.setdefault(entity.name, [])
             elif entity.kind is EntityKind.PROCESS:
@@ -99,16 +178,14 @@ class _Tree:
     def _placed(self) -> dict[str, set[str]]:
         """Return the topics of each node; those without a publisher under no name."""
         placed: dict[str, set[str]] = {}
-        graph = self._world.graph
-        for node in graph.nodes if graph else ():
+        for node in self._graph.nodes if self._graph else ():
             placed.setdefault(node.name, set())
-        for entity in (*self._world.sampled, *self._states):
+        for entity in (*self._parts.sampled, *self._states):
             if entity.kind is EntityKind.NODE:
                 placed.setdefault(entity.name, set())
-        for topic in self._world.topics.values():
-            nodes = {*(topic.publishers or topic.former), *filter(None, topic.connections)}
-            for name in nodes or (UNKNOWN_NAME,):
-                placed.setdefault(name, set()).add(topic.name)
+        for topic in self._parts.topics:
+            for name in set(self._parts.publishers_of(topic)) or (UNKNOWN_NAME,):
+                placed.setdefault(name, set()).add(topic)
         return placed
 
     def _node(self, node: str, topics: set[str]) -> tuple[SystemView, set[EntityId]]:
@@ -116,7 +193,7 @@ class _Tree:
         below = {entity}
         views = []
         for name in sorted(topics):
-            view, entities = self._topic(self._world.topics[name], node)
+            view, entities = self._topic(name, node)
             views.append(view)
             below |= entities
         for service in sorted(self._services.get(node, ())):
@@ -127,19 +204,19 @@ class _Tree:
     def _place_services(self) -> None:
         """Note the servers of each service of which something is known; those without one under no name."""
         servers: dict[str, set[str]] = {}
-        for end in self._world.graph.endpoints if self._world.graph else ():
+        for end in self._graph.endpoints if self._graph else ():
             if end.role is Role.SERVICE_SERVER:
                 servers.setdefault(end.name, set()).add(end.node)
-        for entity in (*self._world.sampled, *self._states):
+        for entity in (*self._parts.sampled, *self._states):
             if entity.kind is EntityKind.SERVICE:
                 for node in servers.get(entity.name) or (UNKNOWN_NAME,):
                     self._services.setdefault(node, set()).add(entity)
 
-    def _topic(self, topic: Topic, node: str) -> tuple[SystemView, set[EntityId]]:
-        mine = topic.connections.get(node, [])
-        views = [self._view(one.id, {one.id}, ()) for one in sorted(mine, key=lambda one: one.id)]
-        below = {topic.id, *(one.id for one in mine)}
-        return self._view(topic.id, below, tuple(views)), below
+    def _topic(self, topic: str, node: str) -> tuple[SystemView, set[EntityId]]:
+        mine = sorted(self._parts.connections_of(topic, node))
+        entity = EntityId(EntityKind.TOPIC, topic)
+        below = {entity, *mine}
+        return self._view(entity, below, tuple(self._view(one, {one}, ()) for one in mine)), below
 
     def _view(
         self, entity: EntityId, below: set[EntityId], children: tuple[SystemView, ...], name: str = ""
@@ -147,7 +224,7 @@ class _Tree:
         worst, counts = self._sum(below | {entity})
         state, _ = self._sum({entity})
         _, others = self._sum(below - {entity})
-        values, observer = self._values(entity)
+        values, observer = self._parts.values_of(entity)
         shown = name or entity.name
         kind = entity.kind.value
         return SystemView(str(entity), shown, kind, state, counts, values, observer, children, others, worst)
@@ -156,22 +233,6 @@ class _Tree:
         states = [state for entity in entities for state in self._states.get(entity, ())]
         counts = {state.value: states.count(state) for state in State if state in states}
         return max(states, key=_WORSE.__getitem__, default=None), counts
-
-    def _values(self, entity: EntityId) -> tuple[dict[str, float], str]:
-        sampled = self._world.sampled.get(entity)
-        if sampled is not None:
-            return _of_sampled(sampled, self._now)
-        if entity.kind is EntityKind.TOPIC:
-            topic = self._world.topics[entity.name]
-            for one in topic.all_connections():
-                one.settle(self._now)
-            return _of_traffic(topic, (*MEASURES, *sorted(ENDS)))
-        if entity.kind is EntityKind.CONNECTION:
-            connection = self._world.connection_of(entity)
-            if connection is not None:
-                connection.settle(self._now)
-                return _of_traffic(connection, tuple(MEASURES))
-        return {}, ""
 
 
 def _of_sampled(sampled: Sampled, now: float) -> tuple[dict[str, float], str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import log2
 
 from roslens.model.finding import Finding, RuleInfo, Severity
@@ -55,6 +55,12 @@ def first_to_fix(
     rest = [one for one in ordered if METRICS not in one.tags]
     spared = set(limits[1:]) if len(rest) + 1 >= MOST else set(limits[MOST - len(rest) :])
     return tuple(one for one in ordered if one not in spared)[:MOST]
+
+
+def new_before_others(new: Sequence[RuleCount], others: Sequence[RuleCount]) -> tuple[RuleCount, ...]:
+    """Return at most :data:`MOST` findings to mend first, those that are new since a baseline before all others."""
+    known = {(one.rule, one.example) for one in new}
+    return (*new, *(one for one in others if (one.rule, one.example) not in known))[:MOST]
 
 
 def _score(one: RuleCount, rule: RuleInfo | None) -> float:

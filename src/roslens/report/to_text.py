@@ -16,7 +16,7 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount, RunHeader
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.model.tags import TagFilter
-from roslens.report.fix_first import METRICS, MOST, first_to_fix
+from roslens.report.fix_first import METRICS, first_to_fix, new_before_others
 from roslens.report.package_table import PackageCounts, count_packages, package_table
 from roslens.report.terminal import Terminal, columns, left, right
 
@@ -202,8 +202,7 @@ def _notes_text(notes: Sequence[_Group]) -> str:
 
 
 def _fix_first(terminal: Terminal, new: Sequence[RuleCount], others: Sequence[RuleCount]) -> Iterator[str]:
-    known = {(one.rule, one.example) for one in new}
-    chosen = [*new, *(one for one in others if (one.rule, one.example) not in known)][:MOST]
+    chosen = new_before_others(new, others)
     if not chosen:
         return
     yield terminal.paint("Fix first", "title")

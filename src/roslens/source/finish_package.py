@@ -12,12 +12,12 @@ from roslens.judge.quality_model import QualityModel
 from roslens.judge.thresholds import judge_entities
 from roslens.model.entity import Entity
 from roslens.model.failure import Failure
-from roslens.model.finding import Finding
+from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageResult
 from roslens.model.source import Package, SourceFile
 from roslens.plugins.outcome import Outcome
 from roslens.source.analyse_package import MeasuredPackage
-from roslens.source.metrics import rcv, rqv
+from roslens.source.metrics import comment_ratio, rcv, rqv
 from roslens.source.settings import SourceSettings
 from roslens.source.tools.layout import RULE as LAYOUT
 from roslens.source.tools.layout import layout_folded
@@ -61,7 +61,7 @@ class Finisher:
         entities = with_measurements(measured.entities, outcome)
         package = self._packages[measured.package]
         judged: tuple[Finding, ...] = joined(
-            (*measured.findings, *outcome.findings, *judge_entities(self._models, entities))
+            (*measured.findings, *outcome.findings, *map(_as_said, judge_entities(self._models, entities)))
         )
         if measured.suppressions:
             about = about_comments(measured.suppressions, (*judged, *fold_limits(judged)), self._rules(package))
@@ -98,6 +98,13 @@ class Finisher:
             failures=(*self._failures[measured.package], *measured.failures, *outcome.failures),
             set_aside=(*sorted_out.set_aside, *folded.set_aside, *laid_out.set_aside),
         )
+
+
+def _as_said(finding: Finding) -> Finding:
+    """Return a finding of a model; as a note where the file says by itself what comments would say."""
+    if finding.quantity == comment_ratio.QUANTITY.key and comment_ratio.speaks_for_itself(finding.path):
+        return msgspec.structs.replace(finding, severity=Severity.NOTE)
+    return finding
 
 
 def with_measurements(entities: Sequence[Entity], outcome: Outcome) -> tuple[Entity, ...]:

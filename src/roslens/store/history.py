@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
+from threading import RLock
 from types import TracebackType
 
 import msgspec
@@ -12,8 +14,11 @@ import msgspec
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import Verdict
 from roslens.store.connect import Readers, connect, roll_back, shrink
+from roslens.store.encodable import encodable
 from roslens.store.folder import prepare_folder
 from roslens.store.migrate import migrate
+from roslens.store.past.moment import Moment, packed
+from roslens.store.past.recall import Recall
 from roslens.store.series import TIERS, DownSampler, Point, Tier, tier_for
 from roslens.store.sqlite_errors import as_store_errors
 
@@ -38,20 +43,28 @@ ON CONFLICT (series, tier, bucket) DO UPDATE SET
 class History:
     """What a live system did; one writer, any number of readers. A context manager."""
 
-    def __init__(self, connection: sqlite3.Connection, path: Path | None) -> None:
+    def __init__(self, connection: sqlite3.Connection, path: Path | None, tiers: tuple[Tier, ...] = TIERS) -> None:
         """Use :meth:`open`."""
+        self._tiers = tiers
         self._connection = connection
         self._path = path
         self._readers = Readers(path, connection, WAIT_S)
-        self._sampler = DownSampler()
+        self._sampler = DownSampler(tiers)
         self._ids: dict[tuple[str, str], int] = {}
         self._points: list[tuple[int, int, int, int, float, float, float]] = []
         self._verdicts: list[Verdict] = []
         self._events: list[Event] = []
+        self._moments: list[Moment] = []
+        # In memory there is one connection for all threads, and who reads must not see half a transaction.
+        self._alone = RLock()
 
     @classmethod
-    def open(cls, path: Path | None) -> History:
+    def open(cls, path: Path | None, tiers: tuple[Tier, ...] = TIERS) -> History:
         """Open the history at ``path``, made if it is missing; None keeps it in memory.
+
+        Args:
+            path: of the file.
+            tiers: how fine values are kept, and how long; verdicts as long as the coarsest.
 
         Raises:
             StoreError: the file cannot be used.
@@ -65,7 +78,7 @@ class History:
             except BaseException:
                 connection.close()
                 raise
-        return cls(connection, path)
+        return cls(connection, path, tiers)
 
     def __enter__(self) -> History:
         """Return itself."""
@@ -94,6 +107,10 @@ class History:
         """Take events of the graph."""
         self._events += events
 
+    def add_moment(self, moment: Moment) -> None:
+        """Take how everything stands; what is asked later of an instant begins with the moment before it."""
+        self._moments.append(moment)
+
     def flush(self, *, final: bool = False) -> None:
         """Write what waits in one transaction; ``final`` also what is not over yet.
 
@@ -103,9 +120,9 @@ class History:
         if final:
             for owner, quantity, tier, point in self._sampler.rest():
                 self._keep(owner, quantity, tier, point)
-        if not (self._points or self._verdicts or self._events):
+        if not (self._points or self._verdicts or self._events or self._moments):
             return
-        with as_store_errors(self._path):
+        with self._alone, as_store_errors(self._path):
             self._connection.execute("BEGIN IMMEDIATE")
             try:
                 self._write()
@@ -116,6 +133,7 @@ class History:
         self._points.clear()
         self._verdicts.clear()
         self._events.clear()
+        self._moments.clear()
 
     def let_go(self, now: float) -> None:
         """Write what is known of series that fell silent, and keep no more of them in memory.
@@ -138,14 +156,33 @@ class History:
             StoreError: the file cannot be written.
         """
         self.let_go(now)
-        with as_store_errors(self._path):
-            for tier in TIERS:
+        with self._alone, as_store_errors(self._path):
+            kept = self._tiers[-1].kept_s
+            for tier in self._tiers:
                 self._connection.execute(
                     "DELETE FROM point WHERE tier = ? AND bucket < ?", (tier.seconds, int(now - tier.kept_s))
                 )
             for table in ("verdict", "event"):
-                self._connection.execute(f"DELETE FROM {table} WHERE time < ?", (now - KEPT_VERDICTS_S,))  # noqa: S608
+                self._connection.execute(f"DELETE FROM {table} WHERE time < ?", (now - kept,))  # noqa: S608
+            # The last one before is where what is kept begins.
+            self._connection.execute(
+                "DELETE FROM moment WHERE time < (SELECT max(time) FROM moment WHERE time <= ?)",
+                (now - kept,),
+            )
             shrink(self._connection)
+
+    def recall(self) -> Recall:
+        """Return what reads this history, from any thread."""
+        return Recall(self._lent, str(self._path or "in memory"))
+
+    @contextmanager
+    def _lent(self) -> Iterator[sqlite3.Connection]:
+        if self._path is None:
+            with self._alone:
+                yield self._connection
+        else:
+            with self._readers.one() as connection:
+                yield connection
 
     def points(self, entity: str, quantity: str, since: float, until: float, *, most: int = 600) -> tuple[Point, ...]:
         """Return a series from ``since`` to ``until`` in at most ``most`` points, oldest first.
@@ -195,7 +232,7 @@ class History:
     def _id(self, entity: str, quantity: str) -> int:
         known = self._ids.get((entity, quantity))
         if known is None:
-            with as_store_errors(self._path):
+            with self._alone, as_store_errors(self._path):
                 self._connection.execute(
                     "INSERT OR IGNORE INTO series (entity, quantity) VALUES (?, ?)", (_storable(entity), quantity)
                 )
@@ -215,10 +252,17 @@ class History:
             "INSERT INTO event (time, entity, change, detail) VALUES (?, ?, ?, ?)",
             [(one.time, _storable(one.entity), one.change.value, _storable(one.detail)) for one in self._events],
         )
+        self._connection.executemany(
+            "INSERT OR REPLACE INTO moment (time, content) VALUES (?, ?)",
+            [(one.time, packed(one)) for one in self._moments],
+        )
 
 
 def _json(verdict: Verdict) -> str:
-    return msgspec.json.encode(verdict).decode()
+    try:
+        return msgspec.json.encode(verdict).decode()
+    except UnicodeEncodeError:
+        return msgspec.json.encode(encodable(verdict)).decode()
 
 
 def _storable(text: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from roslens.cli.watch_page import PageSource
 from roslens.judge.read_reference import GivenText, load_reference
+from roslens.live.past.keeper import in_memory
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind
@@ -72,6 +73,8 @@ class ScriptedRobot:
         self._graph: Graph | None = None
         self._asked = 0.0
         self.page = PageSource("rover", clock=written, live=True, steady=self._steady)
+        self.keeper = in_memory(self.session)
+        self.page.remember(self.keeper.recall())
         self.run(6)
 
     def _steady(self) -> float:
@@ -105,7 +108,10 @@ class ScriptedRobot:
             ]
         )
         self._graph = graph
-        self.page.take(self.session.look(self.now))
+        step = self.session.look(self.now)
+        self.page.take(step)
+        self.keeper.take(step)
+        self.keeper.end()
         self.page.make(self.session, self.now, "0.4 % of a core, 1,234 records")
 
     def _graph_now(self) -> Graph:

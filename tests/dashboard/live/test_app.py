@@ -94,14 +94,14 @@ def test_a_detail_has_every_signal_and_what_each_constraint_says():
     robot.rates["/scan"] = 4
     robot.run(5)
     page = client(robot)
-    found = page.get("/detail.json", params={"at": "topic:/scan"}).json()
+    found = page.get("/detail.json", params={"select": "topic:/scan"}).json()
     (judged,) = found["judgements"]
     assert (judged["state"], judged["severity"], judged["value"]) == ("low", "error", "4 Hz")
     assert (judged["expected"], judged["text"]) == ("8..12 Hz", "Look at the cable of the lidar")
     assert judged["where"].startswith("rover.yaml:")
     assert {"rate", "bandwidth", "largest_gap", "publishers", "subscribers"} <= {one["key"] for one in found["values"]}
     assert found["observed"] == "scripted"
-    host = page.get("/detail.json", params={"at": "host:rover"}).json()
+    host = page.get("/detail.json", params={"select": "host:rover"}).json()
     assert (host["below"], [one["state"] for one in host["judgements"]]) == ("1 low below", ["ok"])
 
 
@@ -115,7 +115,7 @@ def test_the_graph_is_served_for_who_compares_it():
 def test_what_is_not_there_has_no_detail():
     page = client(ScriptedRobot())
     for entity in ("topic:/nothing", "", "x" * 10_000, "</script>"):
-        answer = page.get("/detail.json", params={"at": entity})
+        answer = page.get("/detail.json", params={"select": entity})
         assert (answer.status_code, answer.content) == (204, b"")
 
 

@@ -1,7 +1,10 @@
 from __future__ import annotations
 
+import json
+
 import pytest
 
+from roslens.cli.main import main
 from roslens.source.metrics import comment_ratio
 
 
@@ -13,3 +16,22 @@ def test_without_code_there_is_no_ratio(values):
 def test_it_is_in_per_cent_and_may_exceed_a_hundred():
     assert comment_ratio.of_values({"loc": 4.0, "comment_lines": 1.0}) == 25
     assert comment_ratio.of_values({"loc": 4.0, "comment_lines": 5.0}) == 125
+
+
+@pytest.mark.parametrize(
+    ("path", "table"),
+    [("a/setup.py", True), ("setup.py", True), ("a/cfg/Node.cfg", True), ("a/my_setup.py", False), ("a/cfg.py", False)],
+)
+def test_tables_speak_for_themselves(path, table):
+    assert comment_ratio.speaks_for_itself(path) is table
+
+
+def test_tables_without_comments_are_notes(tmp_path, capsys):
+    (tmp_path / "package.xml").write_text("<package><name>p</name><version>1.0.0</version></package>")
+    (tmp_path / "cfg").mkdir()
+    for name in ("setup.py", "cfg/Node.cfg", "drive.py"):
+        (tmp_path / name).write_text("#!/usr/bin/env python3\n" + "a = 1\nb = 2\nc = 3\n" * 9)
+    main(["check", str(tmp_path), "--format", "json", "--jobs", "1", "-q", "--no-graph", "--fail-on", "never"])
+    found = json.loads(capsys.readouterr().out)["findings"]
+    told = {one["path"]: one["severity"] for one in found if one["rule"] == "ros.comment_ratio.min"}
+    assert told == {"setup.py": "note", "cfg/Node.cfg": "note", "drive.py": "warning"}

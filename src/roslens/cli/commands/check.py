@@ -11,12 +11,13 @@ from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 from roslens.cli.check_fix import fixed_scope, show_diff, take_back
 from roslens.cli.check_gate import gated
 from roslens.cli.check_graph import add_graph_argument
-from roslens.cli.check_outputs import add_output_arguments, below_repository, outputs, write_outputs
+from roslens.cli.check_outputs import add_output_arguments, below_repository, new_first, outputs, write_outputs
 from roslens.cli.check_scope import left_to_whole_run, scope_of, unchanged_files
 from roslens.cli.check_watch import add_watch_argument, refuse_others, watch_files
 from roslens.cli.fetch_first import fetch_first
 from roslens.cli.fetch_options import add_fetch_arguments, refuse_without_fetch
 from roslens.cli.fix_option import add_fix_arguments, refuse_contradictions
+from roslens.cli.kept_new import keep_new
 from roslens.cli.process_option import add_process_arguments
 from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.tools_option import add_tools_arguments, tell_not_run
@@ -165,6 +166,9 @@ def run(options: argparse.Namespace) -> int:
             scope = fixed_scope(options, root, configuration, scope, lambda: look()[1])
         scope = gated(scope, configuration.gate)
         write_outputs(chosen, options, scope.shown, scope.wanted)
+        if kept is not None:
+            new = None if scope.wanted.new is None else new_first(scope.shown, scope.wanted)
+            keep_new(kept.parent, scope.whole.id, scope.wanted.baseline, new)
         if not options.quiet:
             tell_not_run(scope.whole.header)
             if outcome.left_out:

@@ -37,6 +37,7 @@ def run(options: argparse.Namespace) -> int:
         UsageError: there is no run, the number of processes is none, or the folder holds something else.
         StoreError: the store cannot be read.
     """
+    from roslens.cli.kept_new import shown_new
     from roslens.cli.shown_graphs import site_with_graphs
     from roslens.cli.shown_past import shown_past
     from roslens.cli.shown_run import shown_run
@@ -47,6 +48,7 @@ def run(options: argparse.Namespace) -> int:
     with shown_run(options, progress) as view, shown_past(options, view) as past:
         site = site_with_graphs(view, options, progress)
         site.past = past
+        site.new_first = shown_new(options, view)
         try:
             if options.single_file:
                 from roslens.dashboard.single_file import single_file

@@ -49,6 +49,7 @@ def run(options: argparse.Namespace) -> int:
     """
     if not options.live and (option := "--reference" if options.reference else given(options)):
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
+    from roslens.cli.kept_new import shown_new
     from roslens.cli.live_beside import live_beside
     from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_past import shown_past
@@ -61,6 +62,7 @@ def run(options: argparse.Namespace) -> int:
     with shown_run(options, progress) as view, shown_past(options, view) as past:
         site, read_graphs = site_at_once(view, options, progress)
         site.past = past
+        site.new_first = shown_new(options, view)
 
         def ready(url: str) -> None:
             print(f"roslens: {door.address(url)} (Ctrl-C ends it)", file=sys.stderr, flush=True)
@@ -75,6 +77,7 @@ def run(options: argparse.Namespace) -> int:
                 snapshot=page.newest if page else None,
                 detail=page.detail if page else nothing,
                 graph=page.graph if page else no_graph,
+                past=page.past if page else None,
                 access=door.access,
                 tls=door.tls,
             )

@@ -120,7 +120,7 @@ def _replayed(options: argparse.Namespace, reference: Reference, states: frozens
             if page is not None:
                 page.take(step)
 
-        session = replay(bag, reference, told=told)
+        session = replay(bag, reference, told=told, begun=page.keep if page is not None else lambda _: None)
         amount = f"{bag.messages:,} messages in {bag.end - bag.start:.1f} s"
         teller.tell_unjudged(session.monitor.standing(), bag.end)
         missed = about_nothing(session, reference, bag.end, RECORDED)

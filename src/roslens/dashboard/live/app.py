@@ -20,8 +20,11 @@ import roslens
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.live.further import Further
+from roslens.dashboard.live.past import Past
+from roslens.dashboard.live.past_routes import MomentError, PastRoutes, foreign, json_or_nothing, refused, unreadable
 from roslens.dashboard.live.snapshot import Snapshot
 from roslens.dashboard.render import TEMPLATES, WEB
+from roslens.model.errors import StoreError
 
 HERE = Path(__file__).parent
 MOST_READERS = 32
@@ -35,6 +38,8 @@ _KEYS = (
     ("Enter", "show the row in the graph"),
     ("/", "filter"),
     ("w", "only what is worse than ok"),
+    ("[ ]", "the moment of the event before and after"),
+    ("p n", "play the past, back to now"),
     ("+ - 0", "zoom the graph, all of it"),
     ("Esc", "clear the selection"),
     ("d", "light or dark"),
@@ -74,7 +79,7 @@ def no_graph() -> bytes:
 
 def create_live_app(
     snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
-    graph: Callable[[], bytes] = no_graph, stopped: Callable[[], bool] = lambda: False,
+    graph: Callable[[], bytes] = no_graph, past: Past | None = None, stopped: Callable[[], bool] = lambda: False,
 ) -> Starlette:  # fmt: skip
     """Return the application.
 
@@ -84,32 +89,41 @@ def create_live_app(
         facts: of the server.
         detail: returns all that is known of an entity as JSON, empty of one that is not there. Called from there too.
         graph: returns the computation graph as JSON, empty where none is known yet. Called from there too.
+        past: of what is shown; None where nothing is kept.
         stopped: whether streams should end.
     """
     facts = facts or Facts()
-    page = _template(facts)
+    page, compared = _templates(facts, past is not None)
     streams = _Streams(snapshot, facts.pace_s, stopped)
+    memory = PastRoutes(past, compared) if past is not None else None
 
-    async def show(_: Request) -> Response:
-        text = snapshot()
+    async def show(request: Request) -> Response:
+        at = request.query_params.get("at", "")
+        text = await memory.snapshot(at) if memory is not None and at else b""
+        text, then = (text, at) if text else (snapshot(), "")
         shown = msgspec.json.decode(text, type=Snapshot)
-        return HTMLResponse(page(shown, _embeddable(text)))
+        return HTMLResponse(page(shown, _embeddable(text), then))
 
     async def twin(request: Request) -> Response:
-        return _foreign(request) or Response(snapshot(), media_type="application/json")
+        if refusal := foreign(request):
+            return refusal
+        at = request.query_params.get("at", "")
+        if at and memory is not None:
+            return json_or_nothing(await memory.snapshot(at))
+        return Response(snapshot(), media_type="application/json")
 
     async def about(request: Request) -> Response:
-        if refusal := _foreign(request):
+        if refusal := foreign(request):
             return refusal
-        found = detail(request.query_params.get("at", ""))
+        entity, at = request.query_params.get("select", ""), request.query_params.get("at", "")
         # That nothing is known of an entity is no error: it may have gone since it was chosen.
-        return Response(found, media_type="application/json") if found else Response(status_code=204)
+        return json_or_nothing(await memory.detail(entity, at) if at and memory is not None else detail(entity))
 
     async def whole(request: Request) -> Response:
-        return _foreign(request) or Response(graph() or b"{}", media_type="application/json")
+        return foreign(request) or Response(graph() or b"{}", media_type="application/json")
 
     async def events(request: Request) -> Response:
-        if refusal := _foreign(request):
+        if refusal := foreign(request):
             return refusal
         if streams.readers >= MOST_READERS:
             return PlainTextResponse(f"{MOST_READERS} readers are served already.\n", status_code=503)
@@ -127,10 +141,12 @@ def create_live_app(
             Route("/detail.json", about),
             Route("/graph.json", whole),
             *facts.further.routes,
+            *(memory.routes() if memory is not None else ()),
             Mount("/web/live", StaticFiles(directory=HERE / "web")),
             Mount("/web", StaticFiles(directory=WEB)),
         ],
         middleware=[Middleware(Guard, names=facts.names, advice=facts.advice, access=facts.access)],
+        exception_handlers={StoreError: unreadable, MomentError: refused},
     )
 
 
@@ -163,20 +179,13 @@ class _Streams:
             self.readers -= 1
 
 
-def _foreign(request: Request) -> Response | None:
-    """Refuse what a page of another origin asked for; browsers say so themselves."""
-    if request.headers.get("sec-fetch-site", "none") in ("same-origin", "none"):
-        return None
-    return PlainTextResponse("Only pages of this server may read this.\n", status_code=403)
-
-
 def _embeddable(text: bytes) -> Markup:
     """Return JSON that may stand inside a script element: nothing in it can end the element."""
     safe = text.decode().replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
     return Markup(safe)  # noqa: S704 - escaped
 
 
-def _template(facts: Facts) -> Callable[[Snapshot, Markup], str]:
+def _templates(facts: Facts, remembers: bool) -> tuple[Callable[[Snapshot, Markup, str], str], Callable[[object], str]]:
     environment = Environment(
         loader=FileSystemLoader([HERE / "templates", TEMPLATES]),
         autoescape=True,
@@ -184,12 +193,11 @@ def _template(facts: Facts) -> Callable[[Snapshot, Markup], str]:
         lstrip_blocks=True,
         undefined=StrictUndefined,
     )
-    template = environment.get_template("live.html")
-    return lambda shown, text: template.render(
-        snapshot=shown,
-        text=text,
-        keys=_KEYS,
-        version=roslens.__version__,
-        beside=facts.beside,
-        links=facts.further.links,
+    environment.globals.update(
+        version=roslens.__version__, beside=facts.beside, links=facts.further.links, remembers=remembers, keys=_KEYS
+    )
+    page, compared = environment.get_template("live.html"), environment.get_template("compared.html")
+    return (
+        lambda shown, text, at: page.render(snapshot=shown, text=text, at=at),
+        lambda found: compared.render(found=found),
     )

@@ -11,6 +11,7 @@ from roslens.dashboard.access.policy import Access
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
 from roslens.dashboard.live.further import Further
+from roslens.dashboard.live.past import Past
 from roslens.dashboard.patient_protocol import PatientProtocol
 
 _ADVICE = "Give --serve another port, or 0 for any free one"
@@ -22,15 +23,16 @@ class LivePage:
 
     def __init__(
         self, snapshot: Callable[[], bytes], *, detail: Callable[[str], bytes] = nothing,
-        graph: Callable[[], bytes] = no_graph, host: str = "127.0.0.1", port: int = 0, access: Access | None = None,
-        tls: Tls | None = None, further: Further | None = None,
+        graph: Callable[[], bytes] = no_graph, past: Past | None = None, host: str = "127.0.0.1", port: int = 0,
+        access: Access | None = None, tls: Tls | None = None, further: Further | None = None,
     ) -> None:  # fmt: skip
-        """Serve what ``snapshot``, ``graph`` and, of an entity, ``detail`` return, called from the server's thread.
+        """Serve what these return; all are called from the server's threads.
 
         Args:
             snapshot: returns the newest snapshot.
             detail: returns all that is known of an entity.
             graph: returns the computation graph.
+            past: of what is shown; None where nothing is kept.
             host: name or address to listen on.
             port: to listen on; 0 takes a free one.
             access: who may view and who may act; by default everybody may view and nobody act.
@@ -47,7 +49,7 @@ class LivePage:
         facts = Facts(frozenset({host.lower()}), access=access, further=further or Further())
         self._server = uvicorn.Server(
             uvicorn.Config(
-                create_live_app(snapshot, facts, detail=detail, graph=graph, stopped=self._stopping.is_set),
+                create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, stopped=self._stopping.is_set),
                 log_level="error",
                 access_log=False,
                 lifespan="off",

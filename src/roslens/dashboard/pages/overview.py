@@ -18,7 +18,7 @@ from roslens.model.finding import Severity
 from roslens.model.result import RuleCount
 from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter
-from roslens.report.fix_first import first_to_fix
+from roslens.report.fix_first import first_to_fix, new_before_others
 
 FIRST = 8
 ELSEWHERE = "In test, generated or vendored code: they fail no check"
@@ -49,7 +49,10 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         facts={
             "headline": headline(severities, number_of_packages(broken), packages),
             "counts": counts,
-            "first": [{"severity": one.severity.value, "rule": one.rule, "text": one.example} for one in _first(site)],
+            "first": [
+                {"severity": one.severity.value, "rule": one.rule, "text": one.example, "new": one in site.new_first}
+                for one in _first(site)
+            ],
             "severities": {severity.value: count for severity, count in severities.items()},
             "languages": dict(_sum(package.languages for package in site.packages)),
             "roles": dict(_sum(package.roles for package in site.packages)),
@@ -86,7 +89,8 @@ def since_release(site: Site) -> dict[str, object] | None:
 
 
 def _first(site: Site) -> tuple[RuleCount, ...]:
-    return first_to_fix(site.packages, site.view.workspace.findings, site.rules, TagFilter())
+    others = first_to_fix(site.packages, site.view.workspace.findings, site.rules, TagFilter())
+    return new_before_others(site.new_first, others)
 
 
 def headline(severities: Mapping[Severity, int], affected: int, packages: int) -> str:

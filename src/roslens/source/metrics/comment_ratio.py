@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from roslens.model.entity import EntityKind
@@ -19,9 +20,18 @@ QUANTITY = Quantity(
     source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (%Com = LOCom / LOC, "
     "there as a ratio); thresholds of the ROS, NASA SATC, HIS and Akureyri models are in per cent",
     limits="Above 100 where there is more comment than code. HIS divides by statements, others by all lines: their "
-    "values are lower or higher by a constant habit of layout. Absent where there is no code.",
+    "values are lower or higher by a constant habit of layout. Absent where there is no code. What is too low in a "
+    "``setup.py`` or ``.cfg`` of dynamic_reconfigure is a note.",
     decimals=1,
 )
+
+
+_TABLES = re.compile(r"(?:.*/)?(?:setup\.py|[^/]+\.cfg)")
+
+
+def speaks_for_itself(path: str) -> bool:
+    """Return whether a file is a table that says what it holds: parameters for dynamic_reconfigure, a ``setup.py``."""
+    return _TABLES.fullmatch(path) is not None
 
 
 def of_values(values: Mapping[str, float]) -> float | None:

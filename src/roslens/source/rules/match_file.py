@@ -25,6 +25,9 @@ DEEPEST = 60_000
 MOST_HITS = 200
 """Of one rule in one file; a file with more is generated, or breaks it on every line."""
 
+_OF_A_TEMPLATE = re.compile(rb"^[ \t]*\{%-? ?\w", re.MULTILINE)
+"""A line of Jinja outside of texts: what a template is filled with makes a program of it, here it is none."""
+
 
 class Matched(msgspec.Struct, frozen=True, array_like=True, omit_defaults=True):
     """What the native rules found in a file, and which of them failed; of its file neither says the name."""
@@ -88,6 +91,8 @@ def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
         wanted: ids of the rules that look at it; all for None.
     """
     plan = _plan(view.syntax, wanted)
+    if view.syntax == "python" and _OF_A_TEMPLATE.search(view.code):
+        return Matched()
     found: list[Hit] = []
     broken: dict[str, Failure] = {}
     asked = _Asked(view, found, broken)

@@ -21,6 +21,8 @@ _UPSTREAM = re.compile(
     r"|absl|abseil-cpp|protobuf|or-tools|ortools|glad|optional-lite|span-lite|libb64",
     re.IGNORECASE,
 )
+_LAID_OUT = re.compile(r"(?:.*?/)?eigen(?=/(?:eigen/)?src/core/)", re.IGNORECASE)
+"""A folder whose name says little and whose inside says whose it is."""
 _SOURCES = re.compile(r".+\.(?:c|cc|cpp|cxx|h|hh|hpp|hxx|inl|ipp|tpp|cu|cuh|py)")
 _MOST = 0.5
 
@@ -39,6 +41,8 @@ def vendored_folders(package: str, paths: Sequence[str]) -> tuple[str, ...]:
     for path in paths:
         if not path.startswith(start):
             continue
+        if laid_out := _LAID_OUT.match(path):
+            found.add(f"{laid_out[0]}/")
         folders, _, name = path[len(start) :].rpartition("/")
         parts = folders.split("/") if folders else []
         for depth, part in enumerate(parts, 1):

@@ -1,21 +1,22 @@
-// All that is known of what was chosen: what constraints say of it, and every signal.
+// All that is known of what was chosen: what constraints say of it, every signal, and these over time.
 
 import { make } from "../dom.js";
 import { sign, word } from "./states.js";
 
 export class Detail {
-  /** `close` is called when the panel was closed by hand. */
-  constructor(element, close) {
-    this.element = element;
-    this.close = close;
-    this.entity = "";
-    this.asked = "";
+  /** `close` is called when the panel was closed by hand; `at` returns the moment that is shown, null for now. */
+  constructor(element, { close, at, plots }) {
+    Object.assign(this, { element, close, at, plots, entity: "", asked: "" });
+    this.said = make("div", {});
+    this.signals = make("div", {});
+    element.replaceChildren(this.said, ...(plots ? [plots.element] : []), this.signals);
   }
 
   show(entity) {
     if (this.entity === entity) return;
     this.entity = entity;
     this.asked = "";
+    this.plots?.show(entity);
     if (!entity) this.element.hidden = true;
     else this.ask();
   }
@@ -28,11 +29,12 @@ export class Detail {
   async ask(when = "") {
     const { entity } = this;
     this.asked = when;
+    const at = this.at();
     try {
-      const answer = await fetch(`detail.json?at=${encodeURIComponent(entity)}`);
-      if (entity !== this.entity) return;
+      const answer = await fetch(`detail.json?select=${encodeURIComponent(entity)}${at === null ? "" : `&at=${at}`}`);
+      if (entity !== this.entity || at !== this.at()) return;
       if (answer.status === 200) this.draw(await answer.json());
-      else this.element.hidden = true;
+      else this.draw({ entity, kind: entity.split(":")[0], name: entity.slice(entity.indexOf(":") + 1), when: "", gone: true });
     } catch {
       // The page says by itself that nothing is heard of the monitor.
     }
@@ -41,14 +43,18 @@ export class Detail {
   draw(about) {
     if (about.entity !== this.entity) return;
     const { scrollTop } = this.element;
-    const focused = this.element.contains(document.activeElement);
+    const focused = this.said.contains(document.activeElement);
+    const opened = this.signals.querySelector("details")?.open ?? true;
     const shut = make("button", { type: "button", class: "plain", text: "Close", onclick: () => this.close() });
     const judged = about.judgements || [];
-    this.element.replaceChildren(
+    const values = about.values || [];
+    this.said.replaceChildren(
       make("div", { class: "bar-line" }, make("h3", {}, `${about.kind} `, make("bdi", { text: about.name })), shut),
-      make("p", { class: "quiet", text: [about.observed, about.below, `at ${about.when}`].filter(Boolean).join(" · ") }),
-      judged.length ? table(["Constraint", "State", "Value", "Expected", "Since", "What shows it"], judged.map(judgement)) : make("p", { class: "quiet", text: "No constraint is about it." }),
-      about.values?.length ? table(["Signal", "Value", "What it is"], about.values.map((one) => [one.title, one.shown, one.text])) : "",
+      make("p", { class: "quiet", text: about.gone ? "It is not there." : [about.observed, about.below, `at ${about.when}`].filter(Boolean).join(" · ") }),
+      judged.length ? table("What is expected of it", ["Constraint", "State", "Value", "Expected", "Since", "What shows it", "Written in"], judged.map(judgement)) : about.gone ? "" : make("p", { class: "quiet", text: "Not judged: no constraint is about it." }),
+    );
+    this.signals.replaceChildren(
+      values.length ? make("details", { open: opened }, make("summary", { text: `Every signal that was sampled (${values.length})` }), table("Signals", ["Signal", "Value", "What it is"], values.map((one) => [one.title, one.shown, one.text]))) : "",
     );
     this.element.hidden = false;
     this.element.scrollTop = scrollTop;
@@ -59,11 +65,11 @@ export class Detail {
 function judgement(one) {
   const why = [one.evidence, one.leads_to && `→ ${one.leads_to}`, one.cause && (one.why ? `because ${one.why}` : `because of ${one.cause}`), one.text].filter(Boolean).join("; ");
   const state = make("span", { class: "mark" }, sign(one.state, one.severity), word(one.state));
-  return [make("span", { title: one.where || "", text: one.expectation }), state, one.value || "unknown", one.expected || "", one.since, why];
+  return [one.expectation, state, one.value || "unknown", one.expected || "", one.since, why, one.where ? make("code", { text: one.where }) : ""];
 }
 
-function table(headings, rows) {
-  return make("table", {},
+function table(label, headings, rows) {
+  return make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": label }, make("table", { "aria-label": label },
     make("thead", {}, make("tr", {}, ...headings.map((text) => make("th", { scope: "col", text })))),
-    make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((one) => make("td", {}, typeof one === "string" ? make("bdi", { text: one }) : one))))));
+    make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((one) => make("td", {}, typeof one === "string" ? make("bdi", { text: one }) : one)))))));
 }

@@ -11,7 +11,7 @@ export class Happened {
 
   update(snapshot) {
     this.fill(0, this.happened, snapshot.happened, (one) => [
-      make("time", { text: one.when.trim() }), one.state ? sign(one.state) : "", " ",
+      make("button", { type: "button", class: "plain when", "data-time": one.time, title: "Show this moment", text: one.when.trim() }), one.state ? sign(one.state) : "", " ",
       make("bdi", { class: "name", text: one.name }), ` ${one.what} `, make("bdi", { class: "quiet", text: one.detail || "" }),
     ]);
     this.fill(1, this.failures, snapshot.failures, (one) => [make("bdi", { text: one })]);

@@ -1,14 +1,18 @@
 // Follows the system: each snapshot is written into the page that the server sent.
 
-import { parameters, setParameters } from "../address.js";
+import { enterParameters, onReturn, parameters, setParameters } from "../address.js";
 import { make, settled } from "../dom.js";
 import { onKey, startKeys } from "../keys.js";
 import { startShell } from "../shell.js";
 import { Alerts } from "./alerts.js";
 import { Causes } from "./causes.js";
+import { learn } from "./clock.js";
 import { Detail } from "./detail.js";
 import { Happened } from "./happened.js";
+import { Moments } from "./moments.js";
 import { Picture } from "./picture.js";
+import { Plots } from "./plots.js";
+import { Sparks } from "./sparks.js";
 import { sign, word } from "./states.js";
 import { listen } from "./stream.js";
 import { Tree } from "./tree.js";
@@ -24,7 +28,10 @@ const alerts = new Alerts(by("alerts"), by("said"), (entity) => choose(entity, "
 const causes = new Causes(by("causes"));
 const happened = new Happened(by("happened"), by("failures"), [by("happened-none"), by("failures-none")]);
 
-const detail = new Detail(by("detail"), () => choose("", "keys"));
+const remembers = Boolean(by("time"));
+const plots = remembers ? new Plots(by("plots"), () => moments.at ?? moments.now) : null;
+const detail = new Detail(by("detail"), { close: () => choose("", "keys"), at: () => moments?.at ?? null, plots });
+let latest = null;
 
 /** Show an entity everywhere. */
 function choose(entity, from) {
@@ -39,7 +46,21 @@ function choose(entity, from) {
   }
   picture.select(entity, from !== "picture");
   detail.show(entity);
-  setParameters({ at: entity });
+  if (from !== "address") enterParameters({ select: entity });
+}
+
+/** Another moment is shown; null is now. */
+function went(at) {
+  setParameters({ at: at === null ? "" : String(Math.round(at * 10) / 10) });
+  plots.moved();
+  if (at === null && latest) show(latest);
+}
+
+/** A snapshot of what runs has come: it is shown unless the reader looks at another moment. */
+function heardOf(snapshot, read) {
+  latest = snapshot;
+  moments?.update(snapshot);
+  if (!moments || moments.at === null) show(snapshot, read);
 }
 
 function filter() {
@@ -70,7 +91,7 @@ function show(snapshot, read = 0) {
   if (sum !== summed) headline(snapshot);
   summed = sum;
   by("when").textContent = snapshot.when.trim();
-  by("cost").textContent = snapshot.live ? `costs ${snapshot.cost}` : snapshot.cost;
+  by("cost").textContent = snapshot.cost && snapshot.live ? `costs ${snapshot.cost}` : snapshot.cost;
   alerts.update(snapshot);
   const spent = read + performance.now() - begun;
   if (!waiting) requestAnimationFrame(drawn);
@@ -94,6 +115,11 @@ function drawn() {
 
 const first = JSON.parse(by("first").textContent);
 by("first").remove();
+const moments = remembers ? new Moments({
+  element: by("time"), slider: by("slider"), play: by("play"), speed: by("speed"), reach: by("reach"), marks: by("marks"), back: by("now"), then: by("then"),
+  said: by("moment"), told: by("marks-said"), hold: by("hold"), differences: by("differences"), live: first.live,
+}, went, (snapshot) => show(snapshot)) : null;
+if (moments) new Sparks(tree, () => moments.at ?? moments.now);
 const pulse = by("pulse");
 const lost = by("lost");
 
@@ -119,13 +145,23 @@ worse.checked = parameters().get("worse") === "1";
 tree.filter(search.value, worse.checked);
 show(first);
 drawn();
-const at = parameters().get("at");
-if (at) {
-  tree.show(at);
-  picture.select(at, true);
-  detail.show(at);
+learn(first);
+if (moments && !by("then").dataset.at) moments.update(first);
+
+/** Take selection and moment from the address. */
+function readAddress() {
+  const at = Number.parseFloat(parameters().get("at"));
+  if (moments && (moments.at ?? NaN) !== at && !(Number.isNaN(at) && moments.at === null)) moments.go(Number.isNaN(at) ? null : at, true);
+  if (moments && moments.at === null && latest) show(latest);
+  search.value = parameters().get("q") || "";
+  worse.checked = parameters().get("worse") === "1";
+  tree.filter(search.value, worse.checked);
+  choose(parameters().get("select") || "", "address");
 }
-listen(show, heard);
+
+readAddress();
+onReturn(readAddress);
+listen(heardOf, heard);
 
 search.addEventListener("input", settled(filter, 80));
 search.addEventListener("keydown", (event) => event.key === "Escape" && (search.value ? (search.value = "", filter()) : search.blur()));
@@ -148,3 +184,13 @@ onKey("+", () => picture.zoom(1.4));
 onKey("-", () => picture.zoom(1 / 1.4));
 onKey("0", () => picture.fit());
 onKey("Escape", () => choose("", "keys"));
+if (moments) {
+  onKey("[", () => moments.step(-1));
+  onKey("]", () => moments.step(1));
+  onKey("n", () => moments.go(null));
+  onKey("p", () => moments.turn());
+  by("happened").addEventListener("click", (event) => {
+    const time = event.target.closest("[data-time]")?.dataset.time;
+    if (time) moments.go(Number(time));
+  });
+}

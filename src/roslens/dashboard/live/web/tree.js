@@ -29,6 +29,7 @@ export class Tree {
     this.worse = false;
     this.chosen = "";
     this.waiting = false;
+    this.sparks = Boolean(document.getElementById("time"));
     this.body.addEventListener("click", (event) => this.click(event));
     for (const name of ["scroll", "resize"]) addEventListener(name, () => this.soon(), { passive: true });
     addEventListener("beforeprint", () => this.fill(0, Infinity));
@@ -47,7 +48,7 @@ export class Tree {
     if (columns !== this.columns) {
       this.columns = columns;
       this.keys = snapshot.columns.map((column) => column[0]);
-      this.head.replaceChildren(make("th", { scope: "col", text: "Name" }), make("th", { scope: "col", text: "State" }),
+      this.head.replaceChildren(make("th", { scope: "col", text: "Name" }), make("th", { scope: "col", text: "State" }), ...(this.sparks ? [make("th", { scope: "col", class: "spark-head", text: "2 min" })] : []),
         ...snapshot.columns.map((column) => make("th", { scope: "col", class: "num", text: column[1] })));
       this.lines.clear();
       this.order = [];
@@ -150,7 +151,7 @@ export class Tree {
     const state = make("span", { class: "mark" });
     const cells = this.keys.map(() => make("td", { class: "num" }, ""));
     const element = make("tr", { role: "row", "data-key": row.key, "data-kind": row.kind, "data-entity": row.entity, "aria-level": row.depth + 1, tabindex: "-1" },
-      cell, make("td", { class: "state" }, state), ...cells);
+      cell, make("td", { class: "state" }, state), ...(this.sparks ? [make("td", { class: "spark-cell" })] : []), ...cells);
     return { element, state, below, cells, is: "", open: null, texts: [], observer: null, kind: "" };
   }
 
@@ -208,6 +209,21 @@ export class Tree {
     requestAnimationFrame(() => {
       this.waiting = false;
       this.fill(...this.near());
+    });
+  }
+
+  /** The entities of the rows around what can be seen, at most so many. */
+  seen(most) {
+    const [first, last] = this.near();
+    const from = Math.max(first, 0);
+    return [...new Set(this.shown.slice(from, Math.min(last, this.shown.length)).map((one) => one.row.entity))].slice(0, most);
+  }
+
+  /** Show how rows went; `line` makes a picture of values. */
+  spark(values, line) {
+    this.shown.forEach(({ row }, at) => {
+      const found = values[row.entity];
+      if (found) this.order[at]?.element.querySelector(".spark-cell")?.replaceChildren(line(found));
     });
   }
 

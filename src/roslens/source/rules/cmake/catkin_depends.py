@@ -26,6 +26,8 @@ def found(view: PackageView) -> Iterator[Hit]:
     for word in words:
         if word in _AFTER:
             return
+        if word == "CATKIN_DEPENDS":
+            continue
         declared = kinds.get(word, set())
         if "$" not in word and not declared & _FOR_OTHERS:
             has = f"by <{min(declared)}_depend> only" if declared else "not at all"

@@ -88,6 +88,7 @@ RULE = PackageRule(
     "In ROS 1 it is a note: the devel space finds it.",
     why="`ros2 launch` and `$(find-pkg-share …)` look into the installation: the file is not found there, or on "
     "the robot only, where nothing but the installation is.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("build", "install"),
     bad="ament_package()  # and a folder launch/",

@@ -68,6 +68,7 @@ RULE = PackageRule(
     finds="A source that `add_executable` or `add_library` names and that is neither in the package nor made by a "
     "command. Correct the path, or remove the target. Inside a condition it is a note: that arm may never run.",
     why="CMake stops: the package cannot be built at all.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("build",),
     bad="add_executable(driver src/drvier.cpp)",

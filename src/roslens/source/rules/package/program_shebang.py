@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from roslens.model.edit import Edit, edit_at
+from roslens.model.finding import Severity
 from roslens.model.source import Language
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
@@ -37,7 +38,11 @@ def found(view: PackageView) -> Iterator[Hit]:
             if not first.startswith("#!"):
                 message = f"{at} installs it as a program, and its first line is {first[:40]!r}; expected {_EXPECTED}"
                 edits = _begun(view.read(path), b"", path)
-                yield Hit("package.program_shebang", message, 1, context="#!", path=path, edits=edits)
+                # A module among the programs is one too many, and nobody starts it.
+                severity = None if b"__main__" in view.read(path) else Severity.NOTE
+                yield Hit(
+                    "package.program_shebang", message, 1, context="#!", path=path, severity=severity, edits=edits
+                )
             elif _OLD.search(first) and one.name == "install" and view.ros == frozenset({2}):
                 message = f"distributions of ROS 2 have no program for {first!r}; expected {_EXPECTED}"
                 edits = _begun(view.read(path), first.encode(), path)

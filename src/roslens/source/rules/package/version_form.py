@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from roslens.model.finding import Severity
@@ -10,12 +11,15 @@ from roslens.source.rules.mistaken import mistaken
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
 
+_TO_BE_FILLED = re.compile(r"\{\w+\}")
+"""What a release writes into a template of bloom: ``:{version}``."""
+
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each version that is not three numbers."""
     from roslens.source.workspace.validity import VERSION
 
-    yield from mistaken(view, "package.version_form", VERSION)
+    yield from (one for one in mistaken(view, "package.version_form", VERSION) if not _TO_BE_FILLED.search(one.context))
 
 
 RULE = PackageRule(

@@ -46,6 +46,7 @@ RULE = FileRule(
     "In a file without rospy and rclpy it is a note.",
     why="It also catches KeyboardInterrupt, SystemExit and the exception by which rospy and rclpy end a wait: the "
     "node cannot be stopped, and a misspelt name is never noticed.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -31,6 +32,7 @@ RULE = FileRule(
     "is allowed.",
     why="Where the text comes from a parameter, a message or a file, whoever writes that controls the robot; and a "
     "typing mistake in a YAML file becomes a failure inside a node.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=(),
     syntax="python",

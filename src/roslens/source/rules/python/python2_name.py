@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.source.rules.calls import is_handled
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -25,6 +26,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield the first use of each name that only Python 2 has, in a file that knows nothing of Python 3."""
     name = view.text(node)
     if name not in _INSTEAD or node.type != "identifier" or node.parent is None or _BOTH.search(view.code):
+        return
+    # `try: raw_input() except: input()` is for both.
+    if is_handled(node):
         return
     call = node.parent
     if name in _METHODS:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from tree_sitter import Node
@@ -12,6 +13,9 @@ from roslens.source.rules.rule import FileRule
 
 _RUNS = frozenset({"call", "run", "Popen", "check_call", "check_output", "getoutput", "system", "popen"})
 _FIXED = frozenset({"string", "concatenated_string", "list", "true", "false", "none"})
+
+_OF_NUMBERS = re.compile(r"""^['"].*['"]\.format\([\w.\[\]]*\bpid\)$""")
+"""A text that holds nothing but the number of a process."""
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -43,6 +47,11 @@ def _is_made(node: Node, view: FileView) -> bool:
     if node.type == "string":
         return any(child.type == "interpolation" for child in node.children)
     if node.type == "identifier" and view.text(node).isupper():
+        return False
+    if node.type == "conditional_expression":
+        first, _, other = (*node.named_children, node, node)[:3]
+        return _is_made(first, view) or _is_made(other, view)
+    if node.type == "call" and _OF_NUMBERS.search(view.text(node)):
         return False
     return node.type not in _FIXED
 

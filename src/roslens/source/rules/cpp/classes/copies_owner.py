@@ -108,6 +108,7 @@ RULE = FileRule(
     "a copy assignment, nor forbids them. Hold the member in a `std::unique_ptr`, or delete both.",
     why="A copy, such as one made by putting the object into a vector, frees the same memory or handle twice; "
     "nodes die of it minutes later.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -162,6 +162,7 @@ RULE = FileRule(
     "such as `configure` or `init`, are let be. Give it a value where it is declared. It is a note unless all "
     "functions of the class are seen, one of them reads it, and none sets it.",
     why="A limit or a flag begins with what was in memory: the robot behaves differently after each start.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

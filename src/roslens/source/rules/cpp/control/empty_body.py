@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -39,6 +40,7 @@ RULE = FileRule(
     "it; write `{}` where nothing is meant.",
     why="The block behind it always runs, whatever the condition says: an emergency stop, or the motion that "
     "it guards.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

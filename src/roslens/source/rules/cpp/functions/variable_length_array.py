@@ -52,8 +52,8 @@ def _varies(text: str, function: Node, view: FileView) -> bool:
 RULE = FileRule(
     id="cpp.variable_length_array",
     title="Array of variable length",
-    finds="An array on the stack whose length is a parameter or a result of a call. It is no C++, and a large "
-    "length overruns the stack. Use `std::vector`.",
+    finds="An array on the stack whose length is a parameter or a result of a call. "
+    "It is no C++, though C has it, and a large length overruns the stack. Use `std::vector`.",
     why="A large scan or image ends the node with a segmentation fault, without any message.",
     profiles=(
         "ros2",
@@ -71,5 +71,6 @@ RULE = FileRule(
     good="void f(int n) { std::vector<double> ranges(n); }\n",
     syntax="cpp",
     kinds=("array_declarator",),
+    in_c=False,
     found=found,
 )

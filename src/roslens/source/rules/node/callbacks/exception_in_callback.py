@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import is_handled
 from roslens.source.rules.file_view import FileView
@@ -39,6 +40,7 @@ RULE = FileRule(
     finds="`throw` in a callback of a subscription or timer with no `try` around. Handle it there.",
     why="Nobody above catches it: one message that is not as expected ends the process, and in a container all nodes "
     "in it.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "exceptions"),
     bad="""#include <rclcpp/rclcpp.hpp>

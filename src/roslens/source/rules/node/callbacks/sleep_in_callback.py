@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at, receiver
 from roslens.source.rules.file_view import FileView
@@ -49,6 +50,7 @@ RULE = FileRule(
     finds="A callback of a subscription, timer, service or action that sleeps. Let a timer go on later instead.",
     why="A node's executor has one thread unless told otherwise: while a callback sleeps, no message, no timer and no "
     "stop command is looked at, and queues run over.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "real-time"),
     bad="""#include <rclcpp/rclcpp.hpp>

@@ -53,6 +53,7 @@ RULE = FileRule(
     why="In ROS 1 it means without end: a slow subscriber works on ever older messages until the memory is gone. In "
     "ROS 2 "
     "it means none, which no middleware does as written.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("endpoints", "queues", "qos"),
     bad='#include <ros/ros.h>\nvoid Arm::start() { pub_ = nh_.advertise<State>("state", 0); }\n',

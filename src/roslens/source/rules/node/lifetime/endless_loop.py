@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import body_of
 from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
@@ -55,6 +56,7 @@ RULE = FileRule(
     why="ROS takes Ctrl-C and the launch's signal away from the process and only sets `ok()` to false: a loop that "
     "does not "
     "ask keeps the process, and the hardware it drives, until somebody kills it.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("lifetime",),
     bad="#include <ros/ros.h>\nvoid f() { while (true) { work(); } }\n",

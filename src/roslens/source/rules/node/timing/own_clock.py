@@ -74,6 +74,7 @@ RULE = FileRule(
     why="Only a node's clock follows /clock: in simulation and in a played bag the stamps are years off, and "
     "transforms of "
     "them do not exist. With RCL_ROS_TIME it is the same, for nothing is attached.",
+    severity=Severity.NOTE,
     profiles=("ros2",),
     tags=("time", "simulation"),
     bad="#include <rclcpp/rclcpp.hpp>\nvoid Arm::tick() { msg_.header.stamp = rclcpp::Clock().now(); }\n",

@@ -1,0 +1,1 @@
+"""How a live system stood at any instant of its history: moments, stretches of series, marks."""

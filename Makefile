@@ -15,12 +15,14 @@ ALONE := tests/scenarios tests/testbed
 
 .PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings recall accuracy fuzz mutants lock lock-ros2 bench sites clean
 
-# Analyse the example robot and what a change of it brings, write its report, serve it. Another one: make demo WS=~/robot_ws
+# Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
+# which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
 demo: .venv/stamp
 	$(if $(filter build/demo,$(WS)),sh examples/change.sh $(WS))
 	$(BIN)/roslens check $(WS) $(if $(filter build/demo,$(WS)),--baseline HEAD) --fail-on never || [ $$? -eq 3 ]
 	$(BIN)/roslens report $(WS) -o roslens-report
-	$(BIN)/roslens serve $(WS) --port $(PORT)
+	$(if $(filter build/demo,$(WS)),$(BIN)/python examples/recording/record.py build/rover.bag)
+	$(BIN)/roslens serve $(WS) --port $(PORT) $(if $(filter build/demo,$(WS)),--bag build/rover.bag --reference examples/recording/rover.yaml)
 
 # Watch a recording of a small robot that breaks three times.
 demo-live: .venv/stamp

@@ -34,6 +34,7 @@ PLACES = {
     "rule": "rules/",
     "failures": "failures",
     "search": "search",
+    "entity": "entity",
     "help": "help",
 }
 """Page to place; a place that ends with ``/`` holds one page per key."""

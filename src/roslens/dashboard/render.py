@@ -46,13 +46,34 @@ PARENTS = {
 """Under which word of the navigation a page is found."""
 
 
+def shown_in_navigation(site: Site, name: str) -> bool:
+    """Return whether a site has anything to show under a word of the navigation."""
+    if name == "computation":
+        return bool(site.book.systems)
+    return bool({"history": site.past, "hotspots": site.view.process}.get(name, True))
+
+
 class Renderer:
     """Renders the views of one site for one medium: served, folder or file."""
 
     def __init__(self, site: Site, medium: str, live: str = "") -> None:
         """Load the templates; ``live`` is the address of the page of what runs, where there is one."""
         self._environment = environment(
-            medium, site=site, navigation=NAVIGATION, parents=PARENTS, help_keys=KEYS, live=live
+            medium,
+            site=site,
+            navigation=NAVIGATION,
+            in_navigation=shown_in_navigation,
+            parents=PARENTS,
+            help_keys=KEYS,
+            live=live,
+        )
+
+    def navigation(self, site: Site, links: Links) -> tuple[tuple[str, str], ...]:
+        """Return address and word of each page that the top of every page leads to."""
+        return tuple(
+            (links.to(reference(name, next(iter(site.book.systems)) if name == "computation" else "")), word)
+            for name, word in NAVIGATION
+            if shown_in_navigation(site, name)
         )
 
     def page(self, view: View, links: Links) -> str:

@@ -7,9 +7,10 @@ from collections.abc import Callable
 import msgspec
 
 from roslens.dashboard.address import PLACES
-from roslens.dashboard.computation import element_pages, graph_page
+from roslens.dashboard.computation import graph_page
 from roslens.dashboard.pages import (
     difference,
+    element,
     failures,
     file,
     findings,
@@ -34,8 +35,8 @@ PAGES: dict[str, Callable[[Site, Request], View | None]] = {
     "overview": overview.build,
     "graph": graph.build,
     "computation": lambda site, request: graph_page.build(site.book, request),
-    "node": lambda site, request: element_pages.build_node(site.book, request),
-    "topic": lambda site, request: element_pages.build_topic(site.book, request),
+    "node": lambda site, request: element.build(site, request, "node"),
+    "topic": lambda site, request: element.build(site, request, "topic"),
     "packages": packages.build,
     "package": package.build,
     "file": file.build,
@@ -83,6 +84,8 @@ def candidates(path: str) -> list[Target]:
             if path.startswith(place) and len(path) > len(place):
                 key = path.removeprefix(place)
                 found += [Target(page, key), *_twins(page, key)]
+        elif page not in PAGES:
+            continue
         elif path == place:
             found.append(Target(page))
         else:

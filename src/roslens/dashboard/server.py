@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import closing
 from types import FrameType
+from urllib.parse import urlencode
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
@@ -19,6 +20,8 @@ from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
 from roslens.dashboard.live.past import Past
+from roslens.dashboard.live.snapshot import names_in
+from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
@@ -72,15 +75,25 @@ def create_app(
         view = View(PageRef("help"), "The run cannot be read", {}, shown={"what": str(error), "advice": ""})
         return HTMLResponse(renderer.message(view, links), status_code=503)
 
+    async def entity(request: HttpRequest) -> Response:
+        asked = request.query_params.get("id", "")
+        ref = page_of(site, asked)
+        if ref is None and snapshot is not None:
+            return RedirectResponse(f"{_LIVE}?{urlencode({'select': asked})}", status_code=303)
+        name = asked.partition(":")[2]
+        return RedirectResponse(links.to(ref or PageRef("search", query=(("q", name),))), status_code=303)
+
     beside: list[BaseRoute] = []
     if snapshot is not None:
-        facts = Facts(names, advice=_ADVICE, beside=True, access=access)
+        site.running = lambda: names_in(snapshot())
+        facts = Facts(names, advice=_ADVICE, pages=lambda: renderer.navigation(site, links), access=access)
         live = create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, stopped=stopped)
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
             *beside,
             Mount("/web", StaticFiles(directory=WEB)),
+            Route("/entity", entity),
             Route("/favicon.ico", lambda _: PlainTextResponse("", status_code=404)),
             Route("/{path:path}", answer),
         ],

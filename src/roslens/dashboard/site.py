@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.dashboard.last_change import LastChange, unknown_change
 from roslens.dashboard.source_text import ReadSource, Sources
 from roslens.judge.constraint import Constraint
 from roslens.judge.range import Range
@@ -25,8 +26,10 @@ from roslens.model.tags import TagFilter
 
 if TYPE_CHECKING:
     from roslens.dashboard.computation.book import Book
+    from roslens.dashboard.computation.code_marks import CodeMarks
     from roslens.dashboard.graph_model import PackageGraph
     from roslens.dashboard.layout.lay_out import Layout
+    from roslens.dashboard.live.snapshot import Named
     from roslens.dashboard.past import Past
     from roslens.judge.quality_model import QualityModel
     from roslens.model.configuration import Configuration
@@ -93,9 +96,14 @@ class Site:
         self._graph_note = graph_note
         self._graphs_counted = graphs_counted
         self._unstarted = tuple(unstarted)
+        self._marks: tuple[Book, CodeMarks] | None = None
         self.past: Past | None = None
         self.new_first: tuple[RuleCount, ...] = ()
         """Past revisions; None where none were analysed."""
+        self.last_change: Callable[[str], LastChange | None] = unknown_change
+        """Tells of a file, by its path below the workspace root, who changed it last; None where nobody knows."""
+        self.running: Callable[[], Sequence[Named]] = tuple
+        """Tells what is watched now, or was recorded."""
         self.reading = ""
         """What of the graphs is being read still; empty where all of them are there."""
 
@@ -322,6 +330,16 @@ class Site:
             rules=self.rules,
             unstarted=self._unstarted,
         )
+
+    @property
+    def code_marks(self) -> CodeMarks:
+        """What lines of files are to the computation graphs."""
+        from roslens.dashboard.computation.code_marks import CodeMarks
+
+        book = self.book
+        if self._marks is None or self._marks[0] is not book:
+            self._marks = (book, CodeMarks(book))
+        return self._marks[1]
 
     @cached_property
     def graph(self) -> tuple[PackageGraph, Layout]:

@@ -8,21 +8,33 @@ import msgspec
 from markupsafe import Markup
 
 from roslens.dashboard.colours import Piece
+from roslens.dashboard.computation.code_marks import CodeMark
 from roslens.dashboard.source_text import Excerpt
 from roslens.dashboard.table_rows import glyph_html
 from roslens.model.finding import Finding
 
 
 class CodeLine(msgspec.Struct, frozen=True):
-    """A line of source with the findings that start on it."""
+    """A line of source with the findings that start on it, and what it is to the computation graphs."""
 
     number: int
     pieces: tuple[Piece, ...]
     findings: tuple[Finding, ...] = ()
+    marks: tuple[CodeMark, ...] = ()
 
 
-def source_html(lines: Iterable[CodeLine], notes: Callable[[Sequence[Finding]], str]) -> Markup:
-    """Return a row for each line; ``notes`` gives the HTML of the findings that start on one."""
+def source_html(
+    lines: Iterable[CodeLine],
+    notes: Callable[[Sequence[Finding]], str],
+    marked: Callable[[Sequence[CodeMark]], str] = lambda _: "",
+) -> Markup:
+    """Return a row for each line.
+
+    Args:
+        lines: of source.
+        notes: gives the HTML of the findings that start on one.
+        marked: gives the HTML of what one is to the computation graphs.
+    """
     rows = []
     for line in lines:
         flagged, glyph, margin = "", "", ""
@@ -30,9 +42,10 @@ def source_html(lines: Iterable[CodeLine], notes: Callable[[Sequence[Finding]], 
             flagged, glyph = " flagged", glyph_html(line.findings[0].severity.value)
             margin = f'<div class="margin">{notes(line.findings)}</div>'
         number = line.number
+        told = f'<span class="marks">{marked(line.marks)}</span>' if line.marks else ""
         rows.append(
             f'<div class="row{flagged}" id="L{number}"><a class="n" href="#L{number}" aria-label="line {number}">'
-            f'{number}</a><span class="g">{glyph}</span><code>{_pieces(line.pieces)}</code>{margin}</div>\n'
+            f'{number}</a><span class="g">{glyph}</span><code>{_pieces(line.pieces)}</code>{told}{margin}</div>\n'
         )
     return Markup("".join(rows))  # noqa: S704 - every text was escaped below, notes are markup
 

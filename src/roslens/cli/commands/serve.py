@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import argparse
 import sys
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from roslens.cli.analysed import add_kept_arguments
 from roslens.cli.observers import add_observer_arguments, given
@@ -15,11 +17,16 @@ from roslens.cli.streams import add_stream_arguments, progress_for
 from roslens.cli.workplace import add_workspace_argument
 from roslens.model.errors import UsageError
 
+if TYPE_CHECKING:
+    from roslens.cli.watch_page import PageSource
+
 TEXT = "Serve the pages of the last run on this machine."
 EXAMPLES = """\
   roslens serve
   roslens serve ~/robot_ws --port 8081
-  roslens serve --live --reference robot.yaml      with a page of the robot that runs"""
+  roslens serve --live --reference robot.yaml      with a page of the robot that runs
+  roslens serve --bag drive.bag --reference robot.yaml
+                                                   or of a recording of it"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,9 +40,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_kept_arguments(parser)
     live = parser.add_argument_group("the robot that runs")
     live.add_argument("--live", action="store_true", help="watch it, and show it on a page beside the others")
+    live.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="show a recording there instead")
     add_reference_argument(live)
     add_observer_arguments(live)
-    parser.set_defaults(bag=None)
     add_stream_arguments(parser)
 
 
@@ -47,10 +54,13 @@ def run(options: argparse.Namespace) -> int:
         StoreError: the store cannot be read.
         DocumentError: a reference is wrong.
     """
-    if not options.live and (option := "--reference" if options.reference else given(options)):
+    if options.live and options.bag:
+        raise UsageError("--live with --bag", expected="one of them")
+    of_bag = bool(options.bag)
+    if not options.live and (option := "--reference" if options.reference and not of_bag else given(options)):
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
     from roslens.cli.kept_new import shown_new
-    from roslens.cli.live_beside import live_beside
+    from roslens.cli.served.last_change import last_change_in
     from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_past import shown_past
     from roslens.cli.shown_run import shown_run
@@ -63,12 +73,13 @@ def run(options: argparse.Namespace) -> int:
         site, read_graphs = site_at_once(view, options, progress)
         site.past = past
         site.new_first = shown_new(options, view)
+        site.last_change = last_change_in(view.header.root)
 
         def ready(url: str) -> None:
             print(f"roslens: {door.address(url)} (Ctrl-C ends it)", file=sys.stderr, flush=True)
             read_graphs()
 
-        with live_beside(options) if options.live else nullcontext() as page:
+        with _beside(options) as page:
             serve(
                 site,
                 host=options.host,
@@ -82,3 +93,15 @@ def run(options: argparse.Namespace) -> int:
                 tls=door.tls,
             )
     return 0
+
+
+def _beside(options: argparse.Namespace) -> AbstractContextManager[PageSource | None]:
+    if options.bag:
+        from roslens.cli.served.recording import recording_beside
+
+        return recording_beside(options)
+    if options.live:
+        from roslens.cli.live_beside import live_beside
+
+        return live_beside(options)
+    return nullcontext()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Sequence
 from pathlib import Path
 
 import msgspec
@@ -54,7 +54,7 @@ class Facts(msgspec.Struct, frozen=True):
         names: further host names that it answers to, in lower case.
         advice: how to make it answer to another name.
         pace_s: least time between two snapshots of a stream.
-        beside: whether the pages of a run are served beside it, from the root.
+        pages: returns address and word of the pages of a run that are served beside it; none by default.
         access: who may view and who may act; by default everybody may view and nobody act.
         further: pages beside this one.
     """
@@ -62,7 +62,7 @@ class Facts(msgspec.Struct, frozen=True):
     names: frozenset[str] = frozenset()
     advice: str = "start `roslens watch` with --serve HOST:PORT"
     pace_s: float = 1.0
-    beside: bool = False
+    pages: Callable[[], Sequence[tuple[str, str]]] = tuple
     access: Access | None = None
     further: Further = Further()
 
@@ -194,10 +194,10 @@ def _templates(facts: Facts, remembers: bool) -> tuple[Callable[[Snapshot, Marku
         undefined=StrictUndefined,
     )
     environment.globals.update(
-        version=roslens.__version__, beside=facts.beside, links=facts.further.links, remembers=remembers, keys=_KEYS
+        version=roslens.__version__, links=facts.further.links, remembers=remembers, keys=_KEYS
     )
     page, compared = environment.get_template("live.html"), environment.get_template("compared.html")
     return (
-        lambda shown, text, at: page.render(snapshot=shown, text=text, at=at),
-        lambda found: compared.render(found=found),
+        lambda shown, text, at: page.render(snapshot=shown, text=text, at=at, pages=facts.pages()),
+        lambda found: compared.render(found=found, pages=facts.pages()),
     )

@@ -49,6 +49,24 @@ class Row(msgspec.Struct, frozen=True, omit_defaults=True):
     below: str = ""
 
 
+class Named(msgspec.Struct, frozen=True):
+    """What is watched, by id, the name that is shown and its kind."""
+
+    entity: str
+    name: str
+    kind: str
+
+
+class _Names(msgspec.Struct, frozen=True):
+    rows: tuple[Named, ...]
+
+
+def names_in(snapshot: bytes) -> tuple[Named, ...]:
+    """Return what the rows of a snapshot, as JSON, are about; each once."""
+    found = msgspec.json.decode(snapshot, type=_Names).rows if snapshot else ()
+    return tuple({one.entity: one for one in found}.values())
+
+
 class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
     """Something that is wrong now.
 

@@ -63,6 +63,7 @@ def build(site: Site, request: Request) -> View | None:
             "first": first,
             "whole": [finding for finding in found if not _on_a_line(finding, text.lines if text else ())],
             "found_count": len(found),
+            "change": site.last_change(path),
             "filter": wanted,
             "failures": [failure for failure in site.failures if failure.location and failure.location.path == path],
         },
@@ -89,6 +90,8 @@ def _lines(site: Site, request: Request, path: str, found: list[Finding]) -> tup
         at[finding.line].append(finding)
     cut = text.lines[first - 1 : first - 1 + most]
     coloured = colour(cut, site.sources.language(path))
+    marks = site.code_marks.of(path)
     return [
-        CodeLine(number, pieces, tuple(at.get(number, ()))) for number, pieces in enumerate(coloured, start=first)
+        CodeLine(number, pieces, tuple(at.get(number, ())), marks.get(number, ()))
+        for number, pieces in enumerate(coloured, start=first)
     ], first

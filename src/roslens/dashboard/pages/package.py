@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.computation.node_rows import nodes_table
 from roslens.dashboard.computation.unstarted_rows import unstarted_table
 from roslens.dashboard.entity_tables import classes_table, files_table, functions_table
 from roslens.dashboard.finding_list import filter_of, findings_table, list_findings, select
@@ -24,6 +25,9 @@ def build(site: Site, request: Request) -> View | None:
     wanted = filter_of(request.query, package=summary.id)
     found = list_findings(site, wanted, request)
     tables = [_sorted(table, request) for table in _tables(site, result)]
+    started = nodes_table(site.book, summary.name)
+    if started.total:
+        tables.append(_sorted(started, request))
     loose = _sorted(unstarted_table(site.book, package=summary.name), request)
     if loose.total:
         tables.append(loose)
@@ -53,6 +57,7 @@ def build(site: Site, request: Request) -> View | None:
             "failures": result.failures,
             "tags": _tags(site, summary.id),
             "loose": loose.total,
+            "started": started.total,
         },
     )
 
@@ -67,7 +72,7 @@ def _tables(site: Site, result: PackageResult) -> tuple[Table, ...]:
 
 
 def _sorted(table: Table, request: Request) -> Table:
-    limit = request.limits.rows if table.name in {"metrics", "files", "unstarted"} else request.limits.entities
+    limit = request.limits.rows if table.name in {"metrics", "files", "nodes", "unstarted"} else request.limits.entities
     return sort_rows(table, request.query.get(f"sort_{table.name}"), None if request.complete else limit)
 
 

@@ -6,6 +6,7 @@ import heapq
 from collections.abc import Iterator
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
@@ -46,6 +47,7 @@ def everything(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
     for package in site.packages:
         yield "package", package.id, package.description[:100], PageRef("package", package.id)
     yield from _elements(site)
+    yield from _running(site)
     for key, quantity in site.quantities.items():
         yield "metric", quantity.title, key, PageRef("metric", key)
     for rule in site.rules.values():
@@ -67,13 +69,22 @@ def _elements(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
         yield kind, name, title if count == 1 else f"in {count} launch files", ref
 
 
+def _running(site: Site) -> Iterator[tuple[str, str, str, PageRef]]:
+    """Yield hosts, nodes and topics that are watched and that no graph read from source has."""
+    for one in site.running():
+        if one.kind in _WATCHED and one.name and page_of(site, one.entity) is None:
+            yield one.kind, one.name, "running", PageRef("entity", query=(("id", one.entity),))
+
+
+_WATCHED = ("host", "node", "topic", "service", "action")
 _FIRST = ("package", "file")
 
 
 def _rank(needle: str, name: str) -> tuple[int, int]:
     """Order: the whole name, then its beginning, then the beginning of its last part, then anywhere; short first."""
     folded = name.casefold()
-    if folded == needle:
+    # Nobody types the slash that every name of ROS begins with.
+    if folded in (needle, f"/{needle}"):
         return (0, 0)
     if folded.startswith(needle):
         return (1, len(name))

@@ -9,7 +9,7 @@ const FIRST = ["package", "file"];
 
 function rank(needle, name) {
   const folded = name.toLocaleLowerCase();
-  if (folded === needle) return 0;
+  if (folded === needle || folded === `/${needle}`) return 0;
   if (folded.startsWith(needle)) return 1;
   return folded.slice(folded.lastIndexOf("/") + 1).startsWith(needle) ? 2 : 3;
 }

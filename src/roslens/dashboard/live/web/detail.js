@@ -1,6 +1,7 @@
 // All that is known of what was chosen: what constraints say of it, every signal, and these over time.
 
 import { make } from "../dom.js";
+import { toSource } from "./source.js";
 import { sign, word } from "./states.js";
 
 export class Detail {
@@ -49,7 +50,7 @@ export class Detail {
     const judged = about.judgements || [];
     const values = about.values || [];
     this.said.replaceChildren(
-      make("div", { class: "bar-line" }, make("h3", {}, `${about.kind} `, make("bdi", { text: about.name })), shut),
+      make("div", { class: "bar-line" }, make("h3", {}, `${about.kind} `, make("bdi", { text: about.name })), ...toSource(about.entity, "In the source"), shut),
       make("p", { class: "quiet", text: about.gone ? "It is not there." : [about.observed, about.below, `at ${about.when}`].filter(Boolean).join(" · ") }),
       judged.length ? table("What is expected of it", ["Constraint", "State", "Value", "Expected", "Since", "What shows it", "Written in"], judged.map(judgement)) : about.gone ? "" : make("p", { class: "quiet", text: "Not judged: no constraint is about it." }),
     );

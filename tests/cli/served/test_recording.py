@@ -1,0 +1,68 @@
+"""`roslens serve --bag`: a recording beside the pages of a run, and what it refuses."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.main import main
+from roslens.cli.param_reference import reference_argument
+from roslens.cli.served.recording import recording_beside
+from roslens.cli.watch_page import PageSource
+
+ROOT = Path(__file__).parents[3]
+EXAMPLE = ROOT / "examples/recording"
+WAIT_S = 120
+
+
+def options(bag: Path) -> argparse.Namespace:
+    reference = [reference_argument(str(EXAMPLE / "rover.yaml"))]
+    return argparse.Namespace(bag=[bag], reference=reference, param=[])
+
+
+@pytest.fixture(scope="module")
+def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("recording") / "rover.bag"
+    subprocess.run([sys.executable, EXAMPLE / "record.py", path], check=True, capture_output=True)
+    return path
+
+
+def read_to_the_end(page: PageSource) -> dict:
+    until = time.monotonic() + WAIT_S
+    while "to the end" not in (found := json.loads(page.newest()))["cost"]:
+        assert time.monotonic() < until, found["cost"]
+        time.sleep(0.05)
+    return found
+
+
+def test_the_example_has_one_fault_and_it_is_named(bag: Path) -> None:
+    with recording_beside(options(bag)) as page:
+        # There is something to show before anything was read.
+        assert json.loads(page.newest())["title"] == "rover.bag"
+        found = read_to_the_end(page)
+    assert [(one["entity"], one["state"], one["severity"]) for one in found["alerts"]] == [
+        ("topic:/scan", "low", "error")
+    ]
+    assert not found["live"]
+    nodes = {row["name"] for row in found["rows"] if row["kind"] == "node"}
+    assert nodes == {"/range_filter", "/rover_base", "/battery_monitor", "/rover_follower"}
+
+
+def test_the_healthy_one_has_none(tmp_path: Path) -> None:
+    path = tmp_path / "healthy.bag"
+    subprocess.run([sys.executable, EXAMPLE / "record.py", path, "--healthy"], check=True, capture_output=True)
+    with recording_beside(options(path)) as page:
+        found = read_to_the_end(page)
+    assert found["alerts"] == []
+    assert found["counts"]["ok"] >= 4
+
+
+def test_what_runs_and_a_recording_are_not_shown_at_once(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["serve", "--live", "--bag", "a.bag"]) == 2
+    assert "--live with --bag; expected one of them" in capsys.readouterr().err

@@ -16,7 +16,9 @@ from roslens.model.finding import Finding, Severity
 from roslens.model.source import Role
 from roslens.model.tags import TagFilter, tag_filter
 
-GROUPINGS = ("rule", "file")
+GROUPINGS = ("rule", "file", "function")
+STATUSES = ("new", "old")
+"""Against the run before; what does not count for gates is neither."""
 GATES = {"gated": True, "aside": False}
 """Besides roles of files: what counts for gates, and what does not."""
 
@@ -24,7 +26,8 @@ GATES = {"gated": True, "aside": False}
 class FindingFilter(msgspec.Struct, frozen=True):
     """Which findings are meant and how they are grouped; empty fields do not filter.
 
-    A finding is meant when it has at least one of ``include`` (if there are any) and none of ``exclude``.
+    A finding is meant when it has at least one of ``include`` (if there are any) and none of ``exclude``; ``without``
+    are rules that are left out, ``status`` is new or old against the run before.
     """
 
     package: str | None = None
@@ -36,6 +39,8 @@ class FindingFilter(msgspec.Struct, frozen=True):
     text: str = ""
     role: str = ""
     group: str = "rule"
+    without: tuple[str, ...] = ()
+    status: str = ""
 
     @property
     def tags(self) -> TagFilter:
@@ -45,7 +50,9 @@ class FindingFilter(msgspec.Struct, frozen=True):
     @property
     def active(self) -> bool:
         """Whether the reader has filtered, over and above what the page itself is about."""
-        return bool(self.severity or self.include or self.exclude or self.text or self.role)
+        return bool(
+            self.severity or self.include or self.exclude or self.text or self.role or self.without or self.status
+        )
 
     def facts(self) -> dict[str, object]:
         """Return the filter for a JSON twin."""
@@ -60,6 +67,7 @@ class ShownFinding(msgspec.Struct, frozen=True):
     role: str
     excerpt: Excerpt | None
     ref: PageRef | None
+    is_new: bool = False
 
 
 class FindingGroup(msgspec.Struct, frozen=True):
@@ -119,6 +127,8 @@ def filter_of(
         text=query.get("text").strip(),
         role=query.get("role") if query.get("role") in {*roles, *GATES} else "",
         group=wanted if wanted in GROUPINGS else group,
+        without=query.all("without"),
+        status=query.get("status") if query.get("status") in STATUSES else "",
     )
 
 
@@ -133,11 +143,20 @@ def select(site: Site, wanted: FindingFilter) -> Iterator[Finding]:
     )
     needle = wanted.text.casefold()
     for finding in found:
+        if finding.rule in wanted.without:
+            continue
+        if wanted.status and not _has_status(site, finding, wanted.status):
+            continue
         if wanted.role and not _is_of(site, finding, wanted.role):
             continue
         if needle and needle not in f"{finding.message}\n{finding.path}\n{finding.rule}\n{finding.entity}".casefold():
             continue
         yield finding
+
+
+def _has_status(site: Site, finding: Finding, status: str) -> bool:
+    since = site.since
+    return since is not None and finding.gated and since.is_new(finding) is (status == "new")
 
 
 def _is_of(site: Site, finding: Finding, role: str) -> bool:
@@ -166,7 +185,9 @@ def list_findings(site: Site, wanted: FindingFilter, request: Request) -> Findin
     start = request.query.number("start")
     if wanted.group == "file":
         return _by_file(site, wanted, request, start)
-    if wanted.rule or wanted.path or wanted.text or wanted.role:
+    if wanted.group == "function":
+        return _by_function(site, wanted, request, start)
+    if wanted.rule or wanted.path or wanted.text or wanted.role or wanted.status:
         return _scanned(site, wanted, request, start)
     return _by_rule(site, wanted, request, start)
 
@@ -174,7 +195,8 @@ def list_findings(site: Site, wanted: FindingFilter, request: Request) -> Findin
 def _by_rule(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
     """Group by rule with the counts of the summaries, so that only what is shown is read."""
     severities = frozenset({wanted.severity}) if wanted.severity else frozenset[Severity]()
-    totals = site.rule_totals(package=wanted.package, tags=wanted.tags, severities=severities)
+    every = site.rule_totals(package=wanted.package, tags=wanted.tags, severities=severities)
+    totals = [one for one in every if one.rule not in wanted.without]
     limits = request.limits
     room = limits.findings
     groups = []
@@ -233,6 +255,32 @@ def _by_file(site: Site, wanted: FindingFilter, request: Request, start: int) ->
     return FindingList(wanted, groups, total, len(counts), start, step)
 
 
+def _by_function(site: Site, wanted: FindingFilter, request: Request, start: int) -> FindingList:
+    """Group by what is at fault, a function, class or file: what breaks most rules first, then what breaks one most."""
+    members: dict[str, list[Finding]] = {}
+    total = 0
+    for finding in select(site, wanted):
+        total += 1
+        members.setdefault(finding.entity or f"file:{finding.path}", []).append(finding)
+    keys = sorted(members, key=lambda key: _weight(key, members[key]))
+    groups, room = [], request.limits.findings
+    for key in keys[start:]:
+        if room <= 0:
+            break
+        ordered = sorted(members[key], key=lambda one: (-one.severity.rank, -one.excess))
+        shown = _shown(site, ordered[:room], request)
+        room -= len(shown)
+        groups.append(FindingGroup(key, len(ordered), shown))
+    step = len(groups) if start + len(groups) < len(keys) else 0
+    return FindingList(wanted, tuple(groups), total, len(keys), start, step)
+
+
+def _weight(key: str, found: Sequence[Finding]) -> tuple[int, int, float, str]:
+    gated = [one for one in found if one.gated]
+    worst = max((one.severity.rank for one in gated), default=-1)
+    return -worst, -len({one.rule for one in gated}), -max((one.excess for one in gated), default=0.0), key
+
+
 def _grouped(found: Sequence[ShownFinding], counts: dict[str, int], *, by_file: bool) -> tuple[FindingGroup, ...]:
     groups: dict[str, list[ShownFinding]] = {}
     for shown in found:
@@ -249,6 +297,7 @@ def _shown(site: Site, found: Iterable[Finding], request: Request) -> tuple[Show
             role_of(site, finding),
             site.sources.excerpt(finding.path, finding.line, finding.end_line) if limits.excerpts else None,
             file_ref(site, finding.path, finding.line),
+            site.since is not None and finding.gated and site.since.is_new(finding),
         )
         for finding in islice(found, limits.findings)
     )

@@ -27,10 +27,12 @@ from roslens.model.tags import TagFilter
 if TYPE_CHECKING:
     from roslens.dashboard.computation.book import Book
     from roslens.dashboard.computation.code_marks import CodeMarks
+    from roslens.dashboard.gate_line import GateLine
     from roslens.dashboard.graph_model import PackageGraph
     from roslens.dashboard.layout.lay_out import Layout
     from roslens.dashboard.live.snapshot import Named
     from roslens.dashboard.past import Past
+    from roslens.dashboard.since_run import SinceRun
     from roslens.judge.quality_model import QualityModel
     from roslens.model.configuration import Configuration
     from roslens.store.read import RunView
@@ -102,6 +104,10 @@ class Site:
         """Past revisions; None where none were analysed."""
         self.last_change: Callable[[str], LastChange | None] = unknown_change
         """Tells of a file, by its path below the workspace root, who changed it last; None where nobody knows."""
+        self.since: SinceRun | None = None
+        """The run against the one before; None where none was kept."""
+        self.gate: GateLine | None = None
+        """Whether it passes; None where nobody asked."""
         self.running: Callable[[], Sequence[Named]] = tuple
         """Tells what is watched now, or was recorded."""
         self.reading = ""

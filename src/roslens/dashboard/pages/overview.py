@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
+import msgspec
+
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.field_column import field_cell, field_column
 from roslens.dashboard.figures import plural
@@ -49,6 +51,8 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         facts={
             "headline": headline(severities, number_of_packages(broken), packages),
             "counts": counts,
+            "gate": msgspec.to_builtins(site.gate) if site.gate else None,
+            "since_run": _since_run(site),
             "first": [
                 {"severity": one.severity.value, "rule": one.rule, "text": one.example, "new": one in site.new_first}
                 for one in _first(site)
@@ -63,6 +67,11 @@ def build(site: Site, request: Request) -> View | None:  # noqa: ARG001 - the sh
         tables=(_worst(site), _rules(site), _conditions(site)),
         shown={"severities": severities, "counts": counts, "since": since_release(site)},
     )
+
+
+def _since_run(site: Site) -> dict[str, object] | None:
+    since = site.since
+    return {"name": since.name, "new": since.added, "resolved": since.resolved} if since is not None else None
 
 
 def since_release(site: Site) -> dict[str, object] | None:

@@ -1,0 +1,41 @@
+"""Whether a run passes, in one line: the first thing that a reader wants to know."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import msgspec
+
+from roslens.dashboard.figures import plural
+from roslens.judge.gate import GateResult
+from roslens.model.finding import Severity
+
+NEVER = "never"
+
+
+class GateLine(msgspec.Struct, frozen=True):
+    """The answer (``passes``, ``fails`` or ``cannot be told``) and what it rests on, a text each."""
+
+    answer: str
+    conditions: tuple[str, ...]
+
+
+def gate_line(severities: Mapping[Severity, int], fail_on: str, results: tuple[GateResult, ...] = ()) -> GateLine:
+    """Return the line.
+
+    Args:
+        severities: how many findings count for gates, by severity.
+        fail_on: severity from which findings fail a check; ``never`` for none.
+        results: of the conditions of ``[gate]``.
+    """
+    texts = [one.text if one.condition in one.text else f"{one.condition}: {one.text}" for one in results]
+    verdicts = [one.holds for one in results]
+    if fail_on != NEVER:
+        least = Severity(fail_on)
+        counted = {one: count for one, count in severities.items() if one.rank >= least.rank}
+        texts.insert(0, ", ".join(plural(count, one.value) for one, count in counted.items()))
+        verdicts.append(not any(counted.values()))
+    if not verdicts:
+        return GateLine("nothing fails it", ('roslens.toml says fail_on = "never"',))
+    answer = "fails" if False in verdicts else "cannot be told" if None in verdicts else "passes"
+    return GateLine(answer, tuple(texts))

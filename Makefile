@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings recall accuracy fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo tour demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings recall accuracy fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
 # which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
@@ -23,6 +23,15 @@ demo: .venv/stamp
 	$(BIN)/roslens report $(WS) -o roslens-report
 	$(if $(filter build/demo,$(WS)),$(BIN)/python examples/recording/record.py build/rover.bag)
 	$(BIN)/roslens serve $(WS) --port $(PORT) $(if $(filter build/demo,$(WS)),--bag build/rover.bag --reference examples/recording/rover.yaml)
+
+# The pictures of docs/tour.md, in build/tour, of what `make demo` serves; looks at it dark and narrow too: make tour LOOKS=--every
+tour: .venv/stamp
+	sh examples/change.sh build/demo
+	$(BIN)/roslens check build/demo --fail-on never --quiet || [ $$? -eq 3 ]
+	$(BIN)/python examples/recording/record.py build/rover.bag
+	$(BIN)/roslens serve build/demo --port 8099 --bag build/rover.bag --reference examples/recording/rover.yaml & \
+	server=$$!; trap "kill $$server" EXIT; until curl -sf -o /dev/null http://127.0.0.1:8099/; do kill -0 $$server || exit 1; sleep 0.3; done; \
+	PYTHONPATH=tests $(BIN)/python -m tour http://127.0.0.1:8099 build/tour $(LOOKS)
 
 # Watch a recording of a small robot that breaks three times.
 demo-live: .venv/stamp

@@ -370,3 +370,52 @@ def test_lines_between_nodes_have_names_and_marks_and_can_be_selected(visit: Vis
     assert page.locator("#graph-selected .pick").count() >= 2
     page.get_by_label("Topics", exact=True).select_option("marks")
     expect(names).to_have_count(0)
+
+
+def test_a_way_leads_from_one_to_another_along_the_arrows(visit: Visit) -> None:
+    page = visit("/computation/rover?select=node/lidar")
+    field = page.get_by_label("Way from what is selected to")
+    field.fill("/cmd_vel")
+    field.press("Enter")
+    way = page.locator("ol.way li")
+    expect(way.first).to_contain_text("/lidar")
+    expect(way.last).to_contain_text("/cmd_vel")
+    expect(element(page, "/cmd_vel")).to_have_class(re.compile("on-way"))
+    expect(page).to_have_url(re.compile("to=%2Fcmd_vel"))
+    page.go_back()
+    expect(way).to_have_count(0)
+
+
+def test_only_what_has_findings_and_its_neighbours(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    every = shown(page)
+    page.get_by_label("Only what has findings, and what is joined to it").check()
+    some = shown(page)
+    assert "/scan" in some
+    assert some < every
+    expect(page).to_have_url(re.compile("bad=1"))
+    page.reload()
+    assert shown(page) == some
+
+
+def test_the_picture_is_kept_as_svg_and_as_png(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    with page.expect_download() as svg:
+        page.get_by_role("link", name="SVG").click()
+    assert b"<svg" in Path(svg.value.path()).read_bytes()[:100]
+    with page.expect_download() as png:
+        page.get_by_role("button", name="PNG").click()
+    assert png.value.suggested_filename == "rover.png"
+    assert Path(png.value.path()).read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_small_map_says_where_the_reader_is_while_not_all_is_in_sight(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    small = page.locator("svg.minimap")
+    expect(small).to_be_hidden()
+    for _ in range(4):
+        page.get_by_role("button", name="Zoom in").click()
+    expect(small).to_be_visible()
+    before = page.locator("#graph-svg .scene").get_attribute("transform")
+    small.click(position={"x": 5, "y": 5})
+    expect(page.locator("#graph-svg .scene")).not_to_have_attribute("transform", before or "")

@@ -16,6 +16,7 @@ from starlette.staticfiles import StaticFiles
 
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.address import PageRef, ServedLinks
+from roslens.dashboard.computation.to_svg import to_svg
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
@@ -83,6 +84,13 @@ def create_app(
         name = asked.partition(":")[2]
         return RedirectResponse(links.to(ref or PageRef("search", query=(("q", name),))), status_code=303)
 
+    async def picture(request: HttpRequest) -> Response:
+        system = site.book.systems.get(request.path_params["slug"])
+        if system is None:
+            return _missing(renderer, links, request.url.path, site.reading)
+        text = to_svg(system.configuration, system.findings, unstarted=site.book.unstarted)
+        return Response(text, media_type="image/svg+xml")
+
     beside: list[BaseRoute] = []
     if snapshot is not None:
         site.running = lambda: names_in(snapshot())
@@ -94,6 +102,7 @@ def create_app(
             *beside,
             Mount("/web", StaticFiles(directory=WEB)),
             Route("/entity", entity),
+            Route("/computation/{slug}.svg", picture),
             Route("/favicon.ico", lambda _: PlainTextResponse("", status_code=404)),
             Route("/{path:path}", answer),
         ],

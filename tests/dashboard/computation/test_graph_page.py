@@ -7,10 +7,12 @@ import re
 from types import ModuleType
 from typing import Any
 
+import msgspec
 import pytest
 
-from roslens.dashboard.computation.graph_page import noise_text
+from roslens.dashboard.computation.graph_page import alike, noise_text
 from roslens.dashboard.computation.noise import DEFAULT, presets_of
+from roslens.dashboard.computation.system import systems_of
 
 
 def test_the_twin_holds_elements_wires_and_what_is_unresolved(client: Any) -> None:
@@ -63,3 +65,11 @@ def test_an_unknown_configuration_is_not_there(client: Any) -> None:
 def test_noise_is_written_as_it_is_read() -> None:
     for presets in (DEFAULT, frozenset(), frozenset({"tf", "debug"})):
         assert presets_of(noise_text(presets)) == presets
+
+
+def test_configurations_that_start_the_same_nodes_stand_together(made_up):
+    robot = made_up.robot()
+    fewer = msgspec.structs.replace(robot, nodes=robot.nodes[:2])
+    nothing = msgspec.structs.replace(robot, nodes=())
+    systems = systems_of({"a": robot, "b": fewer, "c": robot, "d": nothing, "e": nothing})
+    assert [[one.slug for one in group] for group in alike(systems.values())] == [["a", "c"], ["b"], ["d"], ["e"]]

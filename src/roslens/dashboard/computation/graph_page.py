@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import msgspec
 
 from roslens.dashboard.address import PageRef
@@ -57,7 +59,7 @@ def build(book: Book, request: Request) -> View | None:
             "note": book.note,
             "counted": book.counted,
             "system": system,
-            "systems": tuple(book.systems.values()),
+            "systems": alike(book.systems.values()),
             "graph": graph,
             "drawing": graph.lines if as_lines else graph.topics,
             "as_lines": as_lines,
@@ -74,6 +76,17 @@ def build(book: Book, request: Request) -> View | None:
             "hidden": len(system.elements) - len(graph.topics.places),
         },
     )
+
+
+def alike(systems: Iterable[System]) -> tuple[tuple[System, ...], ...]:
+    """Return the systems, those that start nodes of the same names together, each kind where its first one stands."""
+    found: dict[tuple[str, ...], list[System]] = {}
+    for system in systems:
+        names = tuple(sorted(node.name for node in system.nodes))
+        # Of what starts nothing, or no name that is known, it is not said that it is the same.
+        key = names if any(node.resolved for node in system.nodes) else (system.slug, "")
+        found.setdefault(key, []).append(system)
+    return tuple(map(tuple, found.values()))
 
 
 def _endpoints(book: Book, system: System, request: Request) -> Table:

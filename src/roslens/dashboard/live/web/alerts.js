@@ -79,7 +79,7 @@ export class Alerts {
       make("span", { class: "mark" }, sign(alert.state, alert.severity), alert.state),
       name,
       make("span", { class: "says", title: about.filter(Boolean).join("\n") }, make("bdi", { text: alert.sentence })),
-      make("span", { class: "since" }, time), ...toSource(alert.entity, "source"));
+      make("span", { class: "since" }, time, " ", ...toSource(alert.entity, "source")));
   }
 
   /** Remember what is new, to be said to who cannot see it. */

@@ -8,6 +8,9 @@ import { closeUp, line, stepsFrom } from "./lanes.js";
 import { showNames } from "./names.js";
 import { visibleOf } from "./noise.js";
 import { LineNames } from "./line_names.js";
+import { Minimap } from "./minimap.js";
+import { startPictureFiles } from "./picture_file.js";
+import { wayBetween } from "./way.js";
 import { TellingStage } from "./computation_panel.js";
 
 const split = (text) => (text || "").split(",").map((part) => part.trim()).filter(Boolean);
@@ -42,6 +45,8 @@ class ComputationView extends TellingStage {
     data.wires.forEach((wire, place) => (wire.ends = data.ends[place]));
     this.scene = Object.fromEntries(["boxes", "wires", "titles"].map((name) => [name, this.svg.querySelector(`.${name}`)]));
     this.lineNames = new LineNames(this);
+    this.minimap = new Minimap(this);
+    startPictureFiles(root);
     this.shown = [];
     this.drawnAs = null;
     this.start();
@@ -90,12 +95,17 @@ class ComputationView extends TellingStage {
     for (const box of this.form.querySelectorAll('[name="noise"]')) box.checked = this.settings.noise.includes(box.value);
     form.hide.value = this.settings.hide.join(",");
     form.find.value = now.get("find") || "";
+    this.settings.bad = Boolean(now.get("bad"));
+    form.bad.checked = this.settings.bad;
+    form.to.value = now.get("to") || "";
   }
 
   readForm() {
     const noise = [...this.form.querySelectorAll('[name="noise"]')].filter((box) => box.checked).map((box) => box.value);
-    this.settings = { lines: this.form.elements.topics.value === "lines", noise: [...noise].sort(), hide: split(this.form.elements.hide.value) };
+    this.settings = { lines: this.form.elements.topics.value === "lines", noise: [...noise].sort(), hide: split(this.form.elements.hide.value), bad: this.form.elements.bad.checked };
     enterParameters({
+      bad: this.settings.bad ? "1" : "",
+      to: this.form.elements.to.value.trim(),
       topics: this.settings.lines === this.graph.many ? "" : this.settings.lines ? "lines" : "marks",
       noise: same(this.settings.noise, this.graph.default) ? "" : noise.join(",") || "none",
       hide: this.settings.hide.join(","),
@@ -118,6 +128,7 @@ class ComputationView extends TellingStage {
     nodes.forEach((node) => (node.needs = []));
     for (const one of all) nodes[one.source].needs.push(one.target);
     this.dependents = dependentsOf(nodes);
+    if (this.settings.bad) this.keepBad(ends, nodes);
     if (this.focus >= 0 && !ends.has(this.focus)) this.focus = -1;
     this.total = ends.size;
     this.visible = this.focus < 0 ? ends : around(nodes, this.dependents, this.focus, this.hops);
@@ -126,6 +137,27 @@ class ComputationView extends TellingStage {
     this.lineNames.show();
     this.fillTables();
     this.showCrumbs();
+  }
+
+  /** Of what is shown keep what something is wrong with, and what that is joined to. */
+  keepBad(ends, nodes) {
+    const bad = (number) => Boolean(nodes[number].severity);
+    const kept = new Set([...ends].filter((number) => bad(number) || [...nodes[number].needs, ...this.dependents[number]].some(bad)));
+    if (this.settings.lines) for (const one of this.flows(new Set(this.graph.nodes.keys()))) if (one.by.some(bad)) kept.add(one.source).add(one.target);
+    for (const number of [...ends]) if (!kept.has(number)) ends.delete(number);
+  }
+
+  /** The way from what is selected to what the field names, in the panel and in the picture. */
+  way() {
+    const wanted = this.form.elements.to.value.trim();
+    const to = wanted ? this.graph.nodes.findIndex((node) => node.name === wanted) : -1;
+    return to >= 0 && this.selected >= 0 && this.visible.has(to) ? { to, way: wayBetween(this.graph.nodes, this.visible, this.selected, to) } : null;
+  }
+
+  select(number, remember = true) {
+    super.select(number, remember);
+    const on = new Set(this.way()?.way || []);
+    this.elements.forEach((element, place) => element.classList.toggle("on-way", on.has(place)));
   }
 
   /** Flows from node to node by way of what is allowed. */
@@ -150,7 +182,7 @@ class ComputationView extends TellingStage {
   draw() {
     const { nodes, drawn } = this.graph;
     const { lines, noise, hide } = this.settings;
-    const ready = this.focus < 0 && same(noise, drawn.noise) && same(hide, drawn.hide);
+    const ready = this.focus < 0 && !this.settings.bad && same(noise, drawn.noise) && same(hide, drawn.hide);
     const from = lines ? this.graph.lines : this.graph.topics;
     let boxes;
     if (ready) {
@@ -251,6 +283,7 @@ class ComputationView extends TellingStage {
   nameNodes() {
     if (!this.placed) return;
     this.lineNames.show();
+    this.minimap.show();
     const near = this.selected < 0 ? [] : [this.selected, ...this.neighbours(this.selected)];
     const weight = (number) => (this.graph.nodes[number].kind === "node" ? 1000 : 0) + this.graph.nodes[number].needs.length + this.dependents[number].length;
     const rest = this.selected < 0 ? [...this.visible].sort((a, b) => weight(b) - weight(a)) : [];

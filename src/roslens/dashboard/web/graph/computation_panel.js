@@ -111,6 +111,7 @@ export class TellingStage extends Stage {
         this.visible.has(number) ? make("button", { type: "button", class: "pick", text: "Focus on it", onclick: () => this.focusOn(number) }) : null,
         make("button", { type: "button", class: "pick", text: "Clear", onclick: () => this.select(-1) }),
       ),
+      ...this.listWay(),
       ...this.listFindings(number),
       ...this.endsOf(number, isNode),
     ];
@@ -123,6 +124,14 @@ export class TellingStage extends Stage {
       make("h3", { text: `By ${one.by.length === 1 ? "one name" : `${figure(one.by.length)} names`}` }),
       make("ul", {}, ...one.by.map((number) => this.pick(number, this.graph.nodes[number].severity || this.graph.nodes[number].kind))),
     ];
+  }
+
+  listWay() {
+    const found = this.way();
+    if (!found) return [];
+    const { name } = this.graph.nodes[found.to];
+    const text = found.way.length ? `Way to ${name} (${counted(found.way.length - 1, "step")})` : `No way leads along the arrows to ${name}`;
+    return [make("h3", { text }), make("ol", { class: "way" }, ...found.way.map((one) => this.pick(one, this.graph.nodes[one].kind)))];
   }
 
   placeOf(title, cell) {

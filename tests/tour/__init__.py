@@ -1,0 +1,1 @@
+"""The pictures of docs/tour.md: what is opened and done for each."""

@@ -234,7 +234,7 @@ def _conditions(site: Site) -> Table:
                     )
                 )
     columns = (
-        Column("rating", "", "mark"),
+        Column("rating", "Rating", "mark"),
         Column("quantity", "Quantity"),
         Column("bound", "Limit"),
         Column("model", "Model"),

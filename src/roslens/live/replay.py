@@ -77,7 +77,7 @@ def replay(
     told: Callable[[Step], None],
     begun: Callable[[Session], None] = lambda _: None,
 ) -> Session:
-    """Rate a recording and tell each step; returns the session as it was at the end, ``begun`` is given it at first.
+    """Rate a recording and tell each step; returns the session as it was at the end.
 
     Stamps and fields are read only of topics for which the reference has a sentence about them. A step is by default
     half as long as the tightest bound on gaps, or gaps shortly after one another could not be told apart. ``begun``

@@ -13,6 +13,7 @@ from roslens.cli.watch_page import PageSource
 from roslens.cli.watch_reload import ReferenceFiles
 from roslens.cli.watch_screen import since_start
 from roslens.live.adapters.bag.open_bag import open_bag
+from roslens.live.past.keeper import Keeper, in_memory
 from roslens.live.replay import replay
 from roslens.live.session import Session, Step
 from roslens.model.errors import RoslensError
@@ -38,20 +39,29 @@ def recording_beside(options: argparse.Namespace) -> Iterator[PageSource]:
     title = ", ".join(path.name for path in options.bag)
     page = PageSource(title, clock=since_start(bag.start), live=False, steady=time.monotonic)
     page.make(Session(reference, start=bag.start), bag.start, "the recording is being read")
-    left = Event()
+    left, started = Event(), Event()
     sessions: list[Session] = []
+    keepers: list[Keeper] = []
+
+    def begun(session: Session) -> None:
+        keeper = in_memory(session)
+        page.remember(keeper.recall())
+        keepers.append(keeper)
+        sessions.append(session)
+        started.set()
 
     def told(step: Step) -> None:
         if left.is_set():
             raise _LeftError
         page.take(step)
-        if sessions and page.due():
+        keepers[0].take(step)
+        if page.due():
             share = (step.time - bag.start) / max(bag.end - bag.start, 1e-9)
             page.make(sessions[0], step.time, f"the recording is being read, {share:.0%}")
 
     def read() -> None:
         try:
-            session = replay(bag, reference, told=told, begun=sessions.append)
+            session = replay(bag, reference, told=told, begun=begun)
         except _LeftError:
             return
         except RoslensError as error:
@@ -59,10 +69,13 @@ def recording_beside(options: argparse.Namespace) -> Iterator[PageSource]:
             if sessions:
                 page.make(sessions[0], bag.end, "the recording could not be read to its end")
             return
+        keepers[0].end()
         page.make(session, bag.end, f"{bag.messages:,} messages in {bag.end - bag.start:.1f} s, read to the end")
 
     thread = Thread(target=read, name="recording", daemon=True)
     thread.start()
+    # The past is there, or not, from when the pages are served.
+    started.wait(_END_S)
     try:
         yield page
     finally:

@@ -193,9 +193,7 @@ def _templates(facts: Facts, remembers: bool) -> tuple[Callable[[Snapshot, Marku
         lstrip_blocks=True,
         undefined=StrictUndefined,
     )
-    environment.globals.update(
-        version=roslens.__version__, links=facts.further.links, remembers=remembers, keys=_KEYS
-    )
+    environment.globals.update(version=roslens.__version__, links=facts.further.links, remembers=remembers, keys=_KEYS)
     page, compared = environment.get_template("live.html"), environment.get_template("compared.html")
     return (
         lambda shown, text, at: page.render(snapshot=shown, text=text, at=at, pages=facts.pages()),

@@ -14,6 +14,7 @@ from roslens.dashboard.server import create_app
 from roslens.dashboard.since_run import SinceRun
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Limits, Query, Request
+from roslens.store.runs import StoredRun
 
 
 @pytest.fixture
@@ -96,3 +97,20 @@ def test_pages_by_function_hold_every_group_once(site: Site) -> None:
             break
         start += page.step
     assert seen == [group.key for group in whole.groups]
+
+
+def test_kept_runs_are_a_page_where_there_are_several(site: Site) -> None:
+    client = Client(create_app(site))
+    assert client.get("/runs").status_code == 404
+    assert ">Runs<" not in client.get("/").text
+    header = site.view.header
+    site.runs = (StoredRun(4, header, 8, 90, 500, 70, 0), StoredRun(site.view.id, header, 8, 90, 500, 66, 1))
+    try:
+        page = client.get("/runs")
+        rows = client.get("/runs.json").json()["tables"]["runs"]["rows"]
+    finally:
+        site.runs = ()
+    assert page.status_code == 200
+    assert f"show run {site.view.id}" in page.text
+    assert {row["run"]: row["findings"] for row in rows} == {4: 70, site.view.id: 66}
+    assert [row["shown"] for row in rows].count("this one") == 1

@@ -24,6 +24,7 @@ PLACES = {
     "package": "packages/",
     "file": "files/",
     "findings": "findings",
+    "runs": "runs",
     "history": "history",
     "trend": "history/",
     "difference": "difference",

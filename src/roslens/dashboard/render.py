@@ -27,6 +27,7 @@ NAVIGATION = (
     ("computation", "Computation"),
     ("packages", "Packages"),
     ("findings", "Findings"),
+    ("runs", "Runs"),
     ("history", "History"),
     ("hotspots", "Hotspots"),
     ("metrics", "Metrics"),
@@ -50,7 +51,7 @@ def shown_in_navigation(site: Site, name: str) -> bool:
     """Return whether a site has anything to show under a word of the navigation."""
     if name == "computation":
         return bool(site.book.systems)
-    return bool({"history": site.past, "hotspots": site.view.process}.get(name, True))
+    return bool({"runs": site.runs, "history": site.past, "hotspots": site.view.process}.get(name, True))
 
 
 class Renderer:

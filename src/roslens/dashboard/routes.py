@@ -25,6 +25,7 @@ from roslens.dashboard.pages import (
     packages,
     rule,
     rules,
+    runs,
     search,
     trend,
 )
@@ -41,6 +42,7 @@ PAGES: dict[str, Callable[[Site, Request], View | None]] = {
     "package": package.build,
     "file": file.build,
     "findings": findings.build,
+    "runs": runs.build,
     "history": history.build,
     "trend": trend.build,
     "difference": difference.build,
@@ -56,7 +58,7 @@ PAGES: dict[str, Callable[[Site, Request], View | None]] = {
 """Every page by name; a new page is a module of ``pages``, a template of the same name and a line here."""
 
 
-OF_THE_PAST = frozenset({"history", "trend", "difference", "hotspots"})
+OF_THE_PAST = frozenset({"runs", "history", "trend", "difference", "hotspots"})
 """Pages that a run has only where past revisions were analysed, or git's history was looked at."""
 
 

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from roslens.judge.quality_model import QualityModel
     from roslens.model.configuration import Configuration
     from roslens.store.read import RunView
+    from roslens.store.runs import StoredRun
 
 
 class FilePlace(msgspec.Struct, frozen=True):
@@ -104,6 +105,8 @@ class Site:
         """Past revisions; None where none were analysed."""
         self.last_change: Callable[[str], LastChange | None] = unknown_change
         """Tells of a file, by its path below the workspace root, who changed it last; None where nobody knows."""
+        self.runs: Sequence[StoredRun] = ()
+        """The runs that are kept, where there are others than this one."""
         self.since: SinceRun | None = None
         """The run against the one before; None where none was kept."""
         self.gate: GateLine | None = None

@@ -61,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
     from roslens.cli.kept_new import shown_new
     from roslens.cli.served.last_change import last_change_in
-    from roslens.cli.served.standing import gate_of, run_before
+    from roslens.cli.served.standing import gate_of, kept_runs
     from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_past import shown_past
     from roslens.cli.shown_run import shown_run
@@ -73,12 +73,12 @@ def run(options: argparse.Namespace) -> int:
     with (
         shown_run(options, progress) as view,
         shown_past(options, view) as past,
-        run_before(options, view) as since,
+        kept_runs(options, view) as kept,
     ):
         site, read_graphs = site_at_once(view, options, progress)
         site.past = past
         site.new_first = shown_new(options, view)
-        site.since = since
+        site.runs, site.since = kept.runs, kept.since
         site.gate = gate_of(site)
         site.last_change = last_change_in(view.header.root)
 

@@ -8,29 +8,40 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import msgspec
+
+from roslens.dashboard.since_run import SinceRun
+from roslens.store.runs import StoredRun
+
 if TYPE_CHECKING:
     from roslens.dashboard.gate_line import GateLine
-    from roslens.dashboard.since_run import SinceRun
     from roslens.dashboard.site import Site
     from roslens.store.read import RunView
 
 
+class Kept(msgspec.Struct, frozen=True):
+    """The ``runs`` that are kept, none where there is one only, and the one that is shown against that before it."""
+
+    runs: tuple[StoredRun, ...] = ()
+    since: SinceRun | None = None
+
+
 @contextmanager
-def run_before(options: argparse.Namespace, view: RunView) -> Iterator[SinceRun | None]:
-    """Yield the run against the newest one that was kept before it; None where there is none."""
+def kept_runs(options: argparse.Namespace, view: RunView) -> Iterator[Kept]:
+    """Yield what is kept besides a run."""
     from roslens.cli.workplace import open_store
-    from roslens.dashboard.since_run import SinceRun
 
     if options.no_store:
-        yield None
+        yield Kept()
         return
     with open_store(options.path) as store:
-        earlier = max((one.id for one in store.runs() if one.id < view.id), default=None)
-        if earlier is None:
-            yield None
-            return
-        before = store.view(earlier)
-        yield SinceRun(f"run {earlier}", lambda: tuple(before.findings()), lambda: tuple(view.findings()))
+        runs = store.runs()
+        earlier = max((one.id for one in runs if one.id < view.id), default=None)
+        since = None
+        if earlier is not None:
+            before = store.view(earlier)
+            since = SinceRun(f"run {earlier}", lambda: tuple(before.findings()), lambda: tuple(view.findings()))
+        yield Kept(runs if len(runs) > 1 else (), since)
 
 
 def gate_of(site: Site) -> GateLine | None:

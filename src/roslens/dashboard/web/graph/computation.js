@@ -246,6 +246,11 @@ class ComputationView extends TellingStage {
 
   recolour() {}
 
+  /** Every box holds its name from the start: the small map says what else there is. */
+  opensNear() {
+    return true;
+  }
+
   box() {
     return this.extent;
   }

@@ -78,6 +78,11 @@ export class Stage {
     } else this.startView();
   }
 
+  /** Whether a picture whose names could not be read begins with a part of it. */
+  opensNear(width) {
+    return width < SMALL;
+  }
+
   /** How much it matters that a node is in sight at the start. */
   weight(number) {
     return 1 + this.neighbours(number).length;
@@ -87,7 +92,7 @@ export class Stage {
   startView() {
     this.fit();
     const { width, height } = this.camera.size();
-    if (width >= SMALL || this.camera.k >= READABLE || !this.places.size) return;
+    if (!this.opensNear(width) || this.camera.k >= READABLE || !this.places.size) return;
     const [across, down] = [width / LEGIBLE, height / LEGIBLE];
     const near = (a, b) => Math.abs(a.x - b.x) < 0.45 * across && Math.abs(a.y - b.y) < 0.45 * down;
     const spots = [...this.places].map(([number, { x, y }]) => ({ x, y, weight: this.weight(number) }));

@@ -71,3 +71,33 @@ def test_dates():
 def test_a_date_that_is_none(small, capsys):
     assert main(["check", str(small.root), "--as-of", "soon"]) == 2
     assert "expected a date" in capsys.readouterr().err
+
+
+MODEL = """\
+kind: quality model
+name: team
+constraints:
+  - {kind: repository, quantity: bus_factor, minimum: 50, severity: error}
+  - {kind: package, quantity: revisions, maximum: 11}
+  - {kind: file, quantity: churn, maximum: 5}
+"""
+
+
+def test_a_model_bounds_what_history_says(tmp_path, capsys):
+    made = small_repository(tmp_path / "r")
+    (tmp_path / "team.yaml").write_text(MODEL)
+    options = ("--model", str(tmp_path / "team.yaml"), "--no-cache")
+    code, found = report(made.root, capsys, *options, "--process-metrics")
+    assert code == 0
+    broken = {one["entity"]: one for one in found["findings"] if one["rule"].startswith("team.")}
+    assert broken["repository:."]["severity"] == "error"
+    assert broken["package:outer"]["value"] == 12
+    assert "package:inner" not in broken
+    churned = values(found, "file:outer/src/a.cpp")["churn"]
+    assert broken["file:outer/src/a.cpp"]["value"] == churned > 5
+    # Without a history nothing of it was judged, which is told and no clean run.
+    code, without = report(made.root, capsys, *options)
+    assert code == 3
+    assert [one["what"] for one in without["failures"]] == [
+        "bounds on bus_factor, churn, revisions were not judged (quality model team)"
+    ]

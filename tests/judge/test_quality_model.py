@@ -195,7 +195,7 @@ WRONG: list[tuple[str, str | bytes, str]] = [
     (
         "unknown entity kind",
         C + "  - quantity: loc\n    kind: method\n    maximum: 4\n",
-        "m.yaml:5:11: kind is 'method'; expected one of package, file, class, function",
+        "m.yaml:5:11: kind is 'method'; expected one of repository, package, file, class, function",
     ),
     (
         "kind that has no such value",

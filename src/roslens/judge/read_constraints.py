@@ -28,7 +28,7 @@ CONSTRAINT_KEYS = {
     "source": "where in the source of the model, or in another, the threshold stands",
 }
 
-KINDS = (EntityKind.PACKAGE, EntityKind.FILE, EntityKind.CLASS, EntityKind.FUNCTION)
+KINDS = (EntityKind.REPOSITORY, EntityKind.PACKAGE, EntityKind.FILE, EntityKind.CLASS, EntityKind.FUNCTION)
 _ID = re.compile(r"[a-z][a-z0-9_.-]*\Z")
 
 

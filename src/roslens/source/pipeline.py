@@ -295,14 +295,18 @@ def _programs(member: Member) -> list[tuple[str, int, int]]:
 
 def _known(plugins: Discovered) -> dict[str, Quantity]:
     """Return every quantity that a model may name."""
+    from roslens.source.history.judged_process import BOUNDABLE
     from roslens.source.metrics.table import QUANTITIES
 
     offered = (quantity for member in plugins.members for quantity in member.manifest.quantities)
-    return {**QUANTITIES, **{quantity.key: quantity for quantity in offered}}
+    return {**QUANTITIES, **BOUNDABLE, **{quantity.key: quantity for quantity in offered}}
 
 
 def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
+    from roslens.plugins.outcome import Outcome
     from roslens.source.finish_package import Finisher
+    from roslens.source.history.judged_process import judged_process, not_judged
+    from roslens.source.history.process_stage import Told, with_process
 
     models = chosen_models(run.settings.models, run.base, _known(run.plugins))
     wanted = frozenset(constraint.quantity for model in models for constraint in model.constraints)
@@ -341,18 +345,22 @@ def _run(run: _Run, store: Store, cache: Cache, watch: Progress) -> Answer:
                 if run.tools is not None and (summary := store.unit_summary(run.units[found.package.id])) is not None:
                     seen.update(count.rule for count in summary.rules)
         configurations: tuple[JudgedConfiguration, ...] = ()
-        owned: dict[str, tuple[Finding, ...]] = {}
+        beside: tuple[Finding, ...] = ()
         if run.beyond is not None:
             sight = run.beyond.look()
-            owned, none = owned_findings(sight.outcome.findings, packages.values(), files)
-            rest.append(msgspec.structs.replace(sight.outcome, findings=none))
+            beside = sight.outcome.findings
+            rest.append(msgspec.structs.replace(sight.outcome, findings=()))
             configurations = sight.configurations
+        told = Told((), not_judged(models))
+        if run.past is not None:
+            paths = {package.id: package.path for package in packages.values()}
+            told = Told(*run.past.tell(paths, files, writer.function_sums("cyclomatic_complexity")))
+            beside += judged_process(models, told.process)
+        owned, none = owned_findings(beside, packages.values(), files)
+        rest.append(Outcome(none, failures=told.failures if run.past is None else ()))
         whole = _workspace_result(run, stage, models, owned, rest, seen, writer.set_aside_by())
         if run.past is not None:
-            from roslens.source.history.process_stage import with_process
-
-            paths = {package.id: package.path for package in packages.values()}
-            whole = with_process(whole, run.past, paths, files, writer.function_sums)
+            whole = with_process(whole, told)
         header = msgspec.structs.replace(header, seconds=round(run.clock.elapsed_s(), 3))
         number = writer.complete(whole, header, configurations)
     if run.kept_runs is not None:

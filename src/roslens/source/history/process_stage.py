@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import msgspec
 
@@ -12,6 +12,7 @@ from roslens.model.process import RepositoryProcess
 from roslens.model.result import WorkspaceResult
 from roslens.model.source import SourceFile
 from roslens.source.history.histories import AskForges, Histories, histories_of, log_reader
+from roslens.source.history.judged_process import BOUNDABLE
 from roslens.source.workspace.find import Workspace
 from roslens.store.cache import Cache
 
@@ -65,36 +66,25 @@ class PastOfWorkspace(msgspec.Struct, frozen=True):
         return self.histories.measure(packages, files, complexity, log_reader(self.cache))
 
 
-def with_process(
-    whole: WorkspaceResult,
-    past: Past,
-    packages: Mapping[str, str],
-    files: Mapping[str, Sequence[SourceFile]],
-    sums: Callable[[str], Mapping[str, float]],
-) -> WorkspaceResult:
-    """Return the result with process metrics.
+class Told(NamedTuple):
+    """What histories say of a run, and what they cannot say."""
 
-    Args:
-        whole: without them.
-        past: tells them.
-        packages: folder of each package below the root of the workspace.
-        files: of each package.
-        sums: gives, of a quantity, what all functions of a file have together.
-    """
-    from roslens.source.forge.quantities import FORGE_QUANTITIES
-    from roslens.source.history.metrics.table import PROCESS_QUANTITIES
+    process: tuple[RepositoryProcess, ...]
+    failures: tuple[Failure, ...]
 
-    found, failures = past.tell(packages, files, sums("cyclomatic_complexity"))
+
+def with_process(whole: WorkspaceResult, told: Told) -> WorkspaceResult:
+    """Return the result with process metrics."""
     values = {package: dict(known) for package, known in whole.package_values.items()}
-    for one in found:
+    for one in told.process:
         for package, known in one.packages.items():
             values.setdefault(package, {}).update(known)
     return msgspec.structs.replace(
         whole,
         package_values=values,
-        failures=(*whole.failures, *failures),
-        quantities=(*whole.quantities, *PROCESS_QUANTITIES.values(), *FORGE_QUANTITIES.values()),
-        process=found,
+        failures=(*whole.failures, *told.failures),
+        quantities=(*whole.quantities, *BOUNDABLE.values()),
+        process=told.process,
     )
 
 

@@ -10,7 +10,7 @@ from pace import turned_s
 
 from roslens.dashboard.address import ServedLinks
 from roslens.dashboard.export import pages_of
-from roslens.dashboard.routes import OF_THE_PAST, PAGES
+from roslens.dashboard.routes import OF_THE_PAST, PAGES, SERVED_ALONE
 from roslens.dashboard.site import Site
 
 LONGEST = 1.0
@@ -18,7 +18,7 @@ LONGEST = 1.0
 
 @pytest.mark.heavy
 @pytest.mark.timed
-@pytest.mark.parametrize("page", [page for page in PAGES if page not in OF_THE_PAST])
+@pytest.mark.parametrize("page", [page for page in PAGES if page not in OF_THE_PAST | SERVED_ALONE])
 def test_a_page_of_a_large_workspace_answers_within_a_second(large_site: Site, large_client: Any, page: str) -> None:
     ref = next(ref for ref in pages_of(large_site) if ref.page == page)
     begun = time.process_time()

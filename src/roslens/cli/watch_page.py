@@ -96,6 +96,11 @@ class PageSource:
         found = detail_of(entity, whole, standing, when, self._clock)
         return msgspec.json.encode(found) if found is not None else b""
 
+    @property
+    def whole(self) -> Graph | None:
+        """The computation graph as of the newest snapshot; None before the first."""
+        return self._graph
+
     def graph(self) -> bytes:
         """Return the computation graph as JSON, as of the newest snapshot; empty before the first."""
         whole = self._graph

@@ -28,6 +28,7 @@ PLACES = {
     "history": "history",
     "trend": "history/",
     "difference": "difference",
+    "conformance": "conformance",
     "hotspots": "hotspots",
     "metrics": "metrics",
     "metric": "metrics/",

@@ -25,6 +25,7 @@ NAVIGATION = (
     ("overview", "Overview"),
     ("graph", "Graph"),
     ("computation", "Computation"),
+    ("conformance", "Diff"),
     ("packages", "Packages"),
     ("findings", "Findings"),
     ("runs", "Runs"),
@@ -51,7 +52,10 @@ def shown_in_navigation(site: Site, name: str) -> bool:
     """Return whether a site has anything to show under a word of the navigation."""
     if name == "computation":
         return bool(site.book.systems)
-    return bool({"runs": site.runs, "history": site.past, "hotspots": site.view.process}.get(name, True))
+    there = {
+        "conformance": site.against, "runs": site.runs, "history": site.past, "hotspots": site.view.process,
+    }  # fmt: skip
+    return bool(there.get(name, True))
 
 
 class Renderer:

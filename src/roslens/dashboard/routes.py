@@ -9,6 +9,7 @@ import msgspec
 from roslens.dashboard.address import PLACES
 from roslens.dashboard.computation import graph_page
 from roslens.dashboard.pages import (
+    conformance,
     difference,
     element,
     failures,
@@ -46,6 +47,7 @@ PAGES: dict[str, Callable[[Site, Request], View | None]] = {
     "history": history.build,
     "trend": trend.build,
     "difference": difference.build,
+    "conformance": conformance.build,
     "hotspots": hotspots.build,
     "metrics": metrics.build,
     "metric": metric.build,
@@ -60,6 +62,10 @@ PAGES: dict[str, Callable[[Site, Request], View | None]] = {
 
 OF_THE_PAST = frozenset({"runs", "history", "trend", "difference", "hotspots"})
 """Pages that a run has only where past revisions were analysed, or git's history was looked at."""
+
+
+SERVED_ALONE = frozenset({"conformance"})
+"""Pages of what is there while somebody looks: a report that is written has none of it."""
 
 
 class Target(msgspec.Struct, frozen=True):

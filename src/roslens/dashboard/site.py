@@ -25,6 +25,7 @@ from roslens.model.source import SourceFile, number_of_packages
 from roslens.model.tags import TagFilter
 
 if TYPE_CHECKING:
+    from roslens.compare.conformance.disparity import Conformance
     from roslens.dashboard.computation.book import Book
     from roslens.dashboard.computation.code_marks import CodeMarks
     from roslens.dashboard.gate_line import GateLine
@@ -113,6 +114,8 @@ class Site:
         """Whether it passes; None where nobody asked."""
         self.running: Callable[[], Sequence[Named]] = tuple
         """Tells what is watched now, or was recorded."""
+        self.against: Callable[[str], tuple[str, Conformance]] | None = None
+        """Compares a configuration by its slug with what runs or was recorded; None where nothing is given."""
         self.reading = ""
         """What of the graphs is being read still; empty where all of them are there."""
 

@@ -5,7 +5,7 @@ from roslens.compare.conformance.observed import running_side
 from roslens.compare.conformance.side import Side, SideKind
 from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.signals import BY_KEY
-from roslens.model.configuration import Configuration
+from roslens.model.configuration import Configuration, ConfiguredNode, Proof
 from roslens.model.finding import Severity
 from roslens.model.graph import Endpoint, Graph, Node, Role
 
@@ -58,8 +58,8 @@ def test_what_no_sentence_is_about_is_counted():
 def test_source_that_lacks_what_is_expected_is_told_beside_what_runs():
     source = source_side(Configuration("l", "ros2"))
     rows = conformance((source, running_side(GRAPH, "live"), reference("  - node: /lidar\n    expected: always\n")))
-    [row] = [one for one in rows.disparities if one.reason is Reason.MISSING]
-    assert row.told == (ABSENT, "", "is always there")
+    [row] = [one for one in rows.disparities if one.node == "/lidar" and not one.name]
+    assert row.told == (ABSENT, "there", "is always there")
 
 
 def test_what_neither_side_has_is_one_row():
@@ -67,3 +67,14 @@ def test_what_neither_side_has_is_one_row():
     rows = conformance((source, running_side(GRAPH, "live"), reference("  - node: /arm\n    expected: always\n")))
     [row] = [one for one in rows.disparities if one.reason is Reason.MISSING]
     assert row.told == (ABSENT, ABSENT, "is always there")
+
+
+def test_what_runs_not_though_source_and_reference_have_it_is_one_row():
+    node = ConfiguredNode("/arm", Proof("arm.launch.xml", 3), package="arm", executable="arm")
+    source = source_side(Configuration("l", "ros2", (node,)))
+    expected = reference("  - node: /arm\n    expected: always\n    text: Start it\n")
+    rows = conformance((source, running_side(GRAPH, "live"), expected)).disparities
+    [row] = [one for one in rows if one.node == "/arm"]
+    assert row.told == ("arm/arm", ABSENT, "is always there")
+    assert (row.reason, row.severity) == (Reason.NOT_RUNNING, Severity.ERROR)
+    assert row.why.endswith("Start it")

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from roslens.cli.analysed import add_kept_arguments
+from roslens.cli.conformance.shown_sides import add_against_argument
 from roslens.cli.observers import add_observer_arguments, given
 from roslens.cli.param_reference import add_reference_argument
 from roslens.cli.served.door import add_door_arguments, door_of
@@ -26,7 +27,8 @@ EXAMPLES = """\
   roslens serve ~/robot_ws --port 8081
   roslens serve --live --reference robot.yaml      with a page of the robot that runs
   roslens serve --bag drive.bag --reference robot.yaml
-                                                   or of a recording of it"""
+                                                   or of a recording of it
+  roslens serve --against drive.mcap               with a page of what a recording has otherwise than the source"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,6 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     live.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="show a recording there instead")
     add_reference_argument(live)
     add_observer_arguments(live)
+    add_against_argument(parser)
     add_stream_arguments(parser)
 
 
@@ -59,6 +62,7 @@ def run(options: argparse.Namespace) -> int:
     of_bag = bool(options.bag)
     if not options.live and (option := "--reference" if options.reference and not of_bag else given(options)):
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
+    from roslens.cli.conformance.shown_sides import against, shown_sides
     from roslens.cli.kept_new import shown_new
     from roslens.cli.served.last_change import last_change_in
     from roslens.cli.served.standing import gate_of, kept_runs
@@ -87,6 +91,8 @@ def run(options: argparse.Namespace) -> int:
             read_graphs()
 
         with _beside(options) as page:
+            sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=of_bag)
+            site.against = against(site, sides) if sides else None
             serve(
                 site,
                 host=options.host,

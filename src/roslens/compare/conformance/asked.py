@@ -72,6 +72,30 @@ def _merged(found: Sequence[Disparity]) -> list[Disparity]:
     return [*rows.values()]
 
 
+def with_asked(found: Sequence[Disparity], asked_: Sequence[Disparity]) -> list[Disparity]:
+    """Return differences with what a reference asks; that it misses what the sides differ in is told in their row."""
+    missing = {
+        (one.kind, one.node, one.name): one
+        for one in asked_
+        if one.reason is Reason.MISSING and one.aspect is Aspect.EXPECTED
+    }
+    told: list[Disparity] = []
+    joined: set[tuple[str, str, str]] = set()
+    for one in found:
+        key = (one.kind, one.node, one.name)
+        other = missing.get(key) if one.aspect is Aspect.PRESENCE else None
+        if other is None:
+            told.append(one)
+            continue
+        joined.add(key)
+        gravest = max(other.severity, one.severity, key=lambda severity: severity.rank)
+        cells = tuple(first or second for first, second in zip(one.told, other.told, strict=True))
+        why = f"{one.why} {other.why}"
+        told.append(msgspec.structs.replace(one, told=cells, why=why, severity=gravest))
+    left = (one for one in asked_ if one is not missing.get((one.kind, one.node, one.name)))
+    return [*told, *(one for key, one in missing.items() if key not in joined), *left]
+
+
 class _Row:
     """Makes differences between a reference and one other side."""
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import msgspec
 
 from roslens.compare.conformance import explain
-from roslens.compare.conformance.asked import asked
+from roslens.compare.conformance.asked import asked, with_asked
 from roslens.compare.conformance.claim import NODE, TOPIC, Claim, Key
 from roslens.compare.conformance.disparity import ABSENT, UNTOLD, Aspect, Conformance, Disparity, Why
 from roslens.compare.conformance.plumbing import plumbing
@@ -44,7 +44,7 @@ def conformance(sides: Sequence[Side]) -> Conformance:
     for side in sides:
         if side.kind is SideKind.REFERENCE:
             more, covered = asked(side, sides)
-            found += more
+            found = with_asked(found, more)
             told += covered
     return Conformance(
         tuple(one.title for one in sides),

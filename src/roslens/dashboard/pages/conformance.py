@@ -1,0 +1,112 @@
+"""Expected against actual: where what source extracts, what runs, recordings and references do not say the same."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from roslens.compare.conformance.claim import NODE, PARAMETER
+from roslens.compare.conformance.disparity import Conformance, Disparity
+from roslens.dashboard.address import PageRef
+from roslens.dashboard.computation.book import ref_of
+from roslens.dashboard.computation.system import System
+from roslens.dashboard.finding_list import file_ref
+from roslens.dashboard.site import Site
+from roslens.dashboard.table import Cell, Column, Table
+from roslens.dashboard.view import Request, View
+from roslens.model.errors import RoslensError
+from roslens.model.finding import Severity
+
+KIND_WORDS = {"source": "Source", "running": "Running", "recording": "Recorded", "reference": "Expected"}
+"""The heading of a side's column, by its kind."""
+HIGHEST_LEFT = 2000
+"""Rows of a table; more than that nobody reads, and the CSV twin holds all."""
+
+
+def build(site: Site, request: Request) -> View:
+    """Return the page of the configuration that is asked for, or of the one that fits best."""
+    against = site.against
+    ref = PageRef("conformance", query=request.query.pairs)
+    names = [system.slug for system in site.book.systems.values()]
+    if against is None or not names:
+        return View(ref, "Expected against actual", {}, shown={"found": None, "problem": "", "names": names})
+    chosen = request.query.get("configuration")
+    chosen = chosen if chosen in names else ""
+    try:
+        name, found = against(chosen)
+    except RoslensError as error:
+        shown = {"found": None, "problem": str(error), "names": names}
+        return View(ref, "Expected against actual", {"problem": str(error)}, shown=shown)
+    limit = None if request.complete else HIGHEST_LEFT
+    system = site.book.systems.get(name)
+    grave = [one for one in found.disparities if one.severity is not Severity.NOTE]
+    notes = [one for one in found.disparities if one.severity is Severity.NOTE]
+    counts = Counter(one.severity.value for one in found.disparities)
+    return View(
+        ref,
+        "Expected against actual",
+        {
+            "configuration": name,
+            "sides": [{"title": title, "kind": kind} for title, kind in zip(found.titles, found.kinds, strict=True)],
+            "agreed": found.agreed,
+            "told": list(found.told),
+        },
+        tables=(
+            _table(site, system, found, "differences", "Differences", grave, limit),
+            _table(site, system, found, "notes", "As it should be, or undecided", notes, limit),
+        ),
+        shown={
+            "found": found,
+            "problem": "",
+            "names": names,
+            "chosen": name,
+            "counts": counts,
+            "sides": list(zip(found.titles, (KIND_WORDS[kind] for kind in found.kinds), strict=True)),
+        },
+    )
+
+
+def _table(
+    site: Site, system: System | None, found: Conformance, name: str, title: str, rows: Sequence[Disparity],
+    limit: int | None,
+) -> Table:  # fmt: skip
+    sides = tuple(
+        Column(f"side{place}", KIND_WORDS[kind], "code", hint=side)
+        for place, (side, kind) in enumerate(zip(found.titles, found.kinds, strict=True))
+    )
+    columns = (
+        Column("severity", "Severity", "mark"),
+        Column("what", "What", "code"),
+        Column("aspect", "Differs in", optional=True),
+        *sides,
+        Column("right", "Right"),
+        Column("why", "Why"),
+        Column("place", "Place", "code", optional=True, sparse=True),
+    )
+    cells = tuple(_row(site, system, one) for one in rows[:limit])
+    return Table(name, title, columns, cells, len(rows), empty="Nothing differs.")
+
+
+def _row(site: Site, system: System | None, one: Disparity) -> tuple[Cell, ...]:
+    path, _, line = one.place.rpartition(":")
+    also = f" {one.also} of its endpoints and parameters go with it." if one.also else ""
+    return (
+        Cell(one.severity.value),
+        Cell(one.subject, ref=_page(system, one), hint=one.reason.value.replace("_", " ")),
+        Cell(one.aspect.value),
+        *(Cell(text) for text in one.told),
+        Cell(one.right),
+        Cell(one.why + also),
+        Cell(one.place, ref=file_ref(site, path, int(line)) if path and line.isdecimal() else None),
+    )
+
+
+def _page(system: System | None, one: Disparity) -> PageRef | None:
+    """Return the page of the node or of what it speaks over, where the configuration has it."""
+    if system is None:
+        return None
+    wanted = one.node if one.kind in (NODE, PARAMETER) else one.name
+    for element in system.elements:
+        if element.name == wanted and (element.key.startswith("node/") == (one.kind in (NODE, PARAMETER))):
+            return ref_of(system, element)
+    return None

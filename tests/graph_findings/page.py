@@ -62,7 +62,8 @@ and `make graph-findings` writes this page and what the pages of rules say of it
 
 _BELOW = """\
 Below {:.0f} % over all tables, with five or more read, and still warnings or errors: each was mended by the causes
-below. What was read before still counts here, and the last table is of the rule before its last mending:"""
+below, `cpp.guard` after the fourth table. What was read before still counts here, and the last table is of the rule
+before its last mending:"""
 _NOTES_BY_NOW = """\
 Below {:.0f} % over all tables, with five or more read, and notes by now: whether it is a mistake the code does not say
 often enough.

@@ -57,6 +57,7 @@ def tool_section(rows: Sequence[ToolJudgement]) -> Iterator[str]:
 
 _HEAD = """\
 Of the warnings and errors, by the severities of [their data](reference/tools.md), that each tool reports in code that
-counts in nine repositories (of clang-tidy, which needs a build, in three) ten were drawn with seed 6 and read. What was
-of no use became a note for the check it is of; how many of the ten are still warnings or errors is counted from the
-data as they are now."""
+counts in nine repositories (of clang-tidy, which needs a build, in three) ten were drawn with seed 6 and read, and
+later up to twelve more of ten other repositories with seed 59, as many as there were. What was of no use became a note
+for the check it is of; how many of those that were read are still warnings or errors is counted from the data as they
+are now."""

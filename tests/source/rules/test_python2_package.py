@@ -1,32 +1,30 @@
-"""That no file of a package can be read by Python 3 is how old it is; that one of many cannot is a mistake."""
+"""What Python 3 cannot do is a mistake in packages that something says to be for it."""
 
 import pytest
 
 from roslens.model.finding import Severity
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.python2_package import as_notes_where_all_is_python2
+from roslens.source.rules.python2_package import as_notes_without_python3
 
-ROS1 = "<package><name>p</name><buildtool_depend>catkin</buildtool_depend></package>"
+ROS1 = "<package format='{}'><name>p</name><buildtool_depend>catkin</buildtool_depend>{}</package>"
 ROS2 = "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>"
 
 
 @pytest.mark.parametrize(
-    ("manifest", "files", "old", "is_note"),
+    ("manifest", "first", "is_note"),
     [
-        (ROS1, 3, 2, True),
-        (ROS1, 5, 2, False),
-        (ROS1, 1, 1, False),
-        (ROS2, 3, 3, False),
+        (ROS1.format(2, ""), "#!/usr/bin/env python", True),
+        (ROS1.format(2, "<depend>python-yaml</depend>"), "import rospy", True),
+        (ROS1.format(2, "<depend>python3-yaml</depend>"), "import rospy", False),
+        (ROS1.format(2, ""), "#!/usr/bin/env python3", False),
+        (ROS1.format(3, ""), "#!/usr/bin/env python", False),
+        (ROS2, "import rclpy", False),
     ],
 )
-def test_a_package_of_python_2_alone_has_notes(manifest, files, old, is_note, package_view, tmp_path):
+def test_a_package_that_nothing_says_to_be_for_python_3_has_notes(manifest, first, is_note, package_view, tmp_path):
     (tmp_path / "package.xml").write_text(manifest)
-    for index in range(files):
-        (tmp_path / f"{index}.py").write_text("pass\n")
-    view = package_view(tmp_path)
-    placed = {
-        f"{index}.py": [Hit("python.python2_syntax", "m", 1), Hit("python.bare_except", "m", 2)] for index in range(old)
-    }
-    for first, second in as_notes_where_all_is_python2(placed, view).values():
-        assert (first.severity is Severity.NOTE) is is_note
-        assert second.severity is None
+    (tmp_path / "a.py").write_text(f"{first}\n")
+    placed = {"a.py": [Hit("python.python2_syntax", "m", 1), Hit("python.bare_except", "m", 2)]}
+    ((first, second),) = as_notes_without_python3(placed, package_view(tmp_path)).values()
+    assert (first.severity is Severity.NOTE) is is_note
+    assert second.severity is None

@@ -82,9 +82,16 @@ def callback_around(node: Node, view: FileView, *, of_stream: bool = False) -> s
         if one.type == "lambda_expression" or (view.syntax == "python" and one.type == "lambda"):
             return "" if _is_handed_over(one, view, names) else None
         if one.type == "function_definition":
+            if of_stream and runs_once(one, view):
+                return None
             name = function_name(one, view)
             return (STREAM + name if of_stream else name) if name else None
     return None
+
+
+def runs_once(function: Node, view: FileView) -> bool:
+    """Return whether a function cancels a timer, as one does that sets things up and then ends itself."""
+    return view.code.find(b"cancel()", function.start_byte, function.end_byte) >= 0
 
 
 def function_name(function: Node, view: FileView) -> str:

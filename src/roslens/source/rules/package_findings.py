@@ -15,7 +15,7 @@ from roslens.source.rules.match_file import MOST_HITS
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.place_hits import place_hits
 from roslens.source.rules.placed_edits import with_placed_edits
-from roslens.source.rules.python2_package import as_notes_where_all_is_python2
+from roslens.source.rules.python2_package import as_notes_without_python3
 from roslens.source.rules.rule import TOOL, PackageRule
 from roslens.source.rules.selection import selected
 from roslens.source.rules.table import native_rules, package_rules
@@ -54,7 +54,7 @@ def rule_findings(
                 failures.append(_broken(rule, view, error))
     style = guard_style(settings.profiles, view.ros)
     placed = {path: list(with_placed_edits(found, path, view, style)) for path, found in placed.items()}
-    placed = as_notes_where_all_is_python2(placed, view)
+    placed = as_notes_without_python3(placed, view)
     return place_hits(placed, callbacks, selection, rules, entities)
 
 

@@ -1,7 +1,7 @@
-"""Packages that are written for Python 2 as a whole: their distribution has it, and has nothing else.
+"""Packages of which nothing says that they are for Python 3: their distributions have Python 2, and nothing else.
 
-What one file that was left behind in a package for Python 3 cannot do is a mistake; that none of a package's files can
-is how old it is.
+What one file that was left behind in a package for Python 3 cannot do is a mistake; that nobody has brought a package
+to Python 3 is how old it is.
 """
 
 from __future__ import annotations
@@ -15,24 +15,32 @@ from roslens.model.source import Language, Role
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 
-_SYNTAX = "python.python2_syntax"
-_RULES = frozenset({_SYNTAX, "python.python2_name", "python.yaml_load"})
-_LEAST = 2
-_SHARE = 0.5
+_RULES = frozenset({"python.python2_syntax", "python.python2_name", "python.yaml_load", "python.missing_module"})
+_SINCE_NOETIC = 3
+"""Format of manifests in which dependencies can depend on the version of Python."""
+_NAMED = "python3"
 
 
-def as_notes_where_all_is_python2(placed: Mapping[str, Sequence[Hit]], view: PackageView) -> dict[str, list[Hit]]:
-    """Return hits by path; those on Python 2 are notes where at least half of a ROS 1 package's files cannot be read.
+def as_notes_without_python3(placed: Mapping[str, Sequence[Hit]], view: PackageView) -> dict[str, list[Hit]]:
+    """Return hits by path; what Python 3 cannot do is a note in packages that nothing says to be for it.
 
     Args:
         placed: hits of rules in the files of a package.
         view: the package.
     """
-    old = [path for path, hits in placed.items() if any(hit.rule == _SYNTAX for hit in hits)]
+    if any(hit.rule in _RULES for hits in placed.values() for hit in hits) and not _is_for_python3(view):
+        return {path: [_as_note(hit) for hit in hits] for path, hits in placed.items()}
+    return {path: list(hits) for path, hits in placed.items()}
+
+
+def _is_for_python3(view: PackageView) -> bool:
+    package = view.package
+    if 1 not in view.ros or 2 in view.ros or package.format >= _SINCE_NOETIC:
+        return True
+    if any(one.name.startswith(_NAMED) for one in package.dependencies):
+        return True
     files = view.of_language(Language.PYTHON, roles=(Role.OWN,))
-    if 2 in view.ros or len(old) < _LEAST or len(old) < _SHARE * len(files):
-        return {path: list(hits) for path, hits in placed.items()}
-    return {path: [_as_note(hit) for hit in hits] for path, hits in placed.items()}
+    return any(_NAMED.encode() in view.read(file.path)[:100].partition(b"\n")[0] for file in files)
 
 
 def _as_note(hit: Hit) -> Hit:

@@ -110,7 +110,7 @@ _VENDORED_NAME = re.compile(
     r"catch(?:_amalgamated)?\.hpp|doctest\.h|robin_hood\.h|magic_enum\w*\.hpp|nanoflann\.hpp|peglib\.h|httplib\.h"
     r"|cxxopts\.hpp|CLI11\.hpp|SimpleIni\.h|tiny_obj_loader\.h|rapidxml\w*\.hpp|rapidcsv\.h|zmq(?:_addon)?\.hpp"
     r"|lz4(?:hc|frame)?\.[ch]|concurrentqueue\.h|readerwriterqueue\.h|delaunator\.hpp|earcut\.hpp|stb_\w+\.h|tinyxml2?\.(?:h|cpp)|pugi(?:xml|config)\.[hc]pp|lodepng\.\w+"
-    r"|ikfast\.h|miniz\.[ch]|sqlite3\.[ch]|xxhash\.[ch]|cpplint\.py|ez_setup\.py|distribute_setup\.py|jquery[.\w-]*\.js"
+    r"|ikfast\.h|miniz\.[ch]|sqlite3\.[ch]|xxhash\.[ch]|gnuplot-iostream\.h|cpplint\.py|ez_setup\.py|distribute_setup\.py|jquery[.\w-]*\.js"
 )
 
 _GENERATED_NAME = re.compile(

@@ -14,7 +14,11 @@ _NAME = re.compile(
     r"(?:^|[_\W])(?:passw(?:or)?d|passphrase|secret|(?:api|access)_?key|(?:auth|access)_?token)$", re.IGNORECASE
 )
 _YAML = re.compile(r"^\s*-?\s*['\"]?([\w./-]+)['\"]?\s*:\s*['\"]?([^\s'\"#]{4,})['\"]?\s*(?:#.*)?$")
-_NOTHING = re.compile(r"^(?:\$|\{|<|none|null|true|false|changeme|your|xxx+|\*+|todo|example|test$|~)", re.IGNORECASE)
+_NOTHING = re.compile(
+    r"^(?:\$|\{|<|none|null|true|false|changeme|your|xxx+|\*+|todo|example|test$|~|some[-_]|dummy|placeholder|insert"
+    r"|my[-_]?passw)",
+    re.IGNORECASE,
+)
 
 
 def found(view: PackageView) -> Iterator[Hit]:

@@ -39,6 +39,9 @@ def found(view: PackageView) -> Iterator[Hit]:
                 if match is None or match[1] != view.package.name or not match[2].endswith(_ENDINGS):
                     continue
                 path = normpath(match[2])
+                # What the program fills in: `Object_XXX.xml`.
+                if "XXX" in path:
+                    continue
                 name = path.rpartition("/")[2]
                 # Builds make files of templates, and install them elsewhere.
                 made = name in view.cmake.text or f"{name}.in" in names or f"{name}.xacro" in names

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.cpp_class import function_declarator, has_token, name_node
 from roslens.source.rules.cpp_statement import next_statement
 from roslens.source.rules.file_view import FileView, above
@@ -26,10 +27,26 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     whole = next_statement(node.parent) if node.parent is not None else None
     if whole is not None and whole.type == "if_statement":
         return
+    tried = node.parent.child_by_field_name("body") if node.parent is not None else None
+    if tried is not None and _is_one_value(tried):
+        severity: Severity | None = Severity.NOTE
+    else:
+        severity = None
     if not is_last_act and b"//" not in line and b"/*" not in line:
         yield view.hit(
-            "cpp.swallowed", node, "`catch (...)` swallows every exception; expected a log, a reason or a narrower type"
+            "cpp.swallowed",
+            node,
+            "`catch (...)` swallows every exception; expected a log, a reason or a narrower type",
+            severity=severity,
         )
+
+
+def _is_one_value(body: Node) -> bool:
+    """Return whether all that is tried is to give one variable its value, which may be missing."""
+    if body.named_child_count != 1 or body.named_children[0].type != "expression_statement":
+        return False
+    inner = body.named_children[0].named_children
+    return len(inner) == 1 and inner[0].type == "assignment_expression"
 
 
 RULE = FileRule(

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from roslens.source.rules.callbacks import callback_around, spoken
+from roslens.source.rules.callbacks import callback_around, runs_once, spoken
 from roslens.source.rules.calls import call_at
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
@@ -20,6 +20,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a call that waits in a callback; in rospy only those of topics and timers hold up others."""
     call = call_at(node)
     if call is None or _AT_ONCE.search(view.text(call.child_by_field_name("arguments"))):
+        return
+    around = above(call, "function_definition")
+    if around is not None and runs_once(around, view):
         return
     callback = callback_around(call, view, of_stream=b"rclpy" not in view.code)
     if callback is not None:

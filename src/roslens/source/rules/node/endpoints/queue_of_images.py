@@ -13,7 +13,7 @@ from roslens.source.rules.node.messages.stamped import LARGE
 from roslens.source.rules.rule import ROSPY, FileRule
 
 _MOST_POSITIONAL = 4
-_SELDOM = frozenset(("PoseArray", "Path", "MarkerArray"))
+_SELDOM = frozenset(("PoseArray", "Path", "MarkerArray", "OccupancyGrid"))
 """Large, but sent now and then."""
 
 

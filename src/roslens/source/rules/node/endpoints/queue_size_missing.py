@@ -7,18 +7,24 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from roslens.source.rules.calls import arguments, call_at, keywords
-from roslens.source.rules.file_view import FileView
+from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROSPY, FileRule
 
 _MOST_POSITIONAL = 7
 """``queue_size`` is the eighth parameter."""
 
+_HEAD = 40
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a publisher without ``queue_size``."""
     call = call_at(node)
     if call is None or view.text(call.child_by_field_name("function")) not in ("rospy.Publisher", "Publisher"):
+        return
+    # `except TypeError`: for versions of rospy that do not know the argument.
+    handler = above(call, "except_clause", "function_definition")
+    if handler is not None and b"TypeError" in view.code[handler.start_byte : handler.start_byte + _HEAD]:
         return
     given, named = arguments(call), keywords(call, view)
     if len(given) < 2 or len(given) > _MOST_POSITIONAL or any(one.type == "list_splat" for one in given):

@@ -7,10 +7,11 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.calls import arguments, body_of, call_at, function_around
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
-from roslens.source.rules.node.messages.stamped import STAMPED
+from roslens.source.rules.node.messages.stamped import COMMANDS, STAMPED
 from roslens.source.rules.rule import ROS_PYTHON, FileRule
 
 _NAMES = "|".join(sorted(STAMPED))
@@ -37,6 +38,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         call,
         f"`{view.text(given[0])}` ({kind}) is published and its header never set: time 0, no frame; expected "
         "`header.stamp` and `header.frame_id`",
+        severity=Severity.NOTE if kind in COMMANDS else None,
     )
 
 

@@ -26,6 +26,9 @@ STAMPED = frozenset(
 )
 """Of geometry_msgs, nav_msgs, sensor_msgs, visualization_msgs, diagnostic_msgs, stereo_msgs."""
 
+COMMANDS = frozenset(("JointState", "Odometry"))
+"""Those that are sent as set points as well, to controllers and simulators that read no header."""
+
 FAST = frozenset(
     (
         *("Image", "CompressedImage", "CameraInfo", "LaserScan", "PointCloud", "PointCloud2", "Imu", "JointState"),

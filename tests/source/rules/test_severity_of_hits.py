@@ -1,0 +1,31 @@
+"""Where a rule is less sure than its severity says, its hit is a note."""
+
+import pytest
+
+from roslens.model.finding import Severity
+from roslens.model.source import Language
+from roslens.source.parsed_file import parse_file
+from roslens.source.rules.match_file import match_file
+from roslens.source.settings import MacroSettings
+
+CPP = (
+    "#include <rclcpp/rclcpp.hpp>\nvoid A::f() {{\n  sensor_msgs::msg::{0} m;\n  m.{1} = 1;\n  pub_->publish(m);\n}}\n"
+)
+PYTHON = "import rclpy\ndef f(self):\n    m = {0}()\n    m.{1} = 1\n    self.pub.publish(m)\n"
+
+
+@pytest.mark.parametrize(
+    ("rule", "language", "text", "severity"),
+    [
+        ("node.stamp_missing", Language.CPP, CPP.format("Range", "range"), None),
+        ("node.stamp_missing", Language.CPP, CPP.format("JointState", "position"), Severity.NOTE),
+        ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("Range", "range"), None),
+        ("node.stamp_missing_python", Language.PYTHON, PYTHON.format("JointState", "position"), Severity.NOTE),
+        ("cpp.swallowed", Language.CPP, "void f() { try { g(); } catch (...) { } }\n", None),
+        ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); } catch (...) { } }\n", Severity.NOTE),
+        ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); h(a); } catch (...) { } }\n", None),
+    ],
+)
+def test_it_is_a_note(rule, language, text, severity):
+    matched = match_file(parse_file(text.encode(), language, MacroSettings()).view(), frozenset({rule}))
+    assert [(one.rule, one.severity) for one in matched.hits] == [(rule, severity)]

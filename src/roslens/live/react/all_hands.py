@@ -261,7 +261,10 @@ class AllHands:
             return target.name, HostRequest(decision.id, call.kind, "", 0, (), arguments)
         home = self._places.of(target.name)
         if home is None:
-            raise ActionError(f"nobody knows on which host {target.name} is or was", expected="a node that was seen")
+            raise ActionError(
+                f"nobody knows on which host {target.name} is or was",
+                expected="a node that was seen long enough to know its process, some seconds",
+            )
         return home.host, HostRequest(decision.id, call.kind, target.name, home.pid, home.beside, arguments)
 
     def _here_and_now(self, decision: Decision, work: Callable[[], str]) -> None:

@@ -97,7 +97,9 @@ class Keeping:
                 writing.end()
         except OSError as error:
             raise ActionError(f"{place} cannot be written: {error.strerror or error}") from None
-        return f"{writing.count} messages of {writing.topics} topics, {writing.length_s:.1f} s long, in {place}"
+        messages = f"{writing.count} message{'' if writing.count == 1 else 's'}"
+        topics = f"{writing.topics} topic{'' if writing.topics == 1 else 's'}"
+        return f"{messages} of {topics}, {writing.length_s:.1f} s long, in {place}"
 
 
 class _Writing:

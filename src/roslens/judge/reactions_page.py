@@ -100,7 +100,8 @@ ended them, and starting each of them again would be wrong. What an observer wat
 heard again.
 
 Everything is unknown while the monitor itself is not well: in its first seconds, while its looks come late, while it
-sheds records, and after its clock was set. A hold time (`for`) then begins anew.
+sheds records, and after its clock was set. A hold time (`for`) then begins anew. That of
+silence (`absent`) counts from when nothing came any more, any other from when it was told.
 
 A verdict that is bad counts only as a **first cause**: where another fault explains it, that one is to be repaired.
 `effects: true` takes both, which is right for a stop of the robot and wrong for a restart. The cause must have been the

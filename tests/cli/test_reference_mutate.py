@@ -48,7 +48,7 @@ def test_for_programs_and_ci(bag, reference, capsys):
         "--topic",
         "/{odom,scan}",
         "--time",
-        "1s",
+        "5s",
         "-q",
         "--json",
     ]
@@ -79,3 +79,16 @@ def test_a_recording_that_is_too_short(bag, tmp_path, capsys):
     path.write_text("kind: reference\nname: r\nconstraints: [{topic: /odom, rate: 5 Hz ± 1 Hz, window: 60 s}]\n")
     assert main(["reference", "mutate", str(path), "--bag", bag]) == 2
     assert "a recording of 80.0 s; expected at least 150 s" in capsys.readouterr().err
+
+
+def test_a_node_that_vanishes_is_seen_by_who_expects_it(bag, tmp_path, capsys):
+    path = tmp_path / "nodes.yaml"
+    path.write_text(
+        "kind: reference\nname: r\ndefaults: {grace: 2 s}\nconstraints: [{node: /odometry, expected: always}]\n"
+    )
+    words = ["reference", "mutate", str(path), "--bag", bag, "--topic", "/{odom,scan}", "--time", "3s", "-q", "--json"]
+    assert main(words) == 0
+    topics = json.loads(capsys.readouterr().out)["topics"]
+    assert topics["/odom"]["vanished node"]["seen"] == topics["/odom"]["vanished node"]["tried"] > 0
+    assert topics["/odom"]["dead publisher"]["seen"] == 0
+    assert topics["/scan"]["vanished node"]["seen"] == 0

@@ -76,12 +76,14 @@ def replay(
     step_s: float | None = None,
     told: Callable[[Step], None],
     begun: Callable[[Session], None] = lambda _: None,
+    graphs: Sequence[tuple[float, Graph]] = (),
 ) -> Session:
     """Rate a recording and tell each step; returns the session as it was at the end.
 
     Stamps and fields are read only of topics for which the reference has a sentence about them. A step is by default
     half as long as the tightest bound on gaps, or gaps shortly after one another could not be told apart. ``begun``
-    is given the session before its first step.
+    is given the session before its first step. ``graphs`` take the place of that of the recording, each from some
+    seconds on, by time.
 
     Raises:
         UsageError: the recording does not have what it says.
@@ -92,6 +94,7 @@ def replay(
     fields = recording.fields(wanted_fields(reference, ((topic.name, topic.type) for topic in recording.topics)))
     waiting = next(fields, None)
     length = step_s or usual_step(reference)
+    changes = list(graphs)
     for step, tallies in recording.tallies(length, stamps=wanted_stamps(reference, recording.topics)):
         # Nobody knows what came after the last message: the last step ends with it.
         end = min(step, recording.end)
@@ -101,6 +104,8 @@ def replay(
         while waiting is not None and waiting[0] <= end:
             session.monitor.add_field(waiting[1], waiting[0], waiting[2])
             waiting = next(fields, None)
+        while changes and changes[0][0] <= end:
+            session.take([Frame(VERSION, "recording", 0, end, graph=changes.pop(0)[1])])
         session.take([Frame(VERSION, "recording", 0, end, tallies, looked=end)])
         told(session.look(end))
     session.take(recording.failures)

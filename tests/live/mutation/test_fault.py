@@ -24,6 +24,7 @@ def after(kind, stamps=None):
         (FaultKind.DELAY, range(50, 51)),
         (FaultKind.WRONG_VALUE, range(50, 51)),
         (FaultKind.DEAD_PUBLISHER, range(1)),
+        (FaultKind.VANISHED_NODE, range(1)),
     ],
 )
 def test_how_many_messages_are_left_in_the_stretch(kind, left):

@@ -80,11 +80,19 @@ def test_a_check_of_a_field_sees_a_wrong_value():
 def test_every_kind_of_every_topic_is_tried_once_before_any_is_tried_twice():
     lanes = {(name, ""): 1 / hz for name, hz in HZ.items()}
     plan = list(planned(lanes, 0.0, 60.0, 12.0, 10.0))
-    first = plan[: len(FaultKind) * len(lanes)]
+    # Who published is not known here: no node can vanish.
+    first = plan[: (len(FaultKind) - 1) * len(lanes)]
     assert set(Counter((one.topic, one.kind) for one in first).values()) == {1}
     assert len(set(plan)) == len(plan)
     assert {one.begin_s for one in plan} == {12.0 + LENGTH_S * n for n in range(7)}
     assert list(planned(lanes, 0.0, 20.0, 12.0, 10.0)) == []
+
+
+def test_a_node_vanishes_once_and_not_with_each_of_its_topics():
+    lanes = {("/a", "/one"): 0.1, ("/b", "/one"): 0.1, ("/c", "/two"): 0.1, ("/d", ""): 0.1}
+    plan = planned(lanes, 0.0, 60.0, 12.0, 10.0)
+    gone = {(one.topic, one.publisher) for one in plan if one.kind is FaultKind.VANISHED_NODE}
+    assert gone == {("/a", "/one"), ("/c", "/two")}
 
 
 @pytest.mark.parametrize(("period", "length"), [(0.1, 5.0), (3.0, 15.0), (60.0, 38.0)])
@@ -99,11 +107,11 @@ def test_the_score_counts_what_was_seen():
     run = trials(RATE)
     found = [run(kind, topic) for kind in FaultKind for topic in HZ]
     result = score(found, (), recording=["a.bag"], references=["r.yaml"], seconds=60.0, planned=99)
-    assert result.total.tried == 18
+    assert result.total.tried == 21
     assert result.total.seen == sum(one.seen for one in found) == sum(cell.seen for cell in result.kinds.values())
     assert result.topics["/odom"]["gap"].seen == 0
     assert "/odom: gap" in result.unseen
-    assert result.share == result.total.seen / 18
+    assert result.share == result.total.seen / 21
     assert msgspec.json.decode(msgspec.json.encode(result), type=type(result)) == result
 
 

@@ -62,7 +62,7 @@ def test_what_cannot_be_written_is_a_failure_and_keeping_goes_on(keeping, tmp_pa
     with pytest.raises(ActionError, match="cannot be written"):
         keeping.write(str(tmp_path / "there.mcap"), "ros2", 0.0)
     keeping.heard(STOP, BODY)
-    assert "1 messages" in keeping.write(str(tmp_path / "r.mcap"), "ros2", 0.0)
+    assert "1 message " in keeping.write(str(tmp_path / "r.mcap"), "ros2", 0.0)
 
 
 def test_threads_may_speak_while_it_is_written(tmp_path):

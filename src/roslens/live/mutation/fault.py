@@ -9,6 +9,8 @@ import msgspec
 import numpy as np
 import numpy.typing as npt
 
+from roslens.model.graph import Graph
+
 Ints: TypeAlias = npt.NDArray[np.int64]
 Traffic: TypeAlias = "tuple[Ints, Ints, Ints | None]"
 """Times of receipt, sizes and stamps of messages, by time; nanoseconds, bytes."""
@@ -31,6 +33,7 @@ class FaultKind(str, Enum):
     - delay: every message is received 0.5 s later; its stamp stays
     - wrong value: fields that the reference is about are far from all values they have in the recording
     - dead publisher: nothing comes any more, on any topic of the publisher where the recording knows it
+    - vanished node: the same, and the node is not in the graph any more; of publishers that the recording knows
     """
 
     RATE_HALVED = "rate halved"
@@ -39,6 +42,11 @@ class FaultKind(str, Enum):
     DELAY = "delay"
     WRONG_VALUE = "wrong value"
     DEAD_PUBLISHER = "dead publisher"
+    VANISHED_NODE = "vanished node"
+
+
+SILENT = (FaultKind.DEAD_PUBLISHER, FaultKind.VANISHED_NODE)
+"""After which nothing comes any more from the publisher."""
 
 
 class Fault(msgspec.Struct, frozen=True, order=True):
@@ -55,7 +63,7 @@ class Fault(msgspec.Struct, frozen=True, order=True):
 
     def concerns(self, topic: str, publisher: str) -> bool:
         """Whether it changes what a node publishes on a topic."""
-        if self.kind is FaultKind.DEAD_PUBLISHER and self.publisher:
+        if self.kind in SILENT and self.publisher:
             return publisher == self.publisher
         return (topic, publisher) == (self.topic, self.publisher)
 
@@ -73,8 +81,20 @@ def changed(fault: Fault, traffic: Traffic) -> Traffic:
     return times[~left_out], sizes[~left_out], stamps if stamps is None else stamps[~left_out]
 
 
+def graphs(fault: Fault, graph: Graph) -> tuple[tuple[float, Graph], ...]:
+    """Return the graphs that a fault makes of one, each with the seconds from which on it is so; none of most."""
+    if fault.kind is not FaultKind.VANISHED_NODE:
+        return ()
+    without = msgspec.structs.replace(
+        graph,
+        nodes=tuple(one for one in graph.nodes if one.name != fault.publisher),
+        endpoints=tuple(one for one in graph.endpoints if one.node != fault.publisher),
+    )
+    return ((fault.begin_s, without), (fault.end_s, graph))
+
+
 def _left_out(kind: FaultKind, times: Ints, inside: npt.NDArray[np.bool_], begin: int) -> npt.NDArray[np.bool_]:
-    if kind is FaultKind.DEAD_PUBLISHER:
+    if kind in SILENT:
         return inside
     if kind is FaultKind.RATE_HALVED:
         second: npt.NDArray[np.bool_] = np.cumsum(inside) % 2 == 0

@@ -10,9 +10,10 @@ from roslens.judge.expectation import Reference
 from roslens.judge.merge_references import sentences_of
 from roslens.live.alarms import Alarm, AlarmLog
 from roslens.live.connection_name import connection_ends
-from roslens.live.mutation.fault import DELAY_S, Fault, FaultKind
+from roslens.live.mutation.fault import DELAY_S, Fault, FaultKind, graphs
 from roslens.live.replay import Recording, replay
 from roslens.model.entity import EntityKind
+from roslens.model.graph import Graph
 
 BEFORE_S = 10.0
 """So much of a recording is replayed before a fault, besides the longest grace and window of the reference."""
@@ -71,11 +72,15 @@ def planned(
         after_s: how much after it.
     """
     every, told = sorted(lanes), set[Fault]()
+    # A node vanishes once, not with each of its topics.
+    of_node = {publisher: topic for topic, publisher in reversed(every) if publisher}
     room = end - start - before_s - LENGTH_S - after_s
     places = max(int(room // LENGTH_S) + 1, 1) if room >= 0 else 0
     for turn in range(places):
         for number, (topic, publisher) in enumerate(every):
             for place, kind in enumerate(FaultKind):
+                if kind is FaultKind.VANISHED_NODE and of_node.get(publisher) != topic:
+                    continue
                 # Neighbours in the plan are far apart in the recording.
                 begin = start + before_s + LENGTH_S * ((turn + 7 * number + 3 * place) % places)
                 length = min(max(LENGTH_S, LEAST_PERIODS * lanes[topic, publisher]), LENGTH_S + room)
@@ -106,7 +111,9 @@ class Trials:
         if healthy is None:
             alarms = _alarms(self._opened(begin, end, None), self._reference)
             healthy = self._healthy[begin, end] = frozenset(_key(one) for one in alarms)
-        found = [one for one in _alarms(self._opened(begin, end, fault), self._reference) if _key(one) not in healthy]
+        broken = self._opened(begin, end, fault)
+        alarms = _alarms(broken, self._reference, graphs(fault, broken.graph()))
+        found = [one for one in alarms if _key(one) not in healthy]
         topics = {topic for topic, _ in concerned}
         nodes = {publisher for _, publisher in concerned if publisher}
         mine = [one for one in found if _about(one, topics, nodes) and _then(one, fault, self._after_s)]
@@ -120,9 +127,11 @@ class Trials:
         )
 
 
-def _alarms(recording: Recording, reference: Reference) -> tuple[Alarm, ...]:
+def _alarms(
+    recording: Recording, reference: Reference, graphs: Sequence[tuple[float, Graph]] = ()
+) -> tuple[Alarm, ...]:
     log = AlarmLog()
-    replay(recording, reference, told=lambda step: log.add(step.changes))
+    replay(recording, reference, told=lambda step: log.add(step.changes), graphs=graphs)
     return log.alarms()
 
 

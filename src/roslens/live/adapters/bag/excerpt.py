@@ -10,7 +10,7 @@ import numpy as np
 from roslens.live.adapters.bag.bag import Bag
 from roslens.live.adapters.bag.steps import Lane, Steps
 from roslens.live.adapters.bag.topic import BagTopic
-from roslens.live.mutation.fault import Fault, FaultKind, Traffic, changed, wrong_value
+from roslens.live.mutation.fault import SILENT, Fault, FaultKind, Traffic, changed, wrong_value
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
 from roslens.model.graph import Graph
@@ -82,7 +82,7 @@ class Kept:
                 yield row
             elif fault.kind is FaultKind.WRONG_VALUE:
                 yield FieldRow(row.time, row.topic, {path: self._wrong[row.topic][path] for path in row.values})
-            elif fault.kind is FaultKind.DEAD_PUBLISHER:
+            elif fault.kind in SILENT:
                 continue
             else:
                 yield row

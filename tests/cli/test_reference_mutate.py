@@ -31,7 +31,7 @@ def reference(tmp_path):
 
 
 def test_a_table_of_what_is_seen(bag, reference, capsys):
-    assert main(["reference", "mutate", reference, "--bag", bag, "--topic", "/odom", "--time", "1s", "-q"]) == 0
+    assert main(["reference", "mutate", reference, "--bag", bag, "--topic", "/odom", "--time", "4s", "-q"]) == 0
     out = capsys.readouterr().out
     assert out.splitlines()[0].split("  ")[0] == "topic"
     assert " faults are seen (" in out

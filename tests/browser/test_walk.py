@@ -93,7 +93,7 @@ def test_from_what_is_late_to_who_changed_it_last_and_back(page: Page) -> None:
     expect(page.locator("#findings .finding").first).to_be_visible()
     assert steps <= STEPS_OF_A_MINUTE
     # And back: from the package to its node, from there to how it runs.
-    page.locator("#nodes").get_by_role("link", name="/range_filter").click()
+    page.locator("#nodes").get_by_role("link", name="/range_filter", exact=True).click()
     page.get_by_role("link", name="Show it running").click()
     expect(page.locator("#detail h3")).to_contain_text("/range_filter")
     page.go_back()

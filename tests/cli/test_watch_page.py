@@ -210,16 +210,16 @@ def test_only_the_latest_happenings_are_kept():
     assert happened[0]["time"] == robot.now
 
 
-def test_snapshots_are_made_each_second_while_somebody_looks():
+def test_snapshots_are_made_four_times_a_second_while_somebody_looks():
     now = [100.0]
     robot = ScriptedRobot()
     page = PageSource("x", clock=str, live=True, steady=lambda: now[0])
     assert page.due()
     page.newest()
     page.make(robot.session, 1.0, "")
-    now[0] += 0.9
+    now[0] += 0.24
     assert not page.due()
-    now[0] += 0.1
+    now[0] += 0.01
     assert page.due()
     first = page.newest()
     page.make(robot.session, 2.0, "")

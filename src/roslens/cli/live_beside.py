@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import os
 import platform
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Event, Thread
 
+from roslens.cli.page.board_page import notes_beside
 from roslens.cli.param_reference import reference_sources
 from roslens.cli.watch_live import sources_of
 from roslens.cli.watch_page import PageSource
@@ -31,7 +33,8 @@ def live_beside(options: argparse.Namespace) -> Iterator[PageSource]:
     files = ReferenceFiles(reference_sources(options.reference, options), steady=time.monotonic)
     session = Session(files.reference, start=time.time())
     sources = sources_of(options)
-    page, shown = page_of(session, platform.node(), time_of_day)
+    handled = notes_beside(None, platform.node(), os.environ)
+    page, shown = page_of(session, platform.node(), time_of_day, handled=handled)
 
     def told(step: Step) -> None:
         shown(files.renew(session, step))

@@ -66,13 +66,17 @@ def _watched(
             sinks.append(_serve(stack, options.prometheus, session, sources))
         page = None
         if options.serve is not None:
+            from roslens.cli.page.board_page import notes_beside
             from roslens.cli.served.door import door_of
             from roslens.cli.watch_serve import address_of, page_beside
 
             address = address_of(options.serve)
-            door = door_of(options, address[0])
+            door = door_of(options, address[0], acting=True)
             recall = history.recall() if history is not None else None
-            page, shown = page_beside(stack, session, platform.node(), address, time_of_day, door, recall=recall)
+            handled = notes_beside(options.history, platform.node(), os.environ)
+            page, shown = page_beside(
+                stack, session, platform.node(), address, time_of_day, door, recall=recall, handled=handled
+            )
             sinks.append(shown)
         on_screen = sys.stdout.isatty() and options.format == "text" and options.output is None
         sinks.append(stack.enter_context(_screen(teller, session, sources, page)) if on_screen else teller.tell)

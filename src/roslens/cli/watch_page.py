@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from roslens.cli.page.board_page import MOST_ALERTS, BoardPage, Looked
 from roslens.cli.watch_causes import causes_of
 from roslens.cli.watch_detail import detail_of
 from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
@@ -24,6 +25,7 @@ from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.graph import Change, Event, Graph
 from roslens.model.verdict import Verdict
+from roslens.store.handled import HandledAlerts
 
 if TYPE_CHECKING:
     from roslens.cli.page.past_page import PastPage
@@ -40,10 +42,10 @@ COLUMNS = (
     ("cpu", "CPU"),
     ("memory", "Memory"),
 )
-_PACE_S = 1.0
+_PACE_S = 0.25
 _IDLE_PACE_S = 5.0
 _WANTED_S = 5.0
-_MOST_SHARE = 0.2
+_MOST_SHARE = 0.05
 _SLOWEST_S = 4.0
 """A large system is shown more slowly, so that showing it costs no more than this share of the time."""
 _KEPT = 50
@@ -60,8 +62,19 @@ class PageSource:
     them they are made less often.
     """
 
-    def __init__(self, title: str, *, clock: Callable[[float], str], live: bool, steady: Callable[[], float]) -> None:
-        """Show what is called ``title``; ``clock`` writes times, ``steady`` tells how long ago something was."""
+    def __init__(
+        self, title: str, *, clock: Callable[[float], str], live: bool, steady: Callable[[], float],
+        handled: HandledAlerts | None = None,
+    ) -> None:  # fmt: skip
+        """Show what is called ``title``.
+
+        Args:
+            title: of what is watched.
+            clock: writes times.
+            live: whether more will come.
+            steady: tells how long ago something was.
+            handled: keeps what somebody notes of alerts; by default as long as the page lasts.
+        """
         self._title = title
         self._clock = clock
         self._live = live
@@ -73,14 +86,16 @@ class PageSource:
         self._made = -math.inf
         self._took = 0.0
         self._newest = b""
-        self._graph: Graph | None = None
-        self._shown: tuple[SystemView, Sequence[Verdict], str] | None = None
+        self._looked: Looked | None = None
+        self._recall: Recall | None = None
         self.past: PastPage | None = None
+        self.board = BoardPage(lambda: self._looked, lambda: self._recall, handled or HandledAlerts(None), clock)
 
     def remember(self, recall: Recall) -> None:
         """Show the past from a history, too."""
         from roslens.cli.page.past_page import PastPage
 
+        self._recall = recall
         self.past = PastPage(recall, self._title, clock=self._clock, picture=lambda: self._picture)
 
     def newest(self) -> bytes:
@@ -90,21 +105,21 @@ class PageSource:
 
     def detail(self, entity: str) -> bytes:
         """Return all that is known of an entity, as of the newest snapshot; empty where it is not there."""
-        if self._shown is None:
+        looked = self._looked
+        if looked is None:
             return b""
-        whole, standing, when = self._shown
-        found = detail_of(entity, whole, standing, when, self._clock)
+        found = detail_of(entity, looked.view, looked.standing, self._clock(looked.time), self._clock)
         return msgspec.json.encode(found) if found is not None else b""
 
     @property
     def whole(self) -> Graph | None:
         """The computation graph as of the newest snapshot; None before the first."""
-        return self._graph
+        return self._looked.graph if self._looked is not None else None
 
     def graph(self) -> bytes:
         """Return the computation graph as JSON, as of the newest snapshot; empty before the first."""
-        whole = self._graph
-        return graph_bytes(whole) if whole is not None else b""
+        looked = self._looked
+        return graph_bytes(looked.graph) if looked is not None else b""
 
     def take(self, step: Step) -> None:
         """Remember what happened in a step."""
@@ -120,22 +135,24 @@ class PageSource:
     def make(self, session: Session, now: float, cost: str) -> None:
         """Make the snapshot of ``now``."""
         begun = self._steady()
+        looked = _look(session, now)
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
-        self._newest = msgspec.json.encode(self.snapshot(session, now, cost))
-        # Values that never change: who asks for details in another thread reads them while the next are made.
-        self._graph = session.graph()
-        self._shown = (session.tree(now), session.monitor.standing(), self._clock(now))
+        self._newest = msgspec.json.encode(self._snapshot(looked, cost))
+        self._looked = looked
         self._made = self._steady()
         self._took = self._made - begun
 
     def snapshot(self, session: Session, now: float, cost: str) -> Snapshot:
         """Return how the system stands at ``now``; ``cost`` says what watching it costs."""
-        return document(
-            session.tree(now),
-            session.monitor.standing(),
-            session.graph(),
+        return self._snapshot(_look(session, now), cost)
+
+    def _snapshot(self, looked: Looked, cost: str) -> Snapshot:
+        found = document(
+            looked.view,
+            looked.standing,
+            looked.graph,
             self._picture,
-            time=now,
+            time=looked.time,
             clock=self._clock,
             title=self._title,
             live=self._live,
@@ -143,6 +160,8 @@ class PageSource:
             happened=sorted(self._happened, key=lambda one: one.time)[::-1],
             failures=tuple(reversed(self._failures)),
         )
+        shown, muted = self.board.sorted(found.alerts, looked.time)
+        return bounded(msgspec.structs.replace(found, alerts=shown, muted=muted))
 
     def _of_step(self, step: Step) -> Iterator[Happening]:
         yield from (event_line(one, self._clock) for one in step.events if told_of(one))
@@ -154,6 +173,12 @@ class PageSource:
         for note in step.notes:
             when, text = self._clock(note.time), shown_text(note.text)
             yield Happening(note.time, when, note.kind.value, "", "reference", "", text)
+
+
+def _look(session: Session, now: float) -> Looked:
+    """Return values that never change: who asks for details in another thread reads them while the next are made."""
+    monitor = session.monitor
+    return Looked(session.tree(now), monitor.standing(), session.graph(), monitor.reference, now)
 
 
 def document(
@@ -190,6 +215,16 @@ def document(
         happened=tuple(happened),
         failures=failures,
     )
+
+
+def bounded(found: Snapshot) -> Snapshot:
+    """Return a snapshot with the first alerts of very many, and how many there are."""
+    follow = sum(len(one.follows) for one in found.alerts)
+    alerts = (
+        msgspec.structs.replace(one, follows=one.follows[:MOST_ALERTS]) if len(one.follows) > MOST_ALERTS else one
+        for one in found.alerts[:MOST_ALERTS]
+    )
+    return msgspec.structs.replace(found, alerts=tuple(alerts), wrong=len(found.alerts), follow=follow)
 
 
 def told_of(event: Event) -> bool:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from roslens.cli.served.door import Door
     from roslens.dashboard.live.further import Further
     from roslens.live.session import Session, Step
+    from roslens.store.handled import HandledAlerts
     from roslens.store.past.recall import Recall
 
 _LOOK_S = 0.1
@@ -55,21 +56,25 @@ def serve(
     host, port = address
     access, tls = (door.access, door.tls) if door else (None, None)
     page = LivePage(
-        source.newest, detail=source.detail, graph=source.graph, past=source.past, host=host, port=port, access=access,
-        tls=tls, further=further,
+        source.newest, detail=source.detail, graph=source.graph, past=source.past, board=source.board,
+        host=host, port=port, access=access, tls=tls, further=further,
     )  # fmt: skip
     print(f"roslens: {door.address(page.url) if door else page.url}", file=sys.stderr, flush=True)
     return page
 
 
 def page_of(
-    session: Session, title: str, clock: Callable[[float], str], recall: Recall | None = None
+    session: Session,
+    title: str,
+    clock: Callable[[float], str],
+    recall: Recall | None = None,
+    handled: HandledAlerts | None = None,
 ) -> tuple[PageSource, Callable[[Step], None]]:
     """Return what shows a session that goes on, and what to tell each step.
 
     Its past is that of ``recall``, which somebody else keeps; without one the last hours are kept in memory.
     """
-    source = PageSource(title, clock=clock, live=True, steady=time.monotonic)
+    source = PageSource(title, clock=clock, live=True, steady=time.monotonic, handled=handled)
     keeper = None
     if recall is None:
         keeper = in_memory(session)
@@ -95,14 +100,14 @@ def page_of(
 def page_beside(
     stack: contextlib.ExitStack, session: Session, title: str, address: tuple[str, int],
     clock: Callable[[float], str], door: Door | None = None, further: Further | None = None,
-    recall: Recall | None = None,
+    recall: Recall | None = None, handled: HandledAlerts | None = None,
 ) -> tuple[str, Callable[[Step], None]]:  # fmt: skip
     """Serve a session that goes on until ``stack`` is left; return where, and what to tell each step.
 
     Raises:
         UsageError: the address cannot be listened on.
     """
-    source, told = page_of(session, title, clock, recall)
+    source, told = page_of(session, title, clock, recall, handled)
     return stack.enter_context(serve(source, address, door, further)).url, told
 
 

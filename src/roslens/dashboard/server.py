@@ -20,6 +20,7 @@ from roslens.dashboard.computation.to_svg import to_svg
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
+from roslens.dashboard.live.board import Board
 from roslens.dashboard.live.past import Past
 from roslens.dashboard.live.snapshot import names_in
 from roslens.dashboard.pages.entity import page_of
@@ -45,6 +46,7 @@ def create_app(
     detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
+    board: Board | None = None,
     stopped: Callable[[], bool] = lambda: False,
     access: Access | None = None,
 ) -> Starlette:
@@ -57,6 +59,7 @@ def create_app(
         detail: returns all that is known of one of its entities.
         graph: returns its computation graph as JSON.
         past: of what runs; None where nothing is kept.
+        board: its references, and notes on its alerts.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
     """
@@ -95,7 +98,7 @@ def create_app(
     if snapshot is not None:
         site.running = lambda: names_in(snapshot())
         facts = Facts(names, advice=_ADVICE, pages=lambda: renderer.navigation(site, links), access=access)
-        live = create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, stopped=stopped)
+        live = create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, board=board, stopped=stopped)
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     return Starlette(
         routes=[
@@ -149,6 +152,7 @@ def serve(
     detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
+    board: Board | None = None,
     access: Access | None = None,
     tls: Tls | None = None,
 ) -> None:
@@ -163,6 +167,7 @@ def serve(
         detail: returns all that is known of one of its entities; called from this thread too.
         graph: returns its computation graph as JSON; called from this thread too.
         past: of what runs; None where nothing is kept.
+        board: its references, and notes on its alerts.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.
 
@@ -182,8 +187,8 @@ def serve(
 
     names = frozenset({host.lower()})
     app = create_app(
-        site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, stopped=lambda: bool(stopping),
-        access=access,
+        site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, board=board,
+        stopped=lambda: bool(stopping), access=access,
     )  # fmt: skip
     local, free = (
         "Leave --host out to listen on this machine only",

@@ -87,6 +87,11 @@ class Monitor:
         return self._world
 
     @property
+    def reference(self) -> Reference:
+        """What is expected now."""
+        return self._rules.reference
+
+    @property
     def refused(self) -> int:
         """Records that could not be true, in whole or in part, and those for which there was no room."""
         return self._implausible + self._world.refused

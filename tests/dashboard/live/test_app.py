@@ -18,8 +18,10 @@ import msgspec
 import pytest
 from dashboard.live.scripted_robot import ScriptedRobot
 
+from roslens.dashboard.access.person import Person, Role
+from roslens.dashboard.access.policy import Access
 from roslens.dashboard.guard import HEADERS
-from roslens.dashboard.live.app import create_live_app
+from roslens.dashboard.live.app import Facts, create_live_app
 from roslens.dashboard.live.serving import LivePage
 from roslens.model.errors import UsageError
 from roslens.model.graph import Graph
@@ -274,3 +276,71 @@ def test_a_port_that_is_taken_is_said(served):
     port = urlsplit(served[1].url).port
     with pytest.raises(UsageError, match=r"expected a free port\. Give --serve another port"):
         LivePage(served[0].page.newest, port=port)
+
+
+def board_client(robot, person=None):
+    """Return a client of an application in which a token may operate."""
+    access = Access({"t" * 32: person or Person("anna", Role.OPERATE)})
+    facts = Facts(access=access)
+    asking = Client(robot)
+    asking.app = create_live_app(robot.page.newest, facts, detail=robot.page.detail, board=robot.page.board)
+    return asking
+
+
+def posted(asking, headers=None, **form):
+    async def ask():
+        transport = httpx.ASGITransport(asking.app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://127.0.0.1") as client:
+            return await client.post("/handle", data=form, headers=headers or {})
+
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(lambda: asyncio.run(ask())).result()
+
+
+def test_an_alert_is_acknowledged_by_who_may_operate_alone():
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    (alert,) = json.loads(robot.page.newest())["alerts"]
+    held = {"authorization": f"Bearer {'t' * 32}"}
+    asking = board_client(robot)
+    assert posted(asking, key=alert["key"], how="acknowledge").status_code == 403
+    viewer = board_client(robot, Person("eve", Role.VIEW))
+    assert posted(viewer, held, key=alert["key"], how="acknowledge").status_code == 403
+    done = posted(asking, held, key=alert["key"], how="acknowledge")
+    assert (done.status_code, done.headers["location"]) == (303, "./")
+    robot.run()
+    (noted,) = json.loads(robot.page.newest())["alerts"]
+    assert (noted["handled"], noted["by"]) == ("acknowledged", "anna")
+    bad = posted(asking, held, key=alert["key"], how="mute", **{"for": "nan"})
+    assert (bad.status_code, bad.text) == (400, "for='nan'; expected seconds.\n")
+
+
+def test_the_page_of_references_says_what_is_about_nothing():
+    robot = ScriptedRobot(wires=[("/lidar", "/scan", ("/slam",), 10, 100)])
+    robot.run(40)
+    asking = board_client(robot)
+    page = asking.get("/references").text
+    assert "matches nothing" in page
+    assert "style=" not in page
+    assert asking.get("/references.json").json()["sentences"][0].get("count", 0) == 0
+    assert asking.get("/references", params={"accept": "topic:/nothing"}).text.count("constraints: []") == 1
+    assert asking.get("/accepted.yaml").headers["content-disposition"].startswith("attachment")
+
+
+def test_hostile_names_stay_text_on_the_page_of_references():
+    robot = hostile_robot()
+    robot.run(40)
+    page = board_client(robot).get("/references", params={"accept": HOSTILE[0]}).text
+    assert "<script>alert" not in page
+    assert "<img src=x" not in page
+
+
+@pytest.mark.parametrize("path", ["/snapshot.json?at=x", "/plots.json?select=a", "/compared?from=1&to=inf"])
+def test_an_address_that_is_no_moment_is_refused_with_what_was_expected(path):
+    robot = ScriptedRobot()
+    asking = Client(robot)
+    asking.app = create_live_app(robot.page.newest, detail=robot.page.detail, past=robot.page.past)
+    answer = asking.get(path)
+    assert answer.status_code == 400
+    assert "expected seconds since the epoch" in answer.text

@@ -72,7 +72,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.dashboard.live.app import no_graph, nothing
     from roslens.dashboard.server import serve
 
-    door = door_of(options, options.host)
+    door = door_of(options, options.host, acting=options.live)
     progress = progress_for(options)
     with (
         shown_run(options, progress) as view,
@@ -102,6 +102,7 @@ def run(options: argparse.Namespace) -> int:
                 detail=page.detail if page else nothing,
                 graph=page.graph if page else no_graph,
                 past=page.past if page else None,
+                board=page.board if page else None,
                 access=door.access,
                 tls=door.tls,
             )

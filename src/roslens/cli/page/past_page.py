@@ -12,7 +12,7 @@ import msgspec
 
 from roslens.cli.watch_detail import detail_of, limits_of
 from roslens.cli.watch_graph import GraphPicture
-from roslens.cli.watch_page import document, event_line, shown_name, shown_text, told_of, verdict_line
+from roslens.cli.watch_page import bounded, document, event_line, shown_name, shown_text, told_of, verdict_line
 from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.past import Changed, Compared, Mark, Plots, Series, Timeline
 from roslens.dashboard.live.snapshot import UNJUDGED, Row, Snapshot
@@ -141,7 +141,7 @@ class PastPage:
         with self._lock:
             if self._drawn is None:
                 self._drawn = copy.deepcopy(self._picture())
-            return document(
+            found = document(
                 view,
                 moment.verdicts,
                 moment.graph,
@@ -153,6 +153,7 @@ class PastPage:
                 cost="",
                 happened=sorted(lines, key=lambda one: -one.time)[:_KEPT],
             )
+        return bounded(found)
 
 
 _PLACE = {key: place for place, key in enumerate(BY_KEY)}

@@ -17,8 +17,11 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 import roslens
+from roslens.dashboard.access.person import person_of
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.guard import Guard
+from roslens.dashboard.live.board import Board
+from roslens.dashboard.live.board_routes import BoardRoutes
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
 from roslens.dashboard.live.past_routes import MomentError, PastRoutes, foreign, json_or_nothing, refused, unreadable
@@ -61,7 +64,7 @@ class Facts(msgspec.Struct, frozen=True):
 
     names: frozenset[str] = frozenset()
     advice: str = "start `roslens watch` with --serve HOST:PORT"
-    pace_s: float = 1.0
+    pace_s: float = 0.25
     pages: Callable[[], Sequence[tuple[str, str]]] = tuple
     access: Access | None = None
     further: Further = Further()
@@ -79,7 +82,8 @@ def no_graph() -> bytes:
 
 def create_live_app(
     snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
-    graph: Callable[[], bytes] = no_graph, past: Past | None = None, stopped: Callable[[], bool] = lambda: False,
+    graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
+    stopped: Callable[[], bool] = lambda: False,
 ) -> Starlette:  # fmt: skip
     """Return the application.
 
@@ -90,19 +94,21 @@ def create_live_app(
         detail: returns all that is known of an entity as JSON, empty of one that is not there. Called from there too.
         graph: returns the computation graph as JSON, empty where none is known yet. Called from there too.
         past: of what is shown; None where nothing is kept.
+        board: references and notes on alerts.
         stopped: whether streams should end.
     """
     facts = facts or Facts()
-    page, compared = _templates(facts, past is not None)
+    templates = _Templates(facts, past is not None, board is not None)
     streams = _Streams(snapshot, facts.pace_s, stopped)
-    memory = PastRoutes(past, compared) if past is not None else None
+    memory = PastRoutes(past, templates.compared) if past is not None else None
 
     async def show(request: Request) -> Response:
         at = request.query_params.get("at", "")
         text = await memory.snapshot(at) if memory is not None and at else b""
         text, then = (text, at) if text else (snapshot(), "")
         shown = msgspec.json.decode(text, type=Snapshot)
-        return HTMLResponse(page(shown, _embeddable(text), then))
+        may = board is not None and person_of(request).may_operate
+        return HTMLResponse(templates.live(shown, _embeddable(text), then, may))
 
     async def twin(request: Request) -> Response:
         if refusal := foreign(request):
@@ -142,6 +148,7 @@ def create_live_app(
             Route("/graph.json", whole),
             *facts.further.routes,
             *(memory.routes() if memory is not None else ()),
+            *(BoardRoutes(board, templates.references).routes() if board is not None else ()),
             Mount("/web/live", StaticFiles(directory=HERE / "web")),
             Mount("/web", StaticFiles(directory=WEB)),
         ],
@@ -185,17 +192,30 @@ def _embeddable(text: bytes) -> Markup:
     return Markup(safe)  # noqa: S704 - escaped
 
 
-def _templates(facts: Facts, remembers: bool) -> tuple[Callable[[Snapshot, Markup, str], str], Callable[[object], str]]:
-    environment = Environment(
-        loader=FileSystemLoader([HERE / "templates", TEMPLATES]),
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        undefined=StrictUndefined,
-    )
-    environment.globals.update(version=roslens.__version__, links=facts.further.links, remembers=remembers, keys=_KEYS)
-    page, compared = environment.get_template("live.html"), environment.get_template("compared.html")
-    return (
-        lambda shown, text, at: page.render(snapshot=shown, text=text, at=at, pages=facts.pages()),
-        lambda found: compared.render(found=found, pages=facts.pages()),
-    )
+class _Templates:
+    """Writes the pages of one server."""
+
+    def __init__(self, facts: Facts, remembers: bool, boards: bool) -> None:
+        self._pages = facts.pages
+        environment = Environment(
+            loader=FileSystemLoader([HERE / "templates", TEMPLATES]),
+            autoescape=True,
+            trim_blocks=True,
+            lstrip_blocks=True,
+            undefined=StrictUndefined,
+        )
+        environment.globals.update(
+            version=roslens.__version__, links=facts.further.links, remembers=remembers, boards=boards, keys=_KEYS
+        )
+        self._live = environment.get_template("live.html")
+        self._compared = environment.get_template("compared.html")
+        self._references = environment.get_template("references.html")
+
+    def live(self, shown: Snapshot, text: Markup, at: str, may: bool) -> str:
+        return self._live.render(snapshot=shown, text=text, at=at, may=may, pages=self._pages())
+
+    def compared(self, found: object) -> str:
+        return self._compared.render(found=found, pages=self._pages())
+
+    def references(self, found: object, document: str, accepted: tuple[str, ...]) -> str:
+        return self._references.render(found=found, document=document, accepted=accepted, pages=self._pages())

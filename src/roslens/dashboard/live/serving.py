@@ -10,6 +10,7 @@ import uvicorn
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
+from roslens.dashboard.live.board import Board
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
 from roslens.dashboard.patient_protocol import PatientProtocol
@@ -23,8 +24,9 @@ class LivePage:
 
     def __init__(
         self, snapshot: Callable[[], bytes], *, detail: Callable[[str], bytes] = nothing,
-        graph: Callable[[], bytes] = no_graph, past: Past | None = None, host: str = "127.0.0.1", port: int = 0,
-        access: Access | None = None, tls: Tls | None = None, further: Further | None = None,
+        graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
+        host: str = "127.0.0.1", port: int = 0, access: Access | None = None, tls: Tls | None = None,
+        further: Further | None = None,
     ) -> None:  # fmt: skip
         """Serve what these return; all are called from the server's threads.
 
@@ -33,6 +35,7 @@ class LivePage:
             detail: returns all that is known of an entity.
             graph: returns the computation graph.
             past: of what is shown; None where nothing is kept.
+            board: references and notes on alerts.
             host: name or address to listen on.
             port: to listen on; 0 takes a free one.
             access: who may view and who may act; by default everybody may view and nobody act.
@@ -49,7 +52,9 @@ class LivePage:
         facts = Facts(frozenset({host.lower()}), access=access, further=further or Further())
         self._server = uvicorn.Server(
             uvicorn.Config(
-                create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, stopped=self._stopping.is_set),
+                create_live_app(
+                    snapshot, facts, detail=detail, graph=graph, past=past, board=board, stopped=self._stopping.is_set
+                ),
                 log_level="error",
                 access_log=False,
                 lifespan="off",

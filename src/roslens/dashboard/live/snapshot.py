@@ -85,6 +85,9 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
         where: ``file:line`` of what is expected.
         evidence: what shows it.
         follows: what this one explains.
+        handled: ``acknowledged`` or ``muted``, where somebody noted that.
+        by: who did.
+        until: when muting ends, as people read it.
     """
 
     key: str
@@ -101,6 +104,9 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
     where: str = ""
     evidence: str = ""
     follows: tuple[Alert, ...] = ()
+    handled: str = ""
+    by: str = ""
+    until: str = ""
 
 
 class Item(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -174,7 +180,10 @@ class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
         cost: what watching costs, in words.
         columns: key and heading of the values in the tree, in order.
         rows: the tree.
-        alerts: what is wrong, first causes only; what follows from them is in them.
+        alerts: what is wrong, first causes only; what follows from them is in them. Of very many the first ones.
+        muted: first causes of which somebody wants to hear nothing for a while; they are no less wrong.
+        wrong: how many first causes there are, muted ones apart.
+        follow: how many alerts follow from those.
         picture: the graph.
         happened: the latest changes, newest first.
         failures: what could not be observed, newest first.
@@ -196,3 +205,6 @@ class Snapshot(msgspec.Struct, frozen=True, omit_defaults=True):
     failures: tuple[str, ...]
     unjudged: int = 0
     causes: CausePicture = CausePicture()
+    muted: tuple[Alert, ...] = ()
+    wrong: int = 0
+    follow: int = 0

@@ -9,8 +9,8 @@ const QUIET_MS = 5000;
 
 export class Alerts {
   /** `select` is called with the id of an entity that was clicked. */
-  constructor(element, said, select) {
-    Object.assign(this, { element, said, select });
+  constructor(element, muted, said, select) {
+    Object.assign(this, { element, muted, said, select, may: element.dataset.may === "handle" });
     this.shown = new Map();
     this.known = null;
     this.spoken = -Infinity;
@@ -48,13 +48,43 @@ export class Alerts {
       this.shown.get(key).element.remove();
       this.shown.delete(key);
     }
-    const more = snapshot.alerts.length - alerts.length;
+    const more = (snapshot.wrong || 0) - alerts.length;
     this.rest.hidden = more <= 0;
+    this.silenced(snapshot.muted || []);
     if (more > 0) {
-      this.rest.textContent = `${more} more; the table has them all.`;
+      this.rest.textContent = `${more.toLocaleString("en-US")} more; the table has them all.`;
       this.element.append(this.rest);
     } else this.rest.remove();
     this.announce(alerts);
+  }
+
+  /** What somebody wants to hear nothing of for a while: it is no less wrong. */
+  silenced(alerts) {
+    const form = JSON.stringify(alerts.map((one) => [one.key, one.sentence, one.until]));
+    if (form === this.mutedForm) return;
+    this.mutedForm = form;
+    this.muted.hidden = !alerts.length;
+    this.muted.querySelector("summary").textContent = `${alerts.length} muted`;
+    this.muted.querySelector("div").replaceChildren(...alerts.map((one) => this.line(one, [])));
+  }
+
+  /** What may be done with an alert, by who may. */
+  tools(alert) {
+    if (!this.may || alert.cause) return [];
+    const button = (text, how, seconds, title) => make("button", { type: "button", class: "plain", text, title, onclick: () => this.handle(alert.key, how, seconds) });
+    if (alert.handled) return [button("Undo", "undo", 0, `No longer ${alert.handled}`)];
+    const length = make("select", { "aria-label": `Mute ${alert.name} for`, onchange: (event) => event.target.value && this.handle(alert.key, "mute", event.target.value) },
+      ...[["", "Mute…"], [600, "10 min"], [3600, "1 h"], [28_800, "8 h"], [86_400, "1 day"]].map(([value, text]) => make("option", { value, text })));
+    return [button("Acknowledge", "acknowledge", 0, "Say that somebody looks after it"), length];
+  }
+
+  async handle(key, how, seconds) {
+    try {
+      const answer = await fetch("handle", { method: "POST", body: new URLSearchParams({ key, how, for: seconds }), redirect: "manual" });
+      if (answer.type !== "opaqueredirect") this.said.textContent = (await answer.text()).trim();
+    } catch {
+      // The page says by itself that nothing is heard of the monitor.
+    }
   }
 
   build(alert, form, open) {
@@ -78,8 +108,8 @@ export class Alerts {
     return make("div", { class: `alert${alert.severity === "error" ? " grave" : ""}` },
       make("span", { class: "mark" }, sign(alert.state, alert.severity), alert.state),
       name,
-      make("span", { class: "says", title: about.filter(Boolean).join("\n") }, make("bdi", { text: alert.sentence })),
-      make("span", { class: "since" }, time, " ", ...toSource(alert.entity, "source")));
+      make("span", { class: "says", title: about.filter(Boolean).join("\n") }, make("bdi", { text: alert.sentence }), alert.handled ? make("span", { class: "noted", text: ` ${alert.handled} by ${alert.by}${alert.until ? ` until ${alert.until}` : ""}` }) : ""),
+      make("span", { class: "since" }, ...this.tools(alert), time, " ", ...toSource(alert.entity, "source")));
   }
 
   /** Remember what is new, to be said to who cannot see it. */

@@ -24,7 +24,7 @@ const worse = by("worse");
 const tree = new Tree(by("tree"), { count: by("tree-count"), empty: by("empty") }, (entity) => choose(entity, "tree"));
 const picture = new Picture(by("canvas"), { svg: by("picture"), scene: by("scene"), layers: { lines: by("lines"), items: by("items") }, leftOut: by("left-out") },
   (entity) => choose(entity, "picture"));
-const alerts = new Alerts(by("alerts"), by("said"), (entity) => choose(entity, "alerts"));
+const alerts = new Alerts(by("alerts"), by("muted"), by("said"), (entity) => choose(entity, "alerts"));
 const causes = new Causes(by("causes"));
 const happened = new Happened(by("happened"), by("failures"), [by("happened-none"), by("failures-none")]);
 
@@ -69,11 +69,13 @@ function filter() {
 }
 
 function headline(snapshot) {
-  const wrong = snapshot.alerts.length;
+  const wrong = snapshot.wrong || 0;
+  const muted = snapshot.muted?.length || 0;
   const judged = Object.values(snapshot.counts).some(Boolean);
   const unknown = snapshot.counts.unknown || 0;
-  const follow = snapshot.alerts.reduce((sum, alert) => sum + (alert.follows?.length || 0), 0);
-  const words = wrong ? `${wrong} wrong${follow ? `, ${follow} more ${follow === 1 ? "follows" : "follow"} from ${wrong === 1 ? "it" : "them"}` : ""}` : judged ? (unknown ? "Nothing is known to be wrong" : "Nothing is wrong") : "Nothing is judged: no reference says what is expected";
+  const follow = snapshot.follow || 0;
+  const aside = muted ? `${muted} muted, ` : "";
+  const words = wrong ? aside + `${wrong} wrong${follow ? `, ${follow} more ${follow === 1 ? "follows" : "follow"} from ${wrong === 1 ? "it" : "them"}` : ""}` : muted ? `${muted} muted, nothing else is known to be wrong` : judged ? (unknown ? "Nothing is known to be wrong" : "Nothing is wrong") : "Nothing is judged: no reference says what is expected";
   by("headline").replaceChildren(sign(judged ? snapshot.state : "unjudged"), make("span", { text: words }));
   by("counts").replaceChildren(...[...Object.entries(snapshot.counts), ["unjudged", snapshot.unjudged || 0]].filter(([, count]) => count)
     .map(([state, count]) => make("li", { class: "mark" }, sign(state), `${count.toLocaleString("en-US")} ${word(state)}`)));
@@ -87,7 +89,7 @@ let waiting = null;
 /** Say at once how it stands; draw what is large in the next frame, the newest of several and none while nobody looks. */
 function show(snapshot, read = 0) {
   const begun = performance.now();
-  const sum = JSON.stringify([snapshot.counts, snapshot.unjudged, snapshot.state, snapshot.alerts.map((alert) => alert.follows?.length || 0)]);
+  const sum = JSON.stringify([snapshot.counts, snapshot.unjudged, snapshot.state, snapshot.wrong, snapshot.follow, snapshot.muted?.length]);
   if (sum !== summed) headline(snapshot);
   summed = sum;
   by("when").textContent = snapshot.when.trim();

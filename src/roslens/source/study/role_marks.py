@@ -39,6 +39,7 @@ class Words(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     application_texts: frozenset[str]
     libraries: frozenset[str]
     device_dependencies: frozenset[str]
+    device_access: frozenset[str]
     simulators: frozenset[str]
 
 
@@ -60,13 +61,15 @@ def marks_of(facts: RoleFacts) -> dict[str, str]:
     device, drives = _first(name, known.devices), _first(told, _DRIVERS)
     own = [file for file in facts.files if file.role is Role.OWN]
     headers = sum("/include/" in f"/{file.path}" for file in own if file.language in (Language.C, Language.CPP))
-    general = not (robot or application or device or drives)
+    access = min(needs & known.device_access, default="")
+    general = not (robot or application or device or drives or access)
     found = {
         "application_name": f'"{application}" in its name or repository' if application else "",
         "application_text": _application_text(application, text),
         "robot": f'made for "{robot}"' if robot else "",
         "robot_repository": _quoted(_first(repository, known.robot_repositories), "in its repository's name"),
         "device_dependency": _quoted(min(needs & known.device_dependencies, default=""), "among its dependencies"),
+        "device_access": f'reaches a device through "{access}"' if access else "",
         "device_name": _quoted(device, "in its name"),
         "robot_part": f'made for "{robot}", and no application' if robot and not application else "",
         "robot_application": f'an application for "{robot}"' if robot and application else "",

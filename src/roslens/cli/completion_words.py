@@ -18,9 +18,6 @@ IDS = {"bash": "_roslens_ids", "zsh": "_roslens_ids"}
 QUANTITIES = {"bash": "_roslens_quantities", "zsh": "_roslens_quantities"}
 """Those that complete what can be followed over past revisions."""
 
-REVISIONS = {"bash": "_roslens_revisions", "zsh": "_roslens_revisions"}
-"""Those that complete a run that can be compared."""
-
 SIDES = {"bash": "_roslens_sides", "zsh": "_roslens_sides"}
 """Those that complete a side of a comparison: a run, `live`, a file or a folder."""
 
@@ -51,9 +48,6 @@ _roslens_ids() {
 }
 _roslens_quantities() {
   compgen -W "$(roslens completion quantities 2>/dev/null)" -- "$1"
-}
-_roslens_revisions() {
-  compgen -W "$(roslens completion revisions 2>/dev/null)" -- "$1"
 }
 _roslens_sides() {
   compgen -W "live $(roslens completion revisions 2>/dev/null)" -- "$1"
@@ -89,11 +83,6 @@ _roslens_ids() {
 _roslens_quantities() {
   local -a found
   found=(${(f)"$(roslens completion quantities 2>/dev/null)"})
-  compadd -a found
-}
-_roslens_revisions() {
-  local -a found
-  found=(${(f)"$(roslens completion revisions 2>/dev/null)"})
   compadd -a found
 }
 _roslens_sides() {

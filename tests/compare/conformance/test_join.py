@@ -1,7 +1,10 @@
+import time
+
 import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pace import turned_s
 
 from roslens.compare.conformance.configured import claims_of, source_side
 from roslens.compare.conformance.disparity import ABSENT, Aspect, Reason
@@ -311,3 +314,16 @@ def test_a_node_that_is_renamed_is_never_more_than_gone_and_come(graph, name):
         assert there[0].told == (name, "/renamed")
     else:
         assert {row.aspect for row in there} == {Aspect.PRESENCE}
+
+
+def test_large_systems_of_which_all_names_differ_are_compared_in_a_moment():
+    def system(name, number=400):
+        nodes = tuple(Node(f"/{name}{one}") for one in range(number))
+        ends = [Endpoint(one.name, PUBLISHER, f"/t{at * 7 % 900}", SCAN) for at, one in enumerate(nodes)]
+        told = {one.name: {f"p{at}": "1" for at in range(20)} for one in nodes}
+        return Graph("ros2", nodes, tuple(ends), parameters=told)
+
+    begun = time.process_time()
+    rows = found(running_side(system("a"), "one"), running_side(system("b"), "two"))
+    assert turned_s(begun) < 3
+    assert {row.aspect for row in rows} == {Aspect.NAME}

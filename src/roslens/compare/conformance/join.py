@@ -74,6 +74,8 @@ class _Join:
         self.sides = tuple(sides)
         self.names: list[Disparity] = []
         self.agreed: Counter[str] = Counter()
+        self._own_names: dict[tuple[int, str], str] = {}
+        self._sizes: dict[tuple[int, str], int] = {}
         self._real = sorted(
             (place for place, one in enumerate(sides) if one.kind is not SideKind.REFERENCE),
             key=lambda place: (_ORDER.index(sides[place].kind), place),
@@ -99,6 +101,7 @@ class _Join:
         names = same_nodes(base, other)
         of_base = {one.key: one for one in base}
         for theirs, ours in sorted(names.items()):
+            self._own_names[place, ours] = theirs
             why = explain.other_name(self._of_source(first, of_base.get((NODE, ours, ""))), of_node=True)
             self.names.append(self._named(NODE, ours, "", {first: ours, place: theirs}, why))
         aligned = renamed(other, names)
@@ -125,6 +128,7 @@ class _Join:
     def rows(self) -> Iterator[Disparity]:
         """Yield the differences of everything that any side says, names aside."""
         nameless = [place for place in self._real if Role.PUBLISHER.value not in self.sides[place].knows]
+        self._count_parts()
         for key in sorted({key for claims in self._claims.values() for key in claims}):
             there = {place: self._claims[place][key] for place in self._real if key in self._claims[place]}
             if any(plumbing(one) for one in there.values()):
@@ -149,8 +153,7 @@ class _Join:
 
     def _own_name(self, place: int, node: str) -> str:
         """Return what a side itself calls a node of the first one."""
-        named = (one for one in self.names if one.kind == NODE and one.node == node)
-        return next((one.told[place] for one in named if one.told[place]), node)
+        return self._own_names.get((place, node), node)
 
     def _row(
         self, key: Key, there: Mapping[int, Claim], asked_of: Sequence[int], nameless: Sequence[int]
@@ -177,8 +180,13 @@ class _Join:
         kind, node, _ = key
         if kind != NODE:
             return 0
-        place = min(there)
-        return sum(one.node == node and one.kind != NODE and not plumbing(one) for one in self._claims[place].values())
+        return self._sizes.get((min(there), node), 0)
+
+    def _count_parts(self) -> None:
+        for place, claims in self._claims.items():
+            for one in claims.values():
+                if one.node and one.kind != NODE and not plumbing(one):
+                    self._sizes[place, one.node] = self._sizes.get((place, one.node), 0) + 1
 
     def _why(self, key: Key, there: Mapping[int, Claim], absent: Sequence[int]) -> Why:
         has = min(there, key=lambda place: (_ORDER.index(self.sides[place].kind), place))

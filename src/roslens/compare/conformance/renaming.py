@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from fnmatch import fnmatchcase
 
 import msgspec
@@ -14,6 +14,8 @@ from roslens.compare.conformance.plumbing import plumbing, tool
 ALIKE = 0.6
 """Share of what two nodes have together that both must have to be one."""
 _LEAST = 1
+_MOST_ALIKE = 20
+"""Nodes that have something in common which still tells them from all others."""
 
 _Part = tuple[str, str, str]
 
@@ -50,18 +52,25 @@ def same_nodes(first: Sequence[Claim], second: Sequence[Claim]) -> dict[str, str
     endpoints, names of parameters. Two that are alike to the same degree are not told apart, and neither is one.
     """
     here, there = _nodes(first), _nodes(second)
-    lost = {name: _parts(first, name) for name in sorted(here - there)}
-    new = {name: _parts(second, name) for name in sorted(there - here) if not tool(name)}
-    likeness = {
-        (one, other): share
-        for one, parts in lost.items()
-        for other, others in new.items()
-        if (share := _likeness(parts, others)) >= ALIKE
-    }
+    lost = _parts(first, here - there)
+    new = _parts(second, {name for name in there - here if not tool(name)})
+    having: dict[_Part, list[str]] = {}
+    for name, parts in lost.items():
+        for part in parts:
+            having.setdefault(part, []).append(name)
+    # What many nodes have says of none which one it is: pairs are those that share something else.
+    telling = {part: names for part, names in having.items() if len(names) <= _MOST_ALIKE}
+    pairs = {(one, other) for other, parts in new.items() for part in parts for one in telling.get(part, ())}
+    likeness = {(one, other): share for one, other in pairs if (share := _likeness(lost[one], new[other])) >= ALIKE}
+    best: dict[tuple[int, str], list[float]] = {}
+    for pair, share in likeness.items():
+        for side, name in enumerate(pair):
+            best.setdefault((side, name), []).append(share)
     found: dict[str, str] = {}
-    for (one, other), share in likeness.items():
-        rivals = [value for pair, value in likeness.items() if (pair[0] == one) != (pair[1] == other)]
-        if all(value < share for value in rivals):
+    for (one, other), share in sorted(likeness.items()):
+        # Itself is among them, once on each side.
+        rivals = [value for value in (*best[0, one], *best[1, other]) if value >= share]
+        if len(rivals) == len((one, other)):
             found[other] = one
     return found
 
@@ -70,8 +79,12 @@ def _nodes(claims: Sequence[Claim]) -> set[str]:
     return {one.node for one in claims if one.kind == NODE and one.resolved}
 
 
-def _parts(claims: Sequence[Claim], node: str) -> Counter[_Part]:
-    return Counter(_part(one, node) for one in claims if one.node == node and one.kind != NODE and not plumbing(one))
+def _parts(claims: Sequence[Claim], nodes: Set[str]) -> dict[str, Counter[_Part]]:
+    found: dict[str, Counter[_Part]] = {name: Counter() for name in sorted(nodes)}
+    for one in claims:
+        if one.node in found and one.kind != NODE and not plumbing(one):
+            found[one.node][_part(one, one.node)] += 1
+    return found
 
 
 def _part(one: Claim, node: str) -> _Part:

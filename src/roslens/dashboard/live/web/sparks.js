@@ -43,7 +43,7 @@ function line(values) {
       pen = "M";
       return;
     }
-    path += `${pen}${(at * step).toFixed(1)} ${(HEIGHT - 2 - value * (HEIGHT - 4)).toFixed(1)}`;
+    path += `${pen}${(at * step).toFixed(1)} ${(HEIGHT - 3 - value * (HEIGHT - 8)).toFixed(1)}`;
     pen = "L";
   });
   return draw("svg", { class: "spark", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, "aria-hidden": "true" }, draw("path", { d: path || "M0 0" }));

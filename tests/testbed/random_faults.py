@@ -29,6 +29,8 @@ _WATCHING = "begins again"
 _PAIRED = 0.25
 """Share of strikes with two faults at a time."""
 _HEALED_S = 30.0
+SETTLED_S = 120.0
+"""For so long is waited until the robot is fine, which on a busy machine takes a while."""
 VERIFIED = frozenset(("gone", "frozen", "burns", "leaks", "full"))
 """Reactions that look whether they helped."""
 
@@ -160,7 +162,11 @@ def _lasting(case: Case, chance: random.Random) -> float:
 def strike(reacting: Reacting, what: Strike) -> Found:
     """Strikes a robot that is fine, waits until it is fine again, and returns what was done meanwhile."""
     found = Found(what)
-    reacting.settle(NEEDED)
+    try:
+        reacting.settle(NEEDED, SETTLED_S)
+    except BedError as error:
+        found.missed.append(f"the robot was not fine before: {str(error)[:300]}")
+        return found
     before = processes(reacting)
     began = time.time()
     with ExitStack() as stack:

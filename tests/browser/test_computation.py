@@ -96,6 +96,7 @@ def test_focus_shows_what_is_near_with_inputs_on_the_left(visit: Visit) -> None:
 def test_names_far_away_stay_inside_of_the_picture(visit: Visit) -> None:
     page = visit("/computation/rover", viewport={"width": 900, "height": 420})
     expect(page.locator(".scene[transform]")).to_be_visible()
+    page.get_by_role("button", name="All", exact=True).click()
     canvas = page.locator("#graph-canvas").bounding_box() or {}
     names = page.locator(".no-names .nodes .node.named text")
     assert names.count()
@@ -108,6 +109,7 @@ def test_names_far_away_stay_inside_of_the_picture(visit: Visit) -> None:
 def test_a_mark_that_nothing_leaves_has_no_line_behind_it(visit: Visit) -> None:
     page = visit("/computation/rover", viewport={"width": 900, "height": 420})
     expect(page.locator(".scene[transform]")).to_be_visible()
+    page.get_by_role("button", name="All", exact=True).click()
     leads = page.locator(".nodes .node:not([hidden]) .lead").evaluate_all(
         "found => found.filter(one => one.checkVisibility()).map(one => Number(one.closest('.node').dataset.n))"
     )
@@ -395,6 +397,7 @@ def test_only_what_has_findings_and_its_neighbours(visit: Visit) -> None:
     assert some < every
     expect(page).to_have_url(re.compile("bad=1"))
     page.reload()
+    expect(page.locator(".nodes .node:not([hidden])")).to_have_count(len(some))
     assert shown(page) == some
 
 

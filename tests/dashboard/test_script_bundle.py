@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roslens.dashboard.render import WEB
-from roslens.dashboard.script_bundle import bundle, inline
+from roslens.dashboard.script_bundle import ENTRIES, bundle, inline
 
 MAIN = """import {
   add,
@@ -34,13 +34,14 @@ def read_web(path: str) -> str:
 
 
 def test_every_module_is_there_once_and_after_those_it_needs() -> None:
-    script = bundle("main.js", read_web)
+    script = bundle(ENTRIES, read_web)
     names = [path.relative_to(WEB).as_posix() for path in WEB.rglob("*.js") if path.name != "theme.js"]
     assert [name for name in names if script.count(f'modules["{name}"] = ') != 1] == []
     assert (
         script.index('modules["dom.js"] = ')
         < script.index('modules["chips.js"] = ')
         < script.index('modules["main.js"] = ')
+        < script.index('modules["package_graph.js"] = ')
     )
 
 
@@ -56,13 +57,13 @@ def test_every_module_is_there_once_and_after_those_it_needs() -> None:
 )
 def test_other_forms_are_refused(line: str) -> None:
     with pytest.raises(ValueError, match="expected named imports and exports"):
-        bundle("a.js", {"a.js": line, "b.js": ""}.__getitem__)
+        bundle(["a.js"], {"a.js": line, "b.js": ""}.__getitem__)
 
 
 def test_modules_that_import_each_other_are_refused() -> None:
     texts = {"a.js": 'import { b } from "./b.js";\n', "b.js": 'import { a } from "./a.js";\n'}
     with pytest.raises(ValueError, match="imports itself by way of"):
-        bundle("a.js", texts.__getitem__)
+        bundle(["a.js"], texts.__getitem__)
 
 
 def test_nothing_ends_the_element() -> None:
@@ -73,6 +74,6 @@ def test_nothing_ends_the_element() -> None:
 def test_the_script_does_what_the_modules_do(tmp_path: Path) -> None:
     texts = {"main.js": MAIN, "deep/sum.js": SUM, "two.js": "export const two = 2;\n"}
     script = tmp_path / "all.js"
-    script.write_text(bundle("main.js", texts.__getitem__), encoding="utf-8")
+    script.write_text(bundle(["main.js"], texts.__getitem__), encoding="utf-8")
     done = subprocess.run([str(NODE), str(script)], capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["8", "5"]

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from roslens.dashboard.script_bundle import ENTRIES
+
 if sys.version_info >= (3, 11):
     import tomllib
 else:
@@ -38,12 +40,14 @@ def test_every_library_has_its_licence_and_says_its_version():
         assert any(one["version"] in (VENDORED / path).read_text()[:200] for path in one["sha256"]), name
 
 
-OVER = pytest.mark.xfail(strict=True, reason="120,915 bytes: every page of a run loads what draws graphs, too")
-
-
-@pytest.mark.parametrize("page", [pytest.param("web/main.js", marks=OVER), "live/web/main.js"])
-def test_a_page_loads_little_javascript(page):
-    waiting, found = [DASHBOARD / page], set()
+@pytest.mark.parametrize(
+    "scripts",
+    [["web/main.js"], ["web/main.js", "web/package_graph.js"], ["web/main.js", "web/computation_graph.js"],
+     ["live/web/main.js"]],
+    ids=lambda scripts: scripts[-1],
+)  # fmt: skip
+def test_a_page_loads_little_javascript(scripts):
+    waiting, found = [DASHBOARD / script for script in scripts], set()
     while waiting:
         path = waiting.pop()
         if path in found:
@@ -54,3 +58,9 @@ def test_a_page_loads_little_javascript(page):
             # The live page's modules are served below those of all pages.
             waiting.append(other if other.exists() else DASHBOARD / "web" / Path(name).relative_to(".."))
     assert sum(path.stat().st_size for path in found) < MOST_BYTES
+
+
+def test_the_frame_of_a_page_loads_these():
+    frame = (DASHBOARD / "templates/frame.html").read_text()
+    served = re.findall(r"<script type=\"module\" src=\"{{ asset\('([^']+)'\) }}\">", frame)
+    assert sorted(served) == sorted(ENTRIES)

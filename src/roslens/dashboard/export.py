@@ -14,7 +14,7 @@ from roslens.dashboard.address import FolderLinks, PageRef, folder_path
 from roslens.dashboard.pages.search import everything
 from roslens.dashboard.render import WEB, Renderer, embedded
 from roslens.dashboard.routes import PAGES
-from roslens.dashboard.script_bundle import bundle
+from roslens.dashboard.script_bundle import ENTRIES, bundle
 from roslens.dashboard.side_by_side import each
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Table, to_csv
@@ -143,7 +143,7 @@ def _csv_twins(site: Site, ref: PageRef, tables: tuple[Table, ...]) -> Iterator[
 def _write_web(site: Site, folder: Path) -> None:
     for name in _AS_THEY_ARE:
         _write(folder / "web" / name, (WEB / name).read_bytes())
-    script = bundle("main.js", lambda path: (WEB / path).read_text(encoding="utf-8"))
+    script = bundle(ENTRIES, lambda path: (WEB / path).read_text(encoding="utf-8"))
     _write(folder / "web" / "roslens.js", script)
     index = [
         (kind, name, more, quote(folder_path(ref, "html"), safe="/@+")) for kind, name, more, ref in everything(site)

@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+
+ENTRIES = ("main.js", "package_graph.js", "computation_graph.js")
+"""What pages that may show anything load: the script of every page, and those of pages with a graph."""
 
 ReadModule = Callable[[str], str]
 """Gives the text of a module by its path below ``web/``."""
@@ -19,14 +22,15 @@ _EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|class|const|let) (\w
 _LEFT_OVER = re.compile(r"^(?:import|export)\b.*$|\bimport\(.*$", re.MULTILINE)
 
 
-def bundle(entry: str, read: ReadModule) -> str:
-    """Return one script that does what the module ``entry`` and all that it imports do.
+def bundle(entries: Iterable[str], read: ReadModule) -> str:
+    """Return one script that does what these modules do, one after the other, and all that they import.
 
     Raises:
         ValueError: a module imports or exports in a way that is not understood, or modules import each other.
     """
     order: list[str] = []
-    _collect(entry, read, order, ())
+    for entry in entries:
+        _collect(entry, read, order, ())
     parts = ['(function () {\n"use strict";\nconst modules = {};\n']
     parts += [_wrapped(path, read(path)) for path in order]
     parts.append("})();\n")

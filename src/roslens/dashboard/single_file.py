@@ -13,7 +13,7 @@ from roslens.dashboard.export import pages_of
 from roslens.dashboard.pages.search import everything
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.routes import PAGES
-from roslens.dashboard.script_bundle import bundle, inline
+from roslens.dashboard.script_bundle import ENTRIES, bundle, inline
 from roslens.dashboard.section import compact, fold_into_file, with_live_links
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Limits, Request
@@ -212,5 +212,5 @@ def inlined() -> dict[str, object]:
         "icon": read("icon.svg"),
         "style": Markup(compact(read("roslens.css"))),  # noqa: S704 - our own file
         "theme": Markup(inline(read("theme.js"))),  # noqa: S704 - our own file
-        "script": Markup(inline(bundle("main.js", read))),  # noqa: S704 - our own files
+        "script": Markup(inline(bundle(ENTRIES, read))),  # noqa: S704 - our own files
     }

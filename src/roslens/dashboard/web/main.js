@@ -3,8 +3,7 @@
 import { medium, onReturn } from "./address.js";
 import { startChips } from "./chips.js";
 import { startFilters, startFindingKeys } from "./findings.js";
-import { startComputation } from "./graph/computation.js";
-import { startGraph } from "./graph/graph.js";
+import { improveFurther } from "./improvements.js";
 import { onKey, startKeys } from "./keys.js";
 import { startSearch } from "./search.js";
 import { startSections } from "./sections.js";
@@ -19,9 +18,7 @@ function improve(root) {
   startFilters(root, replace);
   startSource(root);
   startTrend(root);
-  const graph = root.querySelector("[data-graph]")?.dataset.graph;
-  if (graph === "packages") startGraph(root, chips);
-  if (graph === "computation") startComputation(root);
+  improveFurther(root, chips);
 }
 
 let awaited = "";

@@ -1,0 +1,8 @@
+// Pages of computation graphs load this beside the script of every page.
+
+import { startComputation } from "./graph/computation.js";
+import { alsoImprove } from "./improvements.js";
+
+alsoImprove((root) => {
+  if (root.querySelector('[data-graph="computation"]')) startComputation(root);
+});

@@ -111,9 +111,9 @@ def test_what_is_new_is_to_be_mended_first(walking, capsys):
     (walking / "talk/talk/fresh.py").write_text(f"def dig(step):\n{deep}{'    ' * 9}step.move()\n")
     text = check(walking, capsys, "--baseline", "last", code=1, form="text")
     first = text.partition("Fix first\n")[2].partition("\n\n")[0]
-    assert "talk/talk/fresh.py" in first.partition("  2.")[0]
-    assert "new: ros." in first.partition("  2.")[0]
-    assert "new: " not in first.rpartition("talk/setup.py")[2]
+    things = re.split(r"(?m)^ +\d\. ", first)[1:]
+    assert [("talk/talk/fresh.py" in one, "new: ros." in one) for one in things[:2]] == [(True, True)] * 2
+    assert [one for one in things if "new: " in one and "talk/talk/fresh.py" not in one] == []
 
 
 def test_a_baseline_that_is_not_there_ends_with_3_whatever_is_found(walking, capsys):

@@ -94,7 +94,7 @@ def test_a_node_that_runs_is_on_a_page_beside_the_others(tmp_path):
     )  # fmt: skip
     try:
         assert served.stderr
-        url = next(found[1] for line in served.stderr if (found := re.search(r"(http://\S+/) ", line)))
+        url = next(found[1] for line in served.stderr if (found := re.search(r"(http://[^\s?]+/)[? ]", line)))
         with urllib.request.urlopen(url) as page:
             assert 'href="/live/"' in page.read().decode()
         end = time.monotonic() + WAIT_S

@@ -2,6 +2,7 @@ import pytest
 from dashboard.live.scripted_robot import ScriptedRobot
 
 from roslens.cli.monitor_address import fetched
+from roslens.cli.top.feed import AddressFeed
 from roslens.dashboard.access.person import Person, Role
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.live.serving import LivePage
@@ -21,7 +22,7 @@ def test_a_monitor_is_asked_by_host_and_port_and_by_its_address(robot):
     with LivePage(robot.page.newest, detail=robot.page.detail, graph=robot.page.graph) as page:
         assert fetched(page.url, "snapshot.json", {}) == robot.page.newest()
         assert b"/lidar" in fetched(page.url.removeprefix("http://"), "graph.json", {})
-        assert fetched(page.url, "detail.json?at=node:/nobody", {}) == b""
+        assert fetched(page.url, "detail.json?select=node:/nobody", {}) == b""
         with pytest.raises(UsageError, match="404"):
             fetched(page.url, "nothing.json", {})
 
@@ -34,6 +35,14 @@ def test_a_token_is_sent_that_the_address_or_the_environment_has(robot):
             fetched(page.url, "snapshot.json", {})
         assert fetched(f"{page.url}?token={token}", "snapshot.json", {})
         assert fetched(page.url, "snapshot.json", {"ROSLENS_TOKEN": token})
+
+
+def test_all_that_is_known_of_an_entity_comes_from_a_page(robot):
+    with LivePage(robot.page.newest, detail=robot.page.detail) as page:
+        feed = AddressFeed(page.url, lambda address, document: fetched(address, document, {}))
+        assert feed.snapshot().rows
+        assert feed.detail("topic:/scan").entity == "topic:/scan"
+        assert feed.detail("node:/nobody") is None
 
 
 @pytest.mark.parametrize("address", ["ftp://robot", "file:///etc/passwd", "http://"])

@@ -94,8 +94,19 @@ def test_every_verb_that_can_keep_something_is_asked():
         for verb, one in verbs.choices.items()
     }
     asked = {words[0] for words in CASES.values()}
-    assert {verb for verb, options in keeping.items() if options} == asked
+    assert {verb for verb, options in keeping.items() if options} == asked | {"compare"}
     assert all(len(keeping[verb]) == len(KEEPING_NOTHING) for verb in asked), "who takes one takes both"
+    assert keeping["compare"] == ["--no-cache"], "it keeps no runs"
+
+
+def test_a_comparison_writes_nothing(workspace, tmp_path, capsys):
+    reference = tmp_path / "robot.yaml"
+    reference.write_text("kind: reference\nname: r\nconstraints:\n  - {topic: /chatter, rate: '>= 1 Hz'}\n")
+    before = state(workspace)
+    words = ["--launch", "talk/robot.launch.xml", "--workspace", str(workspace), "--no-cache"]
+    code = main(["compare", str(workspace), str(reference), *words])
+    assert state(workspace) == before
+    assert code in (0, 1), capsys.readouterr().err
 
 
 def test_a_run_by_its_number_is_one_that_was_kept(workspace, capsys):

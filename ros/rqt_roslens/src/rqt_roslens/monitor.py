@@ -125,7 +125,7 @@ class Watcher:
     def _look(self, address, entity):
         try:
             snapshot = _understood(self._fetch(address, "snapshot.json"))
-            detail = self._fetch(address, "detail.json?at=" + quote(entity, safe="")) if entity else None
+            detail = self._fetch(address, "detail.json?select=" + quote(entity, safe="")) if entity else None
         except MonitorError as error:
             return None, None, str(error)
         return snapshot, detail, ""

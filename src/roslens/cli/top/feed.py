@@ -49,7 +49,7 @@ class AddressFeed:
 
     def detail(self, entity: str) -> Detail | None:
         """Return all that is known of an entity."""
-        content = self._fetch(self._address, f"detail.json?at={quote(entity, safe='')}")
+        content = self._fetch(self._address, f"detail.json?select={quote(entity, safe='')}")
         return msgspec.json.decode(content, type=Detail) if content else None
 
 

@@ -1,14 +1,20 @@
 """What is remembered of what is gone stays small, however long a watch lasts."""
 
+import pytest
+
 from roslens.judge.read_reference import GivenText, load_reference
 from roslens.live.newest import MOST_GONE, keep_newest
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY
+from roslens.live.world import FORGET_GONE_S
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.sample import Sample
+from roslens.model.tally import Moments, Tally
 from roslens.model.wire import VERSION, Frame
 
+SWEEP_S = 30.0
+"""How often a watch lets go."""
 REFERENCE = "kind: reference\nname: r\nconstraints:\n  - {topic: /expected, rate: 5..8 Hz}\n"
 
 
@@ -40,3 +46,24 @@ def test_a_watch_forgets_what_came_and_went_but_not_what_is_expected():
     assert f"/tool_{many - 1}" in tools
     assert {"/stays", "/expected"} <= set(world.topics)
     assert len([one for one in world.sampled if one.name.startswith("/tool_")]) <= 301
+
+
+@pytest.mark.parametrize("reports", [1, 2])
+def test_a_watch_forgets_connections_that_no_graph_had_but_not_what_is_judged(reports):
+    """A tool that ends at once was counted, and is in no graph."""
+    session = Session(load_reference([GivenText("r.yaml", REFERENCE.encode())], BY_KEY), start=0.0)
+    world = session.monitor.world
+    many = MOST_GONE + 700
+    for number in range(many):
+        names = [f"/tool_{number}"] + (["/expected"] if number == 0 else [])
+        for report in range(reports):
+            now = number + 0.4 * report + 0.4
+            once = Moments(1, 0.15, 0.15**2, 0.15, 0.15)
+            tallies = [Tally(name, "/node", "", now - 0.15, now, 1, 100, now, now, once) for name in names]
+            session.take([Frame(VERSION, "base/agent", reports * number + report, now, tallies)])
+            session.look(now)
+    session.look(many + 1.0)
+    tools = {topic for topic, _, _ in world.connections if topic.startswith("/tool_")}
+    assert f"/tool_{many - 1}" in tools
+    assert len(tools) <= MOST_GONE + FORGET_GONE_S + SWEEP_S + 1
+    assert "/expected" in {topic for topic, _, _ in world.connections}

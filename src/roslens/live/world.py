@@ -128,12 +128,32 @@ class World:
                 yield from chain.from_iterable(topic.connections.values())
 
     def outdated(self, now: float) -> list[Connection]:
-        """Return the connections that are gone, or silent without a graph that knows them, for long."""
-        return [
-            one
-            for one in self.connections.values()
-            if one.quiet_since is not None and now - one.quiet_since > (FORGET_GONE_S if one.gone else FORGET_QUIET_S)
+        """Return the connections that are gone, or silent without a graph that knows them, for long.
+
+        Of the silent ones that nobody judges the newest are kept: a tool that ends at once is in no graph that could
+        say that it has gone.
+        """
+        silent = [
+            (now - since, one) for one in self.connections.values() if (since := self._silent_since(one)) is not None
         ]
+        unknown = sorted(
+            ((long, one) for long, one in silent if not (one.gone or self._matters(one)) and long > FORGET_GONE_S),
+            key=lambda found: found[0],
+        )
+        surplus = {id(one) for _, one in unknown[MOST_GONE:]}
+        return [
+            one for long, one in silent if long > (FORGET_GONE_S if one.gone else FORGET_QUIET_S) or id(one) in surplus
+        ]
+
+    def _matters(self, connection: Connection) -> bool:
+        """Whether it, or the topic it is of, is judged."""
+        topic = self.topics.get(connection.topic)
+        return bool(connection.judged or (topic is not None and topic.judged))
+
+    def _silent_since(self, connection: Connection) -> float | None:
+        """Return when something was last noticed of a connection; None of one that is only expected as yet."""
+        quiet = connection.quiet_since
+        return connection.appeared if quiet is None and not self._matters(connection) else quiet
 
     def outdated_samples(self, now: float) -> list[Sampled]:
         """Return the processes of which nothing is sampled for long, and the nodes and services nobody judges."""

@@ -4,5 +4,5 @@ import { startComputation } from "./graph/computation.js";
 import { alsoImprove } from "./improvements.js";
 
 alsoImprove((root) => {
-  if (root.querySelector('[data-graph="computation"]')) startComputation(root);
+  if (root.querySelector("[data-graph]")?.dataset.graph === "computation") startComputation(root);
 });

@@ -4,5 +4,5 @@ import { startGraph } from "./graph/graph.js";
 import { alsoImprove } from "./improvements.js";
 
 alsoImprove((root, chips) => {
-  if (root.querySelector('[data-graph="packages"]')) startGraph(root, chips);
+  if (root.querySelector("[data-graph]")?.dataset.graph === "packages") startGraph(root, chips);
 });

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 import msgspec
 
+from roslens.compare.conformance.observed import actions_joined
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, ConfiguredParameter
 from roslens.model.graph import Endpoint, Graph, Role
 from roslens.model.qos import Qos
@@ -58,7 +59,7 @@ class Fact(msgspec.Struct, frozen=True, order=True, omit_defaults=True):
 def seen(graph: Graph) -> tuple[Fact, ...]:
     """Return what a running system shows."""
     found = [Fact(NODE, node.name) for node in graph.nodes]
-    ends = _actions(graph.endpoints) if graph.generation == "ros1" else graph.endpoints
+    ends = actions_joined(graph.endpoints) if graph.generation == "ros1" else graph.endpoints
     for end in ends:
         if not _part_of_action(end):
             found.append(Fact(end.role.value, end.node, end.name, _values(end)))
@@ -177,27 +178,3 @@ def _policies(qos: Qos, *, certain: bool) -> dict[str, str]:
 
 def _part_of_action(end: Endpoint) -> bool:
     return "/_action/" in end.name
-
-
-_TO_SERVER, _TO_CLIENT = ("goal", "cancel"), ("status", "result", "feedback")
-
-
-def _actions(endpoints: tuple[Endpoint, ...]) -> tuple[Endpoint, ...]:
-    """Return endpoints with an action of ROS 1 in place of its five topics, see wiki.ros.org/actionlib."""
-    there = {(end.node, end.role, end.name): end for end in endpoints}
-    kept = dict(there)
-    for end in endpoints:
-        name, _, last = end.name.rpartition("/")
-        if last != "goal" or not end.type.endswith("ActionGoal"):
-            continue
-        server = end.role is Role.SUBSCRIPTION
-        mine, theirs = (Role.SUBSCRIPTION, Role.PUBLISHER) if server else (Role.PUBLISHER, Role.SUBSCRIPTION)
-        keys = [(end.node, mine, f"{name}/{part}") for part in _TO_SERVER]
-        keys += [(end.node, theirs, f"{name}/{part}") for part in _TO_CLIENT]
-        if not all(key in there for key in keys):
-            continue
-        for key in keys:
-            kept.pop(key, None)
-        role = Role.ACTION_SERVER if server else Role.ACTION_CLIENT
-        kept[end.node, role, name] = Endpoint(end.node, role, name, end.type.removesuffix("Goal"))
-    return tuple(kept.values())

@@ -91,7 +91,7 @@ void begin_counting(const void * handle, const rmw_node_t * node, const char * n
     say("preload: not counting: the middleware is older than that of ROS 2 Humble");
     return;
   }
-  endpoint * const of = add_endpoint(handle);
+  endpoint * const of = add_endpoint(handle, now_ns());
   if (of == NULL) {
     count_overflow();
     return;
@@ -179,21 +179,21 @@ static void unchain(counter * one)
 static counter * stale_counter(endpoint * taker, int64_t now)
 {
   counter * const all = all_counters();
-  counter * oldest = all;
-  for (counter * one = all + 1; one < all + CAPACITY; one++) {
-    if (last_of(one) < last_of(oldest)) {
+  counter * oldest = NULL;
+  for (counter * one = all; one < all + CAPACITY; one++) {
+    if (one->owner != NULL && (oldest == NULL || last_of(one) < last_of(oldest))) {
       oldest = one;
     }
   }
-  endpoint * const owner = oldest->owner;
-  if (owner != NULL && owner != taker && pthread_mutex_trylock(&owner->lock) != 0) {
+  endpoint * const owner = oldest != NULL ? oldest->owner : NULL;
+  if (owner == NULL || (owner != taker && pthread_mutex_trylock(&owner->lock) != 0)) {
     return NULL;
   }
   const bool stale = last_of(oldest) + STALE_NS < now;
-  if (stale && owner != NULL) {
+  if (stale) {
     unchain(oldest);
   }
-  if (owner != NULL && owner != taker) {
+  if (owner != taker) {
     pthread_mutex_unlock(&owner->lock);
   }
   return stale ? oldest : NULL;
@@ -203,12 +203,12 @@ static counter * claim(endpoint * of, int kind, const uint8_t gid[GID_BYTES], in
 {
   static int fresh;
   pthread_mutex_lock(&endpoints_lock);
-  slot_word * const words = fresh < CAPACITY ? fresh_slot() : NULL;
-  counter * one = NULL;
+  counter * one = ended_counter(now);
+  slot_word * const words = one == NULL && fresh < CAPACITY ? fresh_slot() : NULL;
   if (words != NULL) {
     one = all_counters() + fresh++;
     one->slot.words = words;
-  } else if (fresh == CAPACITY) {
+  } else if (one == NULL && fresh == CAPACITY) {
     one = stale_counter(of, now);
   }
   if (one != NULL) {

@@ -8,6 +8,9 @@ enum { PLACES = 2 * MOST_ENDPOINTS, PLACE_BITS = 12 };
 
 _Static_assert(1 << PLACE_BITS == PLACES, "the hash has as many bits");
 
+// What a slot counted last can be read for so long after its endpoint ended: all readers read that often.
+#define REST_NS INT64_C(10000000000)
+
 // A place that was taken once: a search goes on behind it.
 #define LEFT ((void *)1)
 
@@ -24,6 +27,8 @@ static counter * counters;
 static int used;
 static endpoint * free_ones;
 static uint64_t made;
+static counter * first_ended;
+static counter * last_ended;
 
 static unsigned hash(const void * handle)
 {
@@ -83,9 +88,9 @@ static endpoint * unused(void)
   return found;
 }
 
-endpoint * add_endpoint(const void * handle)
+endpoint * add_endpoint(const void * handle, int64_t now)
 {
-  remove_endpoint(handle);
+  remove_endpoint(handle, now);
   pthread_mutex_lock(&endpoints_lock);
   endpoint * const found = reserve() ? unused() : NULL;
   if (found != NULL) {
@@ -121,7 +126,37 @@ static void leave(place * at)
   }
 }
 
-void remove_endpoint(const void * handle)
+static void end(counter * one, int64_t now)
+{
+  slot_end(&one->slot, now);
+  one->owner = NULL;
+  one->next = NULL;
+  if (last_ended != NULL) {
+    last_ended->next = one;
+  } else {
+    first_ended = one;
+  }
+  last_ended = one;
+}
+
+counter * ended_counter(int64_t now)
+{
+  counter * const found = first_ended;
+  if (found == NULL) {
+    return NULL;
+  }
+  const int64_t rested = now - found->slot.words[WORD_ENDED].number;
+  if (rested >= 0 && rested < REST_NS) {
+    return NULL;
+  }
+  first_ended = found->next;
+  if (first_ended == NULL) {
+    last_ended = NULL;
+  }
+  return found;
+}
+
+void remove_endpoint(const void * handle, int64_t now)
 {
   endpoint * const gone = endpoint_of(handle);
   if (gone == NULL) {
@@ -133,8 +168,9 @@ void remove_endpoint(const void * handle)
   if (at != NULL && atomic_load(&at->found) == gone) {
     leave(at);
     for (int chain = 0; chain < CHAINS; chain++) {
-      for (counter * of = gone->chain[chain]; of != NULL; of = of->next) {
-        of->owner = NULL;
+      for (counter *of = gone->chain[chain], *next; of != NULL; of = next) {
+        next = of->next;
+        end(of, now);
       }
       gone->chain[chain] = NULL;
     }

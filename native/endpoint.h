@@ -22,7 +22,7 @@ typedef struct endpoint endpoint;
 typedef struct counter {
   slot slot;
   endpoint * owner;
-  struct counter * next;  // in the chain of its owner
+  struct counter * next;  // in the chain of its owner, or behind those that ended before
   int kind;
   uint8_t gid[GID_BYTES];
   sequence numbers;
@@ -61,10 +61,13 @@ extern pthread_mutex_t endpoints_lock;
 endpoint * endpoint_of(const void * handle);
 
 // Make a handle known; NULL where there are too many.
-endpoint * add_endpoint(const void * handle);
+endpoint * add_endpoint(const void * handle, int64_t now);
 
-// Forget a handle. Its slots stay as they are until others need them.
-void remove_endpoint(const void * handle);
+// Forget a handle. Its slots say that it ended; they stay for a while, for who did not read them yet.
+void remove_endpoint(const void * handle, int64_t now);
+
+// Return a counter whose endpoint ended so long ago that its slot was read; NULL where there is none. Wants the lock.
+counter * ended_counter(int64_t now);
 
 // Return the memory of the counters, CAPACITY of them.
 counter * all_counters(void);

@@ -129,7 +129,7 @@ EXPORT void * rmw_create_service(const rmw_node_t * node, const void * type, con
 #define DESTROY(name, node, handle)       \
   ready(__builtin_return_address(0));     \
   if (counted(handle) != NULL) {          \
-    COUNT(remove_endpoint(handle));       \
+    COUNT(remove_endpoint(handle, now_ns()));       \
   }                                       \
   return CALL(name, node, handle)
 

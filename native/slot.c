@@ -120,6 +120,13 @@ void slot_count(slot * in, const message * what)
   close_slot(words, token);
 }
 
+void slot_end(slot * in, int64_t now)
+{
+  const int64_t token = open_slot(in->words);
+  in->words[WORD_ENDED].number = now;
+  close_slot(in->words, token);
+}
+
 void slot_answered(slot * in, int64_t now, int64_t processing)
 {
   slot_word * const words = in->words;

@@ -36,6 +36,9 @@ void slot_begin(
 
 void slot_count(slot * in, const message * what);
 
+// Note when the endpoint was destroyed: nothing more is counted here.
+void slot_end(slot * in, int64_t now);
+
 // Count a message that answers another, in a slot for these alone: when, and how long after the other one was taken.
 void slot_answered(slot * in, int64_t now, int64_t processing);
 

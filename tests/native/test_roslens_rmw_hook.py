@@ -9,7 +9,7 @@ from roslens.live.inside.slots import ASKED, HEARD, PUBLISHED, REPLIED, REQUESTE
 from roslens.live.inside.snapshot import snapshot
 
 START = 1_700_000_000_000_000_000
-ONE, OTHER = "11" * 16, "22" * 16
+ONE, OTHER, OWN = "11" * 16, "22" * 16, "ab" * 16
 OVERFLOW = struct.Struct("=Q")
 
 
@@ -205,6 +205,19 @@ def test_handles_come_and_go(either):
     found = [snapshot(memoryview(raw)) for raw in node.slots()]
     assert len(found) == 200
     assert {one.messages for one in found} == {1}
+
+
+def test_the_slot_of_what_was_destroyed_says_so_and_serves_again_when_it_was_read(either):
+    node = either()
+    node.say(f"time {START}", "publisher /keeps / n", "publish 0 typed")
+    for number in range(1, 100):
+        now = START + number * 1_000_000_000
+        node.say(f"time {now}", f"publisher /t{number} / n", f"publish {number} typed", f"destroy {number}")
+        found = counted(node)
+        assert found[PUBLISHED, f"/t{number}", OWN].ended == now
+        assert found[PUBLISHED, "/keeps", OWN].ended == 0
+    assert len(node.slots()) == 11
+    assert {one.messages for one in found.values()} == {1}
 
 
 def test_when_all_slots_are_taken_the_ones_silent_for_a_minute_are_given_away(either):

@@ -9,6 +9,7 @@ import pytest
 
 from roslens.live.inside.counters import CounterReader
 from roslens.live.inside.environment import environment
+from roslens.live.inside.opened_file import open_file
 
 FAKE = {
     "__init__.py": "",
@@ -61,7 +62,9 @@ out.publish('of a timer')
 """
 
 
-def run(tmp_path: Path, code: str, fake=FAKE, **variables: str) -> tuple[subprocess.CompletedProcess, dict, list]:
+def run(
+    tmp_path: Path, code: str, fake=FAKE, look=id, **variables: str
+) -> tuple[subprocess.CompletedProcess, dict, list]:
     package = tmp_path / "rclpy"
     package.mkdir()
     for name, text in fake.items():
@@ -78,6 +81,7 @@ def run(tmp_path: Path, code: str, fake=FAKE, **variables: str) -> tuple[subproc
     ) as process:  # fmt: skip
         said = process.stdout.readline()
         counted = reader.read(5.0)
+        look(counters)
         _, errors = process.communicate()
     failures = reader.failures()
     reader.close()
@@ -95,6 +99,40 @@ def test_takes_publishes_and_answers_are_counted(tmp_path):
     assert tallies["/out", ""].count == 4
     assert tallies["/out", ""].publisher == "/ns/relay"
     assert tallies["/out", "/in"].processing.count == 3
+
+
+ENDING = """
+import gc
+kept, destroyed, collected = (Publisher(Handle(topic)) for topic in ('/kept', '/destroyed', '/collected'))
+for one in (kept, destroyed, collected): one.publish('once')
+destroyed.destroy()
+destroyed.destroy()
+del one, collected
+taken = Sub(Handle('/of_a_subscription', [(b'abc', info(1))]), id)
+executor._take_subscription(taken)
+del taken
+gc.collect()
+"""
+
+
+def test_slots_of_publishers_and_subscriptions_that_were_destroyed_say_so(tmp_path):
+    ended = {}
+
+    def look(counters):
+        (path,) = counters.glob("*.counters")
+        file = open_file(path)
+        for number in range(len(file.tokens())):
+            one = file.slot(number, None)
+            ended[one.topic] = bool(one.ended)
+        file.close()
+
+    publisher = FAKE["publisher.py"] + "    def destroy(self):\n        self.handle = self.handle\n"
+    tallies, failures = run(tmp_path, NODE + ENDING, {**FAKE, "publisher.py": publisher}, look=look)
+    assert failures == []
+    assert ended == {
+        "/in": False, "/out": False, "/kept": False, "/destroyed": True, "/collected": True, "/of_a_subscription": True,
+    }  # fmt: skip
+    assert tallies["/destroyed", ""].count == tallies["/collected", ""].count == 1
 
 
 def test_an_rclpy_that_tells_no_publisher_is_counted_without_losses(tmp_path):

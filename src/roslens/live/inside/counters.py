@@ -194,6 +194,8 @@ class CounterReader:
             known.due = float("inf")
         elif of.lost >= 0 and known.lost < of.lost + of.pending:
             self._changed(pid, known, of, of, now, found)
+        elif of.ended:
+            known.due = float("inf")
         else:
             found.append(_still(pid, of, min(known.until, now), now))
             known.told(now)

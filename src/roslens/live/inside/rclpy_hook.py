@@ -19,13 +19,14 @@ import functools
 import os
 import threading
 import time
+import weakref
 from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
 from .beside_library import UNSEEN, forgets, forgetting
 from .sequence import Sequence
-from .slots import ANSWERED, PUBLISHED, TAKEN, CounterFile, Slot, folder_of
+from .slots import ANSWERED, CAPACITY, PUBLISHED, TAKEN, CounterFile, Slot, folder_of
 
 _OTHER_WORK = ("_take_timer", "_take_client", "_take_service", "_take_guard_condition", "_take_waitable")
 _NO_NUMBER = 0xFFFFFFFFFFFFFFFF
@@ -62,6 +63,13 @@ class _Hook:
         """Return a slot of the counter file."""
         self.begun = True
         return self.open().slot(kind, gid, topic, node, other, now)
+
+    def ends_with(self, endpoint: Any, slots: list[Slot]) -> Callable[[], object]:
+        """Give the slots of an endpoint back when it is collected, or when what is returned is called before."""
+        counters = self.open()
+        of = weakref.finalize(endpoint, lambda: counters.end(slots, time.time_ns()))
+        of.atexit = False
+        return of
 
     def replace(self, owner: Any, name: str, function: Any) -> None:
         """Put a function in the place of one that ``stop`` puts back."""
@@ -151,6 +159,8 @@ class _Arrivals:
         self.topic: str = handle.get_topic_name()
         self._node = _node_of(handle)
         self._known: dict[bytes | None, tuple[Slot | None, Sequence | None]] = {}
+        self._slots: list[Slot] = []
+        HOOK.ends_with(subscription, self._slots)
         fields: Any = getattr(subscription.msg_type, "get_fields_and_field_types", dict)()
         self.stamped = not subscription.raw and fields.get("header") == "std_msgs/Header"
         self.slotted = self.stamped and hasattr(subscription.msg_type, "_header")
@@ -159,10 +169,19 @@ class _Arrivals:
         """Return the slot of what a publisher publishes, and what knows which of it is lost."""
         found = self._known.get(gid)
         if found is None:
+            if len(self._known) >= CAPACITY:
+                self._forget_silent()
             slot = HOOK.slot(TAKEN, bytes(gid or b""), self.topic, self._node, now=now)
+            if slot is not None:
+                self._slots.append(slot)
             # Without an identifier the numbers of several publishers cannot be told apart.
             found = self._known[gid] = (slot, Sequence() if gid else None)
         return found
+
+    def _forget_silent(self) -> None:
+        """Forget publishers whose slot was given to another, or that found none: each tool that ever published."""
+        self._known = {gid: of for gid, of in self._known.items() if of[0] is not None and not of[0].left}
+        self._slots[:] = [slot for slot in self._slots if not slot.left]
 
 
 class _Handle:
@@ -317,6 +336,8 @@ def _departures(publisher: Any, now: int) -> Callable[[int, int], None]:
     topic: str = handle.get_topic_name()
     node = _node_of(handle)
     slot = HOOK.slot(PUBLISHED, b"", topic, node, now=now)
+    slots = [slot] if slot is not None else []
+    publisher.roslens_end = HOOK.ends_with(publisher, slots)
     departed = slot.arrived if slot is not None else None
     current = _CURRENT
     answers: dict[str, Slot | None] = {}
@@ -332,13 +353,31 @@ def _departures(publisher: Any, now: int) -> Callable[[int, int], None]:
             name, taken = given
             if name != asked:
                 if name not in answers:
-                    answers[name] = HOOK.slot(ANSWERED, b"", topic, node, name, now)
+                    of = answers[name] = HOOK.slot(ANSWERED, b"", topic, node, name, now)
+                    if of is not None:
+                        slots.append(of)
                 of = answers[name]
                 asked, answered = name, of.answered if of is not None else None
             if answered is not None and now >= taken:
                 answered(now, now - taken)
 
     return count
+
+
+def _ending(destroy: Callable[[Any], None]) -> Callable[[Any], None]:
+    """Return what destroys a publisher and gives its slots back."""
+
+    @functools.wraps(destroy)
+    def end_and_destroy(self: Any) -> None:
+        try:
+            end = getattr(self, "roslens_end", None)
+            if end is not None:
+                end()
+        except Exception as error:  # noqa: BLE001 - whatever it is, the node shall not notice
+            HOOK.stop(error)
+        destroy(self)
+
+    return end_and_destroy
 
 
 def hook_publisher(module: ModuleType) -> None:
@@ -366,4 +405,7 @@ def hook_publisher(module: ModuleType) -> None:
             HOOK.stop(error)
 
     HOOK.replace(publisher_class, "publish", publish_and_count)
+    destroy = getattr(publisher_class, "destroy", None)
+    if callable(destroy):
+        HOOK.replace(publisher_class, "destroy", _ending(destroy))
     HOOK.claim("published")

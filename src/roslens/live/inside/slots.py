@@ -32,6 +32,7 @@ import struct
 import tempfile
 import threading
 import time
+from collections import deque
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -77,6 +78,8 @@ SEQUENCE, KIND, GENERATION, GID = 0, 1, 2, 3
 COUNT, BYTES, FIRST, LAST, LOST, PENDING, PENDING_SINCE, BANK = 6, 7, 8, 9, 10, 11, 12, 13
 PERIOD, LATENCY, AGE, PROCESSING = 14, 17, 20, 23
 """Each of the four is count, sum in seconds, sum of squares."""
+ENDED = 26
+"""When the endpoint was destroyed; 0 while it is there."""
 BANKS_AT = 32
 BANKS = 32
 BANK_WORDS = 8
@@ -88,6 +91,8 @@ NAME_BYTES = 256
 END = WORDS - 1
 
 STALE_NS = 60_000_000_000
+REST_NS = 10_000_000_000
+"""For so long what an endpoint counted last can be read after it ended: all readers read that often."""
 _NEITHER = (float("inf"), float("-inf"))
 _NOTHING_YET = _NEITHER * 4
 _SHAPE = struct.Struct("@2q")
@@ -163,14 +168,16 @@ class Slot:
         answered: counts a message that was published in answer to another, in a slot for these alone: when, and how
             long after the other one was taken.
         last: when the last message came.
+        left: whether the words were given back.
     """
 
-    __slots__ = ("_lock", "_numbers", "_words", "answered", "arrived", "last")
+    __slots__ = ("_lock", "_numbers", "_words", "answered", "arrived", "last", "left")
 
     def __init__(self, words: memoryview) -> None:
         self._words = words
         self._numbers: memoryview[int] = words.cast("q")
         self._lock = threading.Lock()
+        self.left = False
         self._count_anew()
 
     def _count_anew(self) -> None:
@@ -195,9 +202,19 @@ class Slot:
         numbers[END] = numbers[SEQUENCE] = now + 1
         self._count_anew()
 
+    def end(self, now: int) -> None:
+        """Note when the endpoint was destroyed: nothing more is counted here."""
+        with self._lock:
+            numbers = self._numbers
+            token = numbers[SEQUENCE] | 1
+            numbers[SEQUENCE] = token
+            numbers[ENDED] = now
+            numbers[END] = numbers[SEQUENCE] = token + 1
+
     def leave(self) -> memoryview:
         """Give the words back; what its endpoint may still count goes to memory of its own, where nobody reads."""
         with self._lock:
+            self.left = True
             words = self._words
             self._words = memoryview(bytearray(SLOT_BYTES))
             self._numbers = self._words.cast("q")
@@ -375,28 +392,62 @@ class CounterFile:
         self._handle = handle
         self._view = memoryview(self._map)
         self._slots: list[Slot] = []
+        self._ended: deque[tuple[int, Slot]] = deque()
+        self._gone: deque[tuple[int, list[Slot]]] = deque()
         self._lock = threading.Lock()
         self._capacity = capacity
 
     def slot(self, kind: int, gid: bytes, topic: str, node: str, other: str = "", now: int = 0) -> Slot | None:
         """Return a slot for an endpoint; None where all are taken by endpoints of the last minute."""
         with self._lock:
-            if len(self._slots) < self._capacity:
-                at = HEADER_BYTES + len(self._slots) * SLOT_BYTES
-                slot = Slot(self._view[at : at + SLOT_BYTES])
-                slot.begin(kind, gid, topic, node, other)
-                self._slots.append(slot)
-                self._write("=I", USED_AT, len(self._slots))
-                return slot
-            oldest = min(self._slots, key=lambda slot: slot.last)
-            if oldest.last + STALE_NS < now:
-                self._slots.remove(oldest)
-                slot = Slot(oldest.leave())
-                slot.begin(kind, gid, topic, node, other)
-                self._slots.append(slot)
-                return slot
-            self._write("=Q", OVERFLOW_AT, self._read("=Q", OVERFLOW_AT) + 1)
+            self._end_gone()
+            used = len(self._slots) + len(self._ended)
+            words = self._rested(now)
+            if words is None and used < self._capacity:
+                at = HEADER_BYTES + used * SLOT_BYTES
+                words = self._view[at : at + SLOT_BYTES]
+            if words is None:
+                words = self._stale(now)
+            if words is None:
+                self._write("=Q", OVERFLOW_AT, self._read("=Q", OVERFLOW_AT) + 1)
+                return None
+            slot = Slot(words)
+            slot.begin(kind, gid, topic, node, other)
+            self._slots.append(slot)
+            self._write("=I", USED_AT, max(self._read("=I", USED_AT), len(self._slots) + len(self._ended)))
+            return slot
+
+    def end(self, of: list[Slot], now: int) -> None:
+        """Note that an endpoint was destroyed. May be called by the garbage collector, at any time in any thread."""
+        self._gone.append((now, of))
+        if self._lock.acquire(blocking=False):
+            try:
+                self._end_gone()
+            finally:
+                self._lock.release()
+
+    def _end_gone(self) -> None:
+        while self._gone:
+            now, slots = self._gone.popleft()
+            for slot in slots:
+                if not slot.left:
+                    self._slots.remove(slot)
+                    slot.end(now)
+                    self._ended.append((now, slot))
+
+    def _rested(self, now: int) -> memoryview | None:
+        """Return the words of an endpoint that ended so long ago that they were read."""
+        if not self._ended or 0 <= now - self._ended[0][0] < REST_NS:
             return None
+        return self._ended.popleft()[1].leave()
+
+    def _stale(self, now: int) -> memoryview | None:
+        """Return the words of the endpoint that has been silent for longest; None if that is not long."""
+        oldest = min(self._slots, key=lambda slot: slot.last, default=None)
+        if oldest is None or oldest.last + STALE_NS >= now:
+            return None
+        self._slots.remove(oldest)
+        return oldest.leave()
 
     def say(self, state: str) -> None:
         """Write the state of the hook, in words."""

@@ -9,7 +9,7 @@ from roslens.live.inside import slots
 from roslens.live.inside.sequence import SETTLE_NS
 from roslens.model.tally import NOTHING, Moments, Observer, Tally
 
-_COUNTERS = struct.Struct("=14q" + "qdd" * 4)
+_COUNTERS = struct.Struct("=14q" + "qdd" * 4 + "q")
 _BANK = struct.Struct("=8d")
 _TRIES = 100
 _PAIRS = (0, 2, 4, 6)
@@ -32,6 +32,7 @@ class Snapshot(NamedTuple):
     pending: int
     pending_since: int
     bank: int
+    ended: int
     moments: tuple[tuple[int, float, float], ...]
     banks: bytes
 
@@ -53,7 +54,7 @@ def snapshot(words: memoryview | SupportsBytes, before: Snapshot | None = None) 
 
 def _parsed(raw: bytes, before: Snapshot | None) -> Snapshot:
     values = _COUNTERS.unpack_from(raw)
-    moments = values[14:]
+    moments = values[slots.PERIOD : slots.ENDED]
     kind, generation = values[slots.KIND], values[slots.GENERATION]
     if before is not None and before.generation == generation and before.kind == kind:
         gid, topic, node, other = before.gid, before.topic, before.node, before.other
@@ -75,6 +76,7 @@ def _parsed(raw: bytes, before: Snapshot | None) -> Snapshot:
         pending=values[slots.PENDING],
         pending_since=values[slots.PENDING_SINCE],
         bank=values[slots.BANK],
+        ended=values[slots.ENDED],
         moments=(moments[:3], moments[3:6], moments[6:9], moments[9:]),
         banks=raw[slots.BANKS_AT * 8 : (slots.BANKS_AT + slots.BANKS * slots.BANK_WORDS) * 8],
     )

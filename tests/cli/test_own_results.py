@@ -67,11 +67,18 @@ def test_a_store_without_a_mark_is_refused(checked, capsys):
     assert "has no mark of who made it" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["store.sqlite", "cache.sqlite"])
+def test_past_revisions_that_a_clone_brings_are_refused(tmp_path):
+    (tmp_path / ".roslens").mkdir()
+    (tmp_path / ".roslens/history.sqlite").write_bytes(b"")
+    with pytest.raises(UsageError, match="has no mark of who made it"):
+        refuse_foreign(tmp_path / ".roslens", os.environ)
+
+
+@pytest.mark.parametrize("name", ["store.sqlite", "cache.sqlite", "history.sqlite"])
 @pytest.mark.parametrize("kind", ["link", "pipe"])
 def test_files_that_are_no_plain_files(checked, name, kind, capsys):
     place = checked / ".roslens" / name
-    place.unlink()
+    place.unlink(missing_ok=True)
     place.symlink_to("/proc/kmsg") if kind == "link" else os.mkfifo(place)
     assert main(["check", str(checked)]) == BAD_INPUT
     assert f"has a {name} that is no plain file" in capsys.readouterr().err

@@ -1,17 +1,49 @@
 """Past revisions by the command line: analysed once, followed, compared; the work tree is left alone."""
 
 import json
-import sqlite3
+from itertools import count
 
 import pytest
+from postgres_server import postgres_server
 from process_metrics.small_repository import MANIFEST, SmallRepository, function
 
 from roslens.cli.main import main
+from roslens.cli.past_store import kept_past
+
+_NUMBERS = count()
+
+
+@pytest.fixture(scope="module", params=["file", pytest.param("database", marks=pytest.mark.real)])
+def place(request):
+    """Yield what gives the address of another store each time; empty for files."""
+    if request.param == "file":
+        yield lambda: ""
+        return
+    with postgres_server() as server:
+        yield lambda: server.schema(f"w{next(_NUMBERS)}")
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory) -> SmallRepository:
+def of_made(place) -> str:
+    return place()
+
+
+@pytest.fixture(autouse=True)
+def _store(request, place, monkeypatch):
+    """Have each workspace keep its runs where the place says."""
+    own = request.getfixturevalue("of_made") if "made" in request.fixturenames else place()
+    monkeypatch.setenv("ROSLENS_STORE", own)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory, of_made):
     """Three releases: a function grows beyond its limit in the second, and is split in the third."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("ROSLENS_STORE", of_made)
+        return _made(tmp_path_factory)
+
+
+def _made(tmp_path_factory) -> SmallRepository:
     repository = SmallRepository(tmp_path_factory.mktemp("w") / "w")
     repository.commit("one", day=0, p__package_DOT_xml=MANIFEST.format("p"), p__src__a_DOT_cpp=function("a", 2))
     repository.git("tag", "1.0.0")
@@ -54,8 +86,14 @@ def told(capsys, *words: str) -> str:
 
 
 def runs(made: SmallRepository) -> list[str]:
-    with sqlite3.connect(made.root / ".roslens/history.sqlite") as connection:
-        return [row[0] for row in connection.execute('SELECT "commit" FROM revision ORDER BY run')]
+    with kept_past(str(made.root)).open() as store:
+        return [one.commit for one in sorted(store.revisions(), key=lambda one: one.run)]
+
+
+def test_runs_are_where_they_are_said_to_be(made, of_made):
+    assert (made.root / ".roslens/history.sqlite").exists() == (not of_made)
+    assert (made.root / ".roslens/store.shared").exists() == bool(of_made)
+    assert kept_past(str(made.root / "p")).root == made.root
 
 
 def test_each_release_and_the_head_are_runs(made):
@@ -72,7 +110,8 @@ def test_a_second_time_nothing_is_analysed(made, capsys):
 
 def test_a_past_run_is_the_run_of_its_files(made, capsys, tmp_path):
     made.git("worktree", "add", "-q", "--detach", str(tmp_path / "then"), "1.1.0")
-    report = json.loads(out(capsys, "check", tmp_path / "then", "--format", "json", "-q", "--fail-on", "never"))
+    words = ("--no-store", "--format", "json", "-q", "--fail-on", "never")
+    report = json.loads(out(capsys, "check", tmp_path / "then", *words))
     found = json.loads(out(capsys, "compare", "1.0.0", "1.1.0", made.root, "--format", "json"))
     fingerprints = {one["fingerprint"] for one in report["findings"]}
     assert found["new"]
@@ -229,3 +268,32 @@ def test_what_a_forced_push_took_away_is_left_out_and_said(tmp_path, capsys):
     assert json.loads(told.out)["whole"] == [1, 3]
     assert gone not in told.out
     assert "1 revisions that were analysed are not behind the head" in told.err
+
+
+@pytest.mark.real
+def test_the_database_goes_away_between_two_revisions(tmp_path, capsys, monkeypatch):
+    from roslens.cli.past_runs import PastRuns
+
+    made = SmallRepository(tmp_path / "r")
+    for day in range(3):
+        made.commit(f"day {day}", day=day, package_DOT_xml=MANIFEST.format("p"), a_DOT_py="x = 1\n" * (day + 1))
+    whole, asked = PastRuns._analysed, []
+    with postgres_server() as server:
+        monkeypatch.setenv("ROSLENS_STORE", server.schema("gone"))
+
+        def thrown_out(runs, commit, begun):
+            asked.append(commit.id)
+            if len(asked) == 2:
+                server.throw_out()
+            return whole(runs, commit, begun)
+
+        monkeypatch.setattr(PastRuns, "_analysed", thrown_out)
+        assert main(["history", str(made.root), "--every", "1", "-q"]) == 2
+        assert "Run the same command again" in capsys.readouterr().err
+        assert len(runs(made)) == 1
+        assert main(["history", str(made.root), "--every", "1", "-q"]) == 0
+        assert len(asked) == 4
+        found = json.loads(out(capsys, "trend", "loc", made.root, "--format", "json"))
+        assert found["whole"] == [1, 2, 3]
+        server.kill()
+        assert "does not let in" in told(capsys, "trend", "loc", made.root)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.cli.git_repository import commit_of_revision, names_like, repository_of
-from roslens.cli.past_runs import PAST, PastRuns, past_runs
+from roslens.cli.past_runs import PastRuns, past_runs
 from roslens.cli.shared_store import shared_address
 from roslens.cli.workplace import FOLDER, STORE, open_store
 from roslens.model.errors import UsageError
@@ -104,12 +104,3 @@ def named_runs(root: Path, settings: SourceSettings) -> Iterator[NamedRuns]:
     """Open what finds runs of the workspace at ``root`` by name."""
     with ExitStack() as opened:
         yield NamedRuns(root, settings, opened)
-
-
-def workspace_root(start: str) -> Path:
-    """Return the folder of the workspace that ``start`` is in: where runs are kept, else ``start`` itself."""
-    path = Path(start).resolve()
-    kept = (
-        above for above in (path, *path.parents) if any((above / FOLDER / name).is_file() for name in (STORE, PAST))
-    )
-    return next(kept, path)

@@ -8,20 +8,13 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roslens.cli.own_results import refuse_foreign
-from roslens.cli.past_runs import PAST
+from roslens.cli.past_store import kept_past
 from roslens.cli.shared_store import shared_address
 from roslens.cli.workplace import FOLDER, STORE, open_store
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.store.trends import Trends
-
-
-def past_folder(start: str) -> Path | None:
-    """Return the ``.roslens`` folder with past revisions that ``start`` is in, whoever made it; None for none."""
-    path = Path(start).resolve()
-    return next((above / FOLDER for above in (path, *path.parents) if (above / FOLDER / PAST).is_file()), None)
 
 
 def commits_behind(root: Path) -> frozenset[str] | None:
@@ -43,26 +36,22 @@ def trends_of(start: str) -> Iterator[Trends]:
         UsageError: none were analysed.
         StoreError: they cannot be read.
     """
-    import os
-
-    from roslens.store.runs import Store
     from roslens.store.trends import Trends
 
-    folder = past_folder(start)
-    if folder is None:
+    kept = kept_past(start)
+    if kept is None:
         raise UsageError(
             f"no past revisions of {str(Path(start).resolve())!r} were analysed",
             expected="runs of them",
             advice=f"Make them: roslens history {start} --every release",
         )
-    refuse_foreign(folder, os.environ)
     with ExitStack() as opened:
-        past = opened.enter_context(Store.open(folder / PAST))
+        past = opened.enter_context(kept.open())
         now = None
-        if (folder / STORE).is_file() or shared_address(start):
+        if (kept.root / FOLDER / STORE).is_file() or shared_address(start):
             store = opened.enter_context(open_store(start))
             now = store.view() if store.latest() is not None else None
-        trends = Trends(past, now, commits_behind(folder.parent))
+        trends = Trends(past, now, commits_behind(kept.root))
         if trends.left_out:
             told = f"{trends.left_out} revisions that were analysed are not behind the head and are left out"
             print(f"roslens: {told}", file=sys.stderr)

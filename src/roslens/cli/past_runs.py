@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.cli.git_repository import Repository, repository_of
+from roslens.cli.past_store import open_past
 from roslens.cli.process_option import seconds_of
 from roslens.cli.workplace import CACHE, own_folder
 from roslens.model.errors import UsageError
@@ -25,9 +26,6 @@ if TYPE_CHECKING:
     from roslens.source.history.past_tree import PastTree
     from roslens.source.settings import SourceSettings
     from roslens.store.runs import Store
-
-PAST = "history.sqlite"
-"""The store of the runs of past revisions, in the folder of the workspace."""
 
 
 class MadeRun(msgspec.Struct, frozen=True):
@@ -146,7 +144,6 @@ def past_runs(root: Path, settings: SourceSettings) -> Iterator[PastRuns]:
     from roslens.source.history.past_cache import PastCache
     from roslens.source.history.past_tree import PastTree
     from roslens.source.settings import ToolSettings
-    from roslens.store.runs import Store
 
     repository = repository_of(str(root))
     settings = msgspec.structs.replace(
@@ -155,7 +152,7 @@ def past_runs(root: Path, settings: SourceSettings) -> Iterator[PastRuns]:
     folder = own_folder(root)
     with (
         TemporaryDirectory(prefix="roslens-past-") as place,
-        Store.open(folder / PAST) as store,
+        open_past(root) as store,
         PastCache.open(folder / CACHE) as cache,
         PastTree(repository.root, repository.below, Path(place).resolve()) as tree,
     ):

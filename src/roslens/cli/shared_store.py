@@ -30,17 +30,23 @@ def store_for(kept: Path | None, configuration: Configuration, environment: Mapp
         UsageError: the address is none, or psycopg is not installed.
         StoreError: the store cannot be opened.
     """
-    from roslens.cli.workplace import SHARED
-    from roslens.store.postgres.connection import shown
     from roslens.store.runs import Store
 
     address = environment.get(VARIABLE) or configuration.store
     if kept is None or not address:
         return Store.open(kept)
     store = Store.open_shared(_checked(address))
-    with suppress(OSError):
-        (kept.parent / SHARED).write_text(f"{shown(address)}\n", "utf-8")
+    note_shared(kept.parent, address)
     return store
+
+
+def note_shared(folder: Path, address: str) -> None:
+    """Leave a note for people of the database that has the runs of a workspace, where they would look for them."""
+    from roslens.cli.workplace import SHARED
+    from roslens.store.postgres.connection import shown
+
+    with suppress(OSError):
+        (folder / SHARED).write_text(f"{shown(address)}\n", "utf-8")
 
 
 def shared_address(start: str, environment: Mapping[str, str] = os.environ) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -20,20 +19,17 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
     Raises:
         RoslensError: they cannot be read, or somebody else may have made them.
     """
-    from roslens.cli.own_results import refuse_foreign
-    from roslens.cli.past_points import commits_behind, past_folder
-    from roslens.cli.past_runs import PAST
+    from roslens.cli.past_points import commits_behind
+    from roslens.cli.past_store import kept_past
     from roslens.dashboard.past import Past
-    from roslens.store.runs import Store
     from roslens.store.trends import Trends
 
-    folder = None if options.no_store else past_folder(options.path)
-    if folder is None:
+    kept = None if options.no_store else kept_past(options.path)
+    if kept is None:
         yield None
         return
-    refuse_foreign(folder, os.environ)
-    with Store.open(folder / PAST) as store:
-        trends = Trends(store, view, commits_behind(folder.parent)).load()
+    with kept.open() as store:
+        trends = Trends(store, view, commits_behind(kept.root)).load()
         yield Past(trends, _renamed_in(view.header.root)) if len(trends.points) > 1 else None
 
 

@@ -93,8 +93,9 @@ def _of_runs(options: argparse.Namespace) -> int:
     from roslens.cli.analysed import settings_of
     from roslens.cli.boundary import CLEAN, FINDINGS
     from roslens.cli.configuration import find_configuration
-    from roslens.cli.named_run import named_runs, workspace_root
+    from roslens.cli.named_run import named_runs
     from roslens.cli.own_results import refuse_foreign
+    from roslens.cli.past_store import workspace_root
     from roslens.cli.streams import write_result
     from roslens.cli.workplace import FOLDER
     from roslens.compare.run_difference import run_difference

@@ -92,7 +92,7 @@ class _Rows:
 
 
 def connect_shared(address: str, *, wait_s: float) -> SharedConnection:
-    """Connect to the database and the schema that an address names.
+    """Connect to the database and the schema that an address names, which is made if it is missing.
 
     Statements commit on their own unless a transaction was begun.
 
@@ -104,6 +104,31 @@ def connect_shared(address: str, *, wait_s: float) -> SharedConnection:
         UsageError: psycopg is not installed, or the address is none.
         StoreError: the server does not let in.
     """
+    _, schema = divided(address)
+    with _let_in(address, wait_s) as server:
+        server.execute("SET client_min_messages = warning")
+        server.execute(f'CREATE SCHEMA IF NOT EXISTS "{schema}"')
+        server.execute(f'SET search_path TO "{schema}"')
+    connection = SharedConnection(":memory:", isolation_level=None, check_same_thread=False)
+    connection.server = server
+    return connection
+
+
+def has_schema(address: str, *, wait_s: float = 10.0) -> bool:
+    """Return whether the schema that an address names is there; nothing is made.
+
+    Raises:
+        UsageError: psycopg is not installed, or the address is none.
+        StoreError: the server does not let in.
+    """
+    _, schema = divided(address)
+    with _let_in(address, wait_s) as server, server:
+        found = server.execute("SELECT 1 FROM pg_namespace WHERE nspname = %s", (schema,)).fetchone()
+    return found is not None
+
+
+@contextmanager
+def _let_in(address: str, wait_s: float) -> Iterator[Any]:
     try:
         import psycopg
     except ImportError as error:
@@ -112,12 +137,9 @@ def connect_shared(address: str, *, wait_s: float) -> SharedConnection:
             expected="roslens[postgres]",
             advice="Install it with `pip install 'roslens[postgres]'`",
         ) from error
-    plain, schema = divided(address)
+    plain, _ = divided(address)
     try:
-        server = psycopg.connect(plain, autocommit=True, connect_timeout=max(2, int(wait_s)))
-        server.execute("SET client_min_messages = warning")
-        server.execute(f'CREATE SCHEMA IF NOT EXISTS "{schema}"')
-        server.execute(f'SET search_path TO "{schema}"')
+        yield psycopg.connect(plain, autocommit=True, connect_timeout=max(2, int(wait_s)))
     except psycopg.Error as error:
         raise StoreError(
             f"the {SERVER} does not let in: {' '.join(str(error).split())[:300]}",
@@ -125,9 +147,21 @@ def connect_shared(address: str, *, wait_s: float) -> SharedConnection:
             expected="a database that may be written",
             advice="Check host, user and database; a password is best kept in ~/.pgpass",
         ) from error
-    connection = SharedConnection(":memory:", isolation_level=None, check_same_thread=False)
-    connection.server = server
-    return connection
+
+
+def with_schema(address: str, more: str) -> str:
+    """Return an address whose schema has a longer name.
+
+    Raises:
+        UsageError: that is no name of a schema.
+    """
+    from urllib.parse import parse_qsl, urlencode, urlsplit
+
+    plain, schema = divided(address)
+    parts = urlsplit(plain)
+    longer = parts._replace(query=urlencode([*parse_qsl(parts.query), ("schema", schema + more)])).geturl()
+    divided(longer)
+    return longer
 
 
 def divided(address: str) -> tuple[str, str]:

@@ -5,14 +5,19 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from typing import Any
 
+import msgspec
 import pytest
+from dashboard.live.made_up_snapshots import walk
 from dashboard.live.scripted_robot import OF_ALL, ScriptedRobot, large_robot
 from pace import slowness
 from playwright.sync_api import Browser, Locator, Page, expect
 
+from roslens.dashboard.live.changes import change, held
 from roslens.dashboard.live.serving import LivePage
+from roslens.dashboard.live.snapshot import Snapshot
 from roslens.model.failure import Failure
 
 Open = Callable[..., Page]
@@ -381,3 +386,22 @@ def test_the_graph_of_causes_follows_what_is_wrong(robot: ScriptedRobot, follow:
     robot.rates.clear()
     robot.run(8)
     expect(page.locator("#causes")).to_be_hidden()
+
+
+def test_what_changed_makes_the_next_snapshot_in_the_page_too(follow: Open) -> None:
+    walks = [walk(seed, 12) for seed in range(20)]
+    told = [
+        {"first": held(one[0]), "changes": [change(before, after) for before, after in pairwise(one)]} for one in walks
+    ]
+    page = follow()
+    made = page.evaluate(
+        """async (told) => {
+          const { apply } = await import("./web/live/changes.js");
+          return JSON.parse(told).map(({ first, changes }) =>
+            changes.map((change) => JSON.stringify(apply(first, change))));
+        }""",
+        msgspec.json.encode(told).decode(),
+    )
+    for snapshots, found in zip(walks, made, strict=True):
+        for expected, text in zip(snapshots[1:], found, strict=True):
+            assert msgspec.json.decode(text, type=Snapshot) == held(expected)

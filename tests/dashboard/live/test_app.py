@@ -22,7 +22,9 @@ from roslens.dashboard.access.person import Person, Role
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.guard import HEADERS
 from roslens.dashboard.live.app import Facts, create_live_app
+from roslens.dashboard.live.changes import held
 from roslens.dashboard.live.serving import LivePage
+from roslens.dashboard.live.snapshot import Snapshot
 from roslens.model.errors import UsageError
 from roslens.model.graph import Graph
 
@@ -78,9 +80,13 @@ def test_the_page_says_everything_without_scripts():
         assert text in table
     assert "rate is low: 4 Hz, expected 8..12 Hz; Look at the cable of the lidar" in page.text
     assert "style=" not in page.text
-    embedded = re.search(r'<script type="application/json" id="first">(.*)</script>', page.text)
+    embedded = re.search(
+        r'<script type="application/json" id="first" data-mark="[0-9a-f]{8}\.1">(.*)</script>', page.text
+    )
     assert embedded
-    assert json.loads(embedded[1]) == json.loads(robot.page.newest())
+    assert msgspec.json.decode(embedded[1], type=Snapshot) == held(
+        msgspec.json.decode(robot.page.newest(), type=Snapshot)
+    )
 
 
 def test_the_snapshot_is_a_versioned_document():
@@ -173,10 +179,11 @@ def test_hostile_names_stay_text():
 class Reader:
     """Reads a stream event by event."""
 
-    def __init__(self, url):
+    def __init__(self, url, headers):
         parts = urlsplit(url)
+        self.marks, self.last = [], None
         self.connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=20)
-        self.connection.request("GET", "/events")
+        self.connection.request("GET", "/events", headers=headers)
         self.answer = self.connection.getresponse()
 
     def close(self):
@@ -198,11 +205,18 @@ class Reader:
             else:
                 lines = {}
 
-    def snapshot(self):
+    def piece(self):
+        """Return the next piece that is no beat; None at the end."""
         while (event := self.event()) is not None:
-            if event["event"] == "snapshot":
-                return json.loads(event["data"])
+            if event["event"] != "beat":
+                self.marks.append(event["id"])
+                self.last = json.loads(event["data"])
+                return event["event"], self.last
         return None
+
+    def snapshot(self):
+        found = self.piece()
+        return found and found[1]
 
 
 @pytest.fixture
@@ -210,8 +224,8 @@ def read():
     """Open streams that are closed at the end."""
     with contextlib.ExitStack() as stack:
 
-        def open_(url):
-            reader = Reader(url)
+        def open_(url, headers=None):
+            reader = Reader(url, headers or {})
             stack.callback(reader.close)
             return reader
 
@@ -225,14 +239,40 @@ def served():
         yield robot, page
 
 
-def test_the_stream_tells_each_new_snapshot(served, read):
+def test_the_stream_tells_all_once_and_then_what_changed(served, read):
     robot, page = served
     reader = read(page.url)
     assert reader.answer.headers["content-type"].startswith("text/event-stream")
-    first = reader.snapshot()
+    name, first = reader.piece()
+    assert name == "state"
     assert first["time"] == robot.now
+    robot.rates["/scan"] = 9
     robot.run()
-    assert reader.snapshot()["time"] == first["time"] + 1
+    name, change = reader.piece()
+    assert name == "change"
+    assert change["parts"]["time"] == first["time"] + 1
+    assert "rows" not in change
+    assert 0 < len(change["cells"]) < len(first["rows"])
+
+
+def test_who_comes_back_is_told_what_it_missed(served, read):
+    robot, page = served
+    reader = read(page.url)
+    reader.piece()
+    (mark,) = reader.marks
+    reader.close()
+    # Somebody else keeps the stream going meanwhile.
+    other = read(page.url)
+    other.piece()
+    robot.run()
+    other.piece()
+    again = read(page.url, {"last-event-id": mark})
+    assert again.piece() == ("change", other.last)
+
+
+@pytest.mark.parametrize("mark", ["", "x", "00000000.1", "deadbeef.", ".5", "9" * 400])
+def test_who_comes_back_with_what_is_not_known_is_told_all(served, read, mark):
+    assert read(served[1].url, {"last-event-id": mark}).piece()[0] == "state"
 
 
 def test_nothing_new_is_told_by_a_beat(served, read):
@@ -242,13 +282,17 @@ def test_nothing_new_is_told_by_a_beat(served, read):
 
 
 def test_who_comes_late_gets_the_newest_alone(read):
-    newest = [b'{"time": -1}']
+    first = msgspec.json.decode(ScriptedRobot().page.newest(), type=Snapshot)
+    newest = [msgspec.json.encode(first)]
     with LivePage(lambda: newest[0]) as page:
         reader = read(page.url)
         assert reader.snapshot() is not None
         for time_ in range(500):
-            newest[0] = b'{"time": %d}' % time_
-        assert reader.snapshot()["time"] == 499
+            newest[0] = msgspec.json.encode(msgspec.structs.replace(first, time=1000.0 + time_))
+        told = [reader.piece()[1]["parts"]["time"]]
+        while told[-1] != 1499.0:
+            told.append(reader.piece()[1]["parts"]["time"])
+        assert len(told) < 10
         assert reader.event()["event"] == "beat"
 
 

@@ -1,4 +1,4 @@
-"""The live page over HTTP: the page, the snapshot it shows, and a stream of snapshots."""
+"""The live page over HTTP: the page, the snapshot it shows, and a stream of what changes of it."""
 
 from __future__ import annotations
 
@@ -22,10 +22,12 @@ from roslens.dashboard.access.policy import Access
 from roslens.dashboard.guard import Guard
 from roslens.dashboard.live.board import Board
 from roslens.dashboard.live.board_routes import BoardRoutes
+from roslens.dashboard.live.changes import held
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
 from roslens.dashboard.live.past_routes import MomentError, PastRoutes, foreign, json_or_nothing, refused, unreadable
 from roslens.dashboard.live.snapshot import Snapshot
+from roslens.dashboard.live.telling import Telling
 from roslens.dashboard.render import TEMPLATES, WEB
 from roslens.model.errors import StoreError
 
@@ -56,7 +58,7 @@ class Facts(msgspec.Struct, frozen=True):
     Attributes:
         names: further host names that it answers to, in lower case.
         advice: how to make it answer to another name.
-        pace_s: least time between two snapshots of a stream.
+        pace_s: least time between two pieces of a stream.
         pages: returns address and word of the pages of a run that are served beside it; none by default.
         access: who may view and who may act; by default everybody may view and nobody act.
         further: pages beside this one.
@@ -83,7 +85,7 @@ def no_graph() -> bytes:
 def create_live_app(
     snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
-    stopped: Callable[[], bool] = lambda: False,
+    state: Callable[[], Snapshot] | None = None, stopped: Callable[[], bool] = lambda: False,
 ) -> Starlette:  # fmt: skip
     """Return the application.
 
@@ -95,20 +97,23 @@ def create_live_app(
         graph: returns the computation graph as JSON, empty where none is known yet. Called from there too.
         past: of what is shown; None where nothing is kept.
         board: references and notes on alerts.
+        state: returns what `snapshot` returns before it is JSON; by default that is read again.
         stopped: whether streams should end.
     """
     facts = facts or Facts()
     templates = _Templates(facts, past is not None, board is not None)
-    streams = _Streams(snapshot, facts.pace_s, stopped)
+    telling = Telling(state or _Read(snapshot))
+    streams = _Streams(telling, facts.pace_s, stopped)
     memory = PastRoutes(past, templates.compared) if past is not None else None
 
     async def show(request: Request) -> Response:
         at = request.query_params.get("at", "")
         text = await memory.snapshot(at) if memory is not None and at else b""
-        text, then = (text, at) if text else (snapshot(), "")
-        shown = msgspec.json.decode(text, type=Snapshot)
+        then = at if text else ""
+        telling.look()
+        shown = held(msgspec.json.decode(text, type=Snapshot)) if then else telling.newest()
         may = board is not None and person_of(request).may_operate
-        return HTMLResponse(templates.live(shown, _embeddable(text), then, may))
+        return HTMLResponse(templates.live(shown, then, "" if then else telling.mark(), may))
 
     async def twin(request: Request) -> Response:
         if refusal := foreign(request):
@@ -134,7 +139,7 @@ def create_live_app(
         if streams.readers >= MOST_READERS:
             return PlainTextResponse(f"{MOST_READERS} readers are served already.\n", status_code=503)
         return StreamingResponse(
-            streams.read(),
+            streams.read(request.headers.get("last-event-id") or request.query_params.get("after", "")),
             media_type="text/event-stream",
             headers={"cache-control": "no-store", "x-accel-buffering": "no"},
         )
@@ -157,27 +162,45 @@ def create_live_app(
     )
 
 
-class _Streams:
-    """Hands snapshots to readers; who reads slowly gets the newest when it is ready for it, and misses the others."""
+class _Read:
+    """Reads snapshots that come as JSON; each once."""
 
-    def __init__(self, snapshot: Callable[[], bytes], pace_s: float, stopped: Callable[[], bool]) -> None:
+    def __init__(self, snapshot: Callable[[], bytes]) -> None:
         self._snapshot = snapshot
+        self._text = b""
+        self._state: Snapshot | None = None
+
+    def __call__(self) -> Snapshot:
+        text = self._snapshot()
+        if self._state is None or (text is not self._text and text != self._text):
+            self._state = msgspec.json.decode(text, type=Snapshot)
+        self._text = text
+        return self._state
+
+
+class _Streams:
+    """Hands pieces to readers; who reads slowly gets what it lacks when it is ready for it."""
+
+    def __init__(self, telling: Telling, pace_s: float, stopped: Callable[[], bool]) -> None:
+        self._telling = telling
         self._pace_s = pace_s
         self._stopped = stopped
         self.readers = 0
 
-    async def read(self) -> AsyncIterator[bytes]:
-        """Yield a snapshot when there is a new one, and a beat each second in which there is none."""
+    async def read(self, mark: str) -> AsyncIterator[bytes]:
+        """Yield what is new to who holds what ``mark`` says, and a beat each second in which nothing is."""
         clock = asyncio.get_running_loop().time
-        last, sent_at = b"", clock() - self._pace_s
+        telling = self._telling
+        telling.look()
+        number, sent_at = telling.number_of(mark), clock() - self._pace_s
         self.readers += 1
         try:
             yield b"retry: 1000\n\n"
             while not self._stopped():
-                newest, now = self._snapshot(), clock()
-                if newest is not last and newest != last and now - sent_at >= self._pace_s - _LOOK_S / 2:
-                    last, sent_at = newest, now
-                    yield b"event: snapshot\ndata: " + newest + b"\n\n"
+                newest, now = telling.look(), clock()
+                if newest != number and now - sent_at >= self._pace_s - _LOOK_S / 2:
+                    text, number, sent_at = telling.since(number), newest, now
+                    yield text
                 elif now - sent_at >= _BEAT_S:
                     sent_at = now
                     yield _BEAT
@@ -211,8 +234,9 @@ class _Templates:
         self._compared = environment.get_template("compared.html")
         self._references = environment.get_template("references.html")
 
-    def live(self, shown: Snapshot, text: Markup, at: str, may: bool) -> str:
-        return self._live.render(snapshot=shown, text=text, at=at, may=may, pages=self._pages())
+    def live(self, shown: Snapshot, at: str, mark: str, may: bool) -> str:
+        text = _embeddable(msgspec.json.encode(shown))
+        return self._live.render(snapshot=shown, text=text, at=at, mark=mark, may=may, pages=self._pages())
 
     def compared(self, found: object) -> str:
         return self._compared.render(found=found, pages=self._pages())

@@ -116,6 +116,8 @@ function drawn() {
 }
 
 const first = JSON.parse(by("first").textContent);
+const { mark } = by("first").dataset;
+if (mark) latest = first;
 by("first").remove();
 const moments = remembers ? new Moments({
   element: by("time"), slider: by("slider"), play: by("play"), speed: by("speed"), reach: by("reach"), marks: by("marks"), back: by("now"), then: by("then"),
@@ -163,7 +165,7 @@ function readAddress() {
 
 readAddress();
 onReturn(readAddress);
-listen(heardOf, heard);
+listen(first, mark, heardOf, heard);
 
 search.addEventListener("input", settled(filter, 80));
 search.addEventListener("keydown", (event) => event.key === "Escape" && (search.value ? (search.value = "", filter()) : search.blur()));

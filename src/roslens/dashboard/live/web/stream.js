@@ -1,15 +1,21 @@
-// Hears snapshots from the monitor, and says at once when there is nothing to hear.
+// Hears from the monitor what changed, and says at once when there is nothing to hear.
+
+import { apply } from "./changes.js";
 
 const SILENT_MS = 3000;
 const AGAIN_MS = 2000;
 
-/** Calls `told(snapshot, read)` for each, which took `read` ms to read, and `heard(state, seconds)` with "live", "unsure", "lost" or "stuck" as it goes. */
-export function listen(told, heard) {
+/**
+ * Calls `told(snapshot, read)` for each, which took `read` ms to read, and `heard(state, seconds)` with "live",
+ * "unsure", "lost" or "stuck" as it goes. `first` is what the page holds, `mark` what the monitor calls it.
+ */
+export function listen(first, mark, told, heard) {
   let last = performance.now();
   let fresh = last;
-  let live = true;
+  let { live } = first;
   let broken = false;
   let source;
+  let state = mark ? first : null;
 
   function alive() {
     last = performance.now();
@@ -17,16 +23,33 @@ export function listen(told, heard) {
     judge();
   }
 
+  function take(event, make) {
+    const begun = performance.now();
+    state = make(JSON.parse(event.data));
+    mark = event.lastEventId;
+    const read = performance.now() - begun;
+    live = state.live;
+    fresh = performance.now();
+    alive();
+    told(state, read);
+  }
+
+  /** Whether a change is of what the page holds; where it is not, all of it is asked for. */
+  function follows(next) {
+    const [begun, number] = mark.split(".");
+    return state && next === `${begun}.${Number(number) + 1}`;
+  }
+
   function open() {
-    source = new EventSource("events");
-    source.addEventListener("snapshot", (event) => {
-      const begun = performance.now();
-      const snapshot = JSON.parse(event.data);
-      const read = performance.now() - begun;
-      live = snapshot.live;
-      fresh = performance.now();
-      alive();
-      told(snapshot, read);
+    source = new EventSource(mark ? `events?after=${encodeURIComponent(mark)}` : "events");
+    source.addEventListener("state", (event) => take(event, (whole) => whole));
+    source.addEventListener("change", (event) => {
+      if (follows(event.lastEventId)) take(event, (change) => apply(state, change));
+      else {
+        source.close();
+        mark = "";
+        open();
+      }
     });
     source.addEventListener("beat", alive);
     source.addEventListener("error", () => {

@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo tour demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings recall accuracy fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo tour demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
 # which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
@@ -107,6 +107,11 @@ recall: .venv/stamp
 accuracy: parts
 	sh .ci/ros-source ros-geometry ros-image-pipeline ros-robot-state-publisher
 	PYTHONPATH=tests $(BIN)/python -m accuracy $(ARGS)
+
+# Compare what revision BASE and the working tree say of the repositories in tests/same_facts/repositories.repos, from
+# clones below $ROSLENS_CORPORA. A redesign changes nothing. What a revision said is kept: only a new one is asked again.
+same-facts: .venv/stamp
+	PYTHONPATH=tests $(BIN)/python -m same_facts $(BASE) $(ARGS)
 
 # Try mutated files of every kind that is read, and keep what fails in tests/fixtures/fuzz. ARGS="cpp --minutes 30"
 fuzz: .venv/stamp

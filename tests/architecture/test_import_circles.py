@@ -1,0 +1,98 @@
+"""No module comes back to itself over imports, whenever they are carried out; the circles that are left get fewer."""
+
+import textwrap
+
+import pytest
+
+from architecture.imports import When, circles, imports
+
+NOW = (When.LOADED,)
+EVER = (When.LOADED, When.CALLED)
+
+CALLED = [
+    "cli.commands.completion cli.main",
+    "cli.commands.explain cli.completion_words",
+    "cli.page.past_page cli.watch_page",
+    "cli.read_beside cli.shown_graphs",
+    "cli.shared_store cli.workplace",
+    "dashboard.graph_model dashboard.site",
+    "report.graph_text report.unstarted_text",
+    "source.extract.abstract_value source.extract.vocabulary source.extract.workspace_index",
+    (
+        "source.extract.evaluated_calls source.extract.evaluated_objects source.extract.evaluated_statements "
+        "source.extract.refined_values source.extract.shared_values"
+    ),
+    "source.tools.table source.tools.tool_rules source.tools.tool_stage source.tools.used",
+]
+"""Circles that imports in functions close: whoever dissolves one takes it off the list, and no new one is put on it."""
+
+CHECKED = [
+    "live.connection live.envelope live.topic",
+    "source.analyse_package source.part_of_package",
+    "source.dask_engine source.executor",
+    "source.extract.assemble_choices source.extract.assemble_parameters",
+    "source.extract.launch_modules source.extract.python_control source.extract.python_interpreter",
+    (
+        "source.rules.cmake_view source.rules.dependency_uses source.rules.launch_view source.rules.package_view "
+        "source.rules.profiles source.rules.registered_classes source.rules.rule"
+    ),
+]
+"""Circles that only type checkers see, beside :data:`KNOT`."""
+
+KNOT = 48
+"""Modules of extraction that know each other as type checkers see it."""
+
+
+@pytest.fixture(scope="module")
+def graph():
+    return imports()
+
+
+def named(found):
+    return [" ".join(name.removeprefix("roslens.") for name in one) for one in found]
+
+
+def test_loading_a_module_never_comes_back_to_it(graph):
+    assert circles(graph, *NOW) == []
+
+
+def test_circles_over_imports_in_functions_are_known(graph):
+    assert named(circles(graph, *EVER)) == sorted(CALLED)
+
+
+def test_circles_of_types_are_known(graph):
+    found = circles(graph, *When)
+    assert max(map(len, found)) == KNOT
+    apart = [one for one in found if len(one) < KNOT]
+    assert named(one for one in apart if one not in circles(graph, *EVER)) == sorted(CHECKED)
+
+
+@pytest.mark.parametrize(
+    ("back", "when"),
+    [
+        ("from roslens import a", When.LOADED),
+        ("from .a import x", When.LOADED),
+        ("import roslens.a", When.LOADED),
+        ("def f():\n    from roslens.a import x", When.CALLED),
+        ("class C:\n    def f(self):\n        if self:\n            from . import a", When.CALLED),
+        ("if typing.TYPE_CHECKING:\n    from roslens.a import x", When.CHECKED),
+    ],
+)
+def test_a_planted_circle_is_seen(tmp_path, back, when):
+    package = tmp_path / "roslens"
+    package.mkdir()
+    (package / "__init__.py").write_text("")
+    (package / "a.py").write_text("from roslens.b import y\nx = 1\n")
+    (package / "b.py").write_text(textwrap.dedent(back))
+    found = imports(tmp_path)
+    assert found["roslens.b"] == {"roslens.a": when}
+    assert circles(found, When.LOADED, when) == [["roslens.a", "roslens.b"]]
+    assert circles(found, When.LOADED) == ([["roslens.a", "roslens.b"]] if when is When.LOADED else [])
+
+
+def test_circles_that_share_a_module_are_one(tmp_path):
+    (tmp_path / "a.py").write_text("import b, c")
+    (tmp_path / "b.py").write_text("import a")
+    (tmp_path / "c.py").write_text("import a, d")
+    (tmp_path / "d.py").write_text("")
+    assert circles(imports(tmp_path), *When) == [["a", "b", "c"]]

@@ -1,11 +1,15 @@
 import pytest
 
 from roslens.judge.read_reference import GivenText, load_reference
+from roslens.live.connection import Connection
 from roslens.live.monitor import Monitor
 from roslens.live.signals import BY_KEY
+from roslens.live.topic import ENDS
+from roslens.live.traffic import MEASURES
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Endpoint, Graph, Node, Process, Role
 from roslens.model.sample import Sample
+from roslens.model.tally import Tally
 from roslens.model.verdict import State
 
 REFERENCE = """
@@ -25,9 +29,13 @@ GRAPH = Graph(
 )
 
 
+def monitor_of():
+    return Monitor(load_reference([GivenText("rover.yaml", REFERENCE.encode())], BY_KEY), start=0.0)
+
+
 @pytest.fixture
 def monitor():
-    return Monitor(load_reference([GivenText("rover.yaml", REFERENCE.encode())], BY_KEY), start=0.0)
+    return monitor_of()
 
 
 def watched(monitor, slowest):
@@ -62,3 +70,46 @@ def test_a_service_without_a_server_is_below_nobody(monitor):
     monitor.tick(1.0)
     (nobody,) = monitor.tree(1.0).children
     assert [part.id for node in nobody.children for part in node.children] == ["service:/add"]
+
+
+def asked(monkeypatch, monitor, publishers):
+    """How many connections are asked for a value by a tree of so many nodes that publish one topic."""
+    ends = [
+        Endpoint(f"/n{number}", Role.PUBLISHER, "/rosout", "rcl_interfaces/msg/Log") for number in range(publishers)
+    ]
+    monitor.add_graph(Graph("ros2", tuple(Node(end.node, "base", 7) for end in ends), tuple(ends)), 0.5)
+    monitor.add_tallies([Tally("/rosout", end.node, "", 0.0, 1.0, 3, first=0.1, last=0.9) for end in ends])
+    monitor.tick(1.0)
+    count = 0
+    value = Connection.value
+
+    def counted(*given, **named):
+        nonlocal count
+        count += 1
+        return value(*given, **named)
+
+    monkeypatch.setattr(Connection, "value", counted)
+    host = next(part for part in monitor.tree(1.0).children if part.name == "base")
+    monkeypatch.undo()
+    rates = {part.children[0].values["rate"] for part in host.children}
+    assert len(rates) == 1
+    assert rates.pop() > publishers
+    return count
+
+
+def test_a_topic_of_many_publishers_is_folded_once(monkeypatch):
+    few, many = (asked(monkeypatch, monitor_of(), publishers) for publishers in (100, 200))
+    assert many <= 2.1 * few
+
+
+def test_the_values_of_a_topic_are_those_it_tells_one_by_one(monitor):
+    monitor.add_graph(GRAPH, 0.5)
+    pair = [
+        Tally("/scan", f"/n{number}", "/map", 0.0, 1.0, 3 + number, bytes=30, first=0.1, last=0.9) for number in (0, 1)
+    ]
+    monitor.add_tallies(pair)
+    monitor.tick(1.0)
+    topic = monitor.world.topics["/scan"]
+    keys = (*MEASURES, *ENDS)
+    assert dict(topic.values(keys, 0)) == {key: topic.value(key, 0) for key in keys}
+    assert topic.value("rate", 0)[0] == pytest.approx(6.25)

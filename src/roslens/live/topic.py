@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import insort
+from collections.abc import Iterable, Iterator
 
 from roslens.live.connection import Connection
 from roslens.live.measured import Measured
@@ -108,24 +109,32 @@ class Topic(Measured):
         self, key: str, at: int, percentile: float = 0.0, views: list[tuple[Connection, Window]] | None = None
     ) -> tuple[float | None, Window | None]:
         """Return a signal of the topic and the window that tells most of it; ``views`` are taken where known."""
-        if key == "publishers":
-            return self._count(self.publishers, "publisher")
-        if key == "subscribers":
-            return self._count(self.subscribers, "subscriber")
-        if key == "misfits":
-            return (None if self.misfits is None else float(self.misfits)), None
+        if key in ENDS:
+            return self._of_graph(key, None), None
         if key in _OF_PUBLISHERS:
-            seen = [one.value(key, at, percentile) for one, _ in (self.views(at) if views is None else views)]
-        else:
-            seen = [one.value(key, at, percentile) for one in self.all_connections()]
-        if len(seen) == 1:
-            return seen[0]
-        told = [(value, window) for value, window in seen if value is not None]
-        if not told:
-            return None, seen[0][1] if seen else None
-        if len(told) == 1:
-            return told[0]
-        return _folded(key, told)
+            return _joined(
+                key, (one.value(key, at, percentile) for one, _ in (self.views(at) if views is None else views))
+            )
+        return _joined(key, (one.value(key, at, percentile) for one in self.all_connections()))
+
+    def values(self, keys: Iterable[str], at: int) -> Iterator[tuple[str, tuple[float | None, Window | None]]]:
+        """Yield signals of the topic as ``value`` returns them; who tells what is found once for all."""
+        publishers = [one for one, _ in self.views(at)]
+        every = self.all_connections()
+        for key in keys:
+            if key in ENDS:
+                yield key, (self._of_graph(key, every), None)
+            else:
+                told = publishers if key in _OF_PUBLISHERS else every
+                yield key, _joined(key, (one.value(key, at) for one in told))
+
+    def _of_graph(self, key: str, every: list[Connection] | None) -> float | None:
+        if key == "misfits":
+            return None if self.misfits is None else float(self.misfits)
+        if self.known:
+            return float(len(self.publishers if key == "publishers" else self.subscribers))
+        ends = {getattr(one, key[:-1]) for one in (self.all_connections() if every is None else every)} - {""}
+        return float(len(ends)) if ends else None
 
     def unheard(self, key: str) -> Voice | None:
         """Return an observer of which nothing is heard, and without which a signal of the topic is not known."""
@@ -141,12 +150,6 @@ class Topic(Measured):
         """Whether a connection is of those who published last: who left before says nothing of how it ended."""
         return connection.publisher in self.former
 
-    def _count(self, known: frozenset[str], field: str) -> tuple[float | None, Window | None]:
-        if self.known:
-            return float(len(known)), None
-        names = {getattr(one, field) for one in self.all_connections()} - {""}
-        return (float(len(names)) if names else None), None
-
 
 def _ends(connection: Connection) -> tuple[str, str]:
     return connection.publisher, connection.subscriber
@@ -156,6 +159,16 @@ def _quality(seen: tuple[Connection, Window]) -> tuple[bool, bool, int, bool, fl
     connection, window = seen
     quiet = window.horizon > window.until
     return connection.left, quiet, RANK[window.observer], bool(connection.subscriber), -window.count
+
+
+def _joined(key: str, signals: Iterable[tuple[float | None, Window | None]]) -> tuple[float | None, Window | None]:
+    seen = list(signals)
+    if len(seen) == 1:
+        return seen[0]
+    told = [(value, window) for value, window in seen if value is not None]
+    if not told:
+        return None, seen[0][1] if seen else None
+    return told[0] if len(told) == 1 else _folded(key, told)
 
 
 def _folded(key: str, told: list[tuple[float, Window | None]]) -> tuple[float, Window | None]:

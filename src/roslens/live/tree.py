@@ -8,16 +8,17 @@ from typing import Protocol
 import msgspec
 
 from roslens.live.command_name import command_name
-from roslens.live.connection import Connection
 from roslens.live.sampled import Sampled
 from roslens.live.standing import Standing
-from roslens.live.topic import ENDS, Topic
+from roslens.live.topic import ENDS
 from roslens.live.traffic import MEASURES
+from roslens.live.window import Window
 from roslens.live.world import World
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Graph, Role
 from roslens.model.verdict import State
 
+_TOPIC_SIGNALS = (*MEASURES, *sorted(ENDS))
 _WORSE = {state: place for place, state in enumerate(State)}
 UNKNOWN_NAME = ""
 """Name of the host of nodes of which nobody knows where they are, and of the node of topics nobody publishes."""
@@ -98,6 +99,7 @@ class _Running:
     def __init__(self, world: World, now: float) -> None:
         self._world = world
         self._now = now
+        self._topics: dict[str, tuple[dict[str, float], str]] = {}
         self.host_of = world.host_of
 
     @property
@@ -124,16 +126,22 @@ class _Running:
         if sampled is not None:
             return _of_sampled(sampled, self._now)
         if entity.kind is EntityKind.TOPIC:
-            topic = self._world.topics[entity.name]
-            for one in topic.all_connections():
-                one.settle(self._now)
-            return _of_traffic(topic, (*MEASURES, *sorted(ENDS)))
+            return self._of_topic(entity.name)
         if entity.kind is EntityKind.CONNECTION:
             connection = self._world.connection_of(entity)
             if connection is not None:
                 connection.settle(self._now)
-                return _of_traffic(connection, tuple(MEASURES))
+                return _told((key, connection.value(key, 0)) for key in MEASURES)
         return {}, ""
+
+    def _of_topic(self, name: str) -> tuple[dict[str, float], str]:
+        """Return the values of a topic, which stands below each of its publishers."""
+        if name not in self._topics:
+            topic = self._world.topics[name]
+            for one in topic.all_connections():
+                one.settle(self._now)
+            self._topics[name] = _told(topic.values(_TOPIC_SIGNALS, 0))
+        return self._topics[name]
 
 
 class _Tree:
@@ -240,11 +248,10 @@ def _of_sampled(sampled: Sampled, now: float) -> tuple[dict[str, float], str]:
     return values, sampled.observer.value if sampled.observer and values else ""
 
 
-def _of_traffic(entity: Connection | Topic, keys: Iterable[str]) -> tuple[dict[str, float], str]:
+def _told(signals: Iterable[tuple[str, tuple[float | None, Window | None]]]) -> tuple[dict[str, float], str]:
     values: dict[str, float] = {}
     observer = ""
-    for key in keys:
-        value, window = entity.value(key, 0)
+    for key, (value, window) in signals:
         if value is not None:
             values[key] = value
             observer = observer or (window.observer.value if window else "")

@@ -24,6 +24,7 @@ def main() -> int:
     sample.add_argument("folder", type=Path, help="with clones, bare ones too: owner+name, owner__name or owner/name")
     sample.add_argument("--seed", type=int, required=True)
     sample.add_argument("--per-rule", type=int, default=20, metavar="N", help="at most so many of each rule")
+    sample.add_argument("--per-repository", type=int, default=0, metavar="N", help="at most so many of each rule in one")
     sample.add_argument("--severity", choices=_SEVERITIES, default="warning", help="from this on (default: warning)")
     sample.add_argument("--developed", action="store_true", help="rules were changed because of these repositories")
     sample.add_argument("--native", action="store_true", help="coding rules instead of rules of the graph")
@@ -58,13 +59,13 @@ def _sample(options: argparse.Namespace) -> int:
         return 2
     wanted = _SEVERITIES[_SEVERITIES.index(options.severity) :]
     on = {name: [one for one in every if one["severity"] in wanted] for name, every in found.items()}
-    rows = taken_over(drawn(on, options.seed, options.per_rule), commits, judged)
+    rows = taken_over(drawn(on, options.seed, options.per_rule, options.per_repository), commits, judged)
     counted = Counter(one["rule"] for every in on.values() for one in every)
     notes = Counter(one["rule"] for every in found.values() for one in every if one["severity"] not in wanted)
     write(
         Sample(
             options.developed, options.seed, options.per_rule, options.severity, commits, not_read,
-            dict(sorted(counted.items())), dict(sorted(notes.items())), rows,
+            dict(sorted(counted.items())), dict(sorted(notes.items())), rows, options.per_repository,
         ),
         options.output,
     )  # fmt: skip

@@ -54,6 +54,7 @@ class Sample(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         population: how many there are, by rule.
         notes: how many notes there are besides, by rule.
         findings: that were drawn.
+        per_repository: at most so many of each rule in one repository; 0 is as many as there are.
     """
 
     developed_on: bool
@@ -65,15 +66,20 @@ class Sample(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     population: dict[str, int]
     notes: dict[str, int]
     findings: list[Judgement]
+    per_repository: int = 0
 
 
-def drawn(found: Mapping[str, Sequence[Mapping[str, Any]]], seed: int, per_rule: int) -> list[Judgement]:
+def drawn(
+    found: Mapping[str, Sequence[Mapping[str, Any]]], seed: int, per_rule: int, per_repository: int = 0
+) -> list[Judgement]:
     """Return at most ``per_rule`` findings of each rule; the same findings and seed give the same ones.
 
     Args:
         found: by repository.
         seed: of the choice; each rule has its own, so that a change of one leaves the others as they are.
         per_rule: at most so many.
+        per_repository: at most so many of each rule in one repository, so that one with many of a rule does not decide
+            alone; 0 is as many as there are.
     """
     by_rule: dict[str, list[Judgement]] = {}
     for name, findings in sorted(found.items()):
@@ -85,9 +91,19 @@ def drawn(found: Mapping[str, Sequence[Mapping[str, Any]]], seed: int, per_rule:
             by_rule.setdefault(row.rule, []).append(row)
     chosen = []
     for rule, rows in sorted(by_rule.items()):
-        rows.sort(key=_order)
+        rows = _spread(rows, f"{seed} {rule}", per_repository)
         chosen += sorted(Random(f"{seed} {rule}").sample(rows, min(per_rule, len(rows))), key=_order)
     return chosen
+
+
+def _spread(rows: Sequence[Judgement], seed: str, per_repository: int) -> list[Judgement]:
+    """Return the findings of a rule, at most so many of each repository."""
+    kept: list[Judgement] = []
+    for name in sorted({one.repository for one in rows}):
+        every = sorted((one for one in rows if one.repository == name), key=_order)
+        most = per_repository or len(every)
+        kept += sorted(Random(f"{seed} {name}").sample(every, min(most, len(every))), key=_order)
+    return kept
 
 
 def _order(one: Judgement) -> tuple[str, str, int, str, str]:

@@ -173,10 +173,11 @@ def shares(sample: Sample) -> dict[str, tuple[int, int]]:
 def _section(name: str, sample: Sample, on: Sequence[str]) -> list[str]:
     tuned = "rules were changed because of what they found here" if sample.developed_on else "no rule was tuned to them"
     read = len(sample.repositories) - len(sample.not_read)
+    spread = f", {sample.per_repository} of one repository" if sample.per_repository else ""
     lines = [
         f"## {name.replace('_', ' ').capitalize()}",
         "",
-        f"{read} repositories; {tuned}. Seed {sample.seed}, at most {sample.per_rule} of each rule.",
+        f"{read} repositories; {tuned}. Seed {sample.seed}, at most {sample.per_rule} of each rule{spread}.",
         "",
         "| rule | warnings and errors | read | true | share | notes besides |",
         "| --- | --: | --: | --: | --: | --: |",

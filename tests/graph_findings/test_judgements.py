@@ -36,6 +36,15 @@ def test_a_sample_is_that_of_its_seed():
     assert len(drawn(FOUND, 7, 50)) == 60
 
 
+def test_a_repository_with_many_findings_of_a_rule_does_not_decide_alone():
+    found = {**FOUND, "c/d": FOUND["a/b"][:2], "e/f": FOUND["a/b"][:7]}
+    chosen = [one for one in drawn(found, 7, 6, 3) if one.rule == "graph.remap"]
+    assert len(chosen) == 6
+    assert max([one.repository for one in chosen].count(name) for name in found) <= 3
+    assert len(drawn(found, 7, 50, 3)) == 3 + 2 + 3 + 3
+    assert drawn(found, 7, 6, 3) == drawn({name: found[name][::-1] for name in reversed(found)}, 7, 6, 3)
+
+
 def test_the_sample_of_one_rule_does_not_depend_on_the_others():
     less = {"a/b": [one for one in FOUND["a/b"] if one["rule"] == "graph.type"]}
     assert drawn(less, 7, 5) == drawn(FOUND, 7, 5)[5:]

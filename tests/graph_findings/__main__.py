@@ -24,7 +24,7 @@ def main() -> int:
     sample.add_argument("folder", type=Path, help="with clones, bare ones too: owner+name, owner__name or owner/name")
     sample.add_argument("--seed", type=int, required=True)
     sample.add_argument("--per-rule", type=int, default=20, metavar="N", help="at most so many of each rule")
-    sample.add_argument("--per-repository", type=int, default=0, metavar="N", help="at most so many of each rule in one")
+    sample.add_argument("--per-repository", type=int, default=0, metavar="N", help="at most so many of a rule in one")
     sample.add_argument("--severity", choices=_SEVERITIES, default="warning", help="from this on (default: warning)")
     sample.add_argument("--developed", action="store_true", help="rules were changed because of these repositories")
     sample.add_argument("--native", action="store_true", help="coding rules instead of rules of the graph")

@@ -7,6 +7,7 @@ from collections.abc import Container, Mapping, Sequence
 from graph_findings.again import read_again
 from graph_findings.first_findings import read_shown, section
 from graph_findings.judgements import ROOT, Judgement, Sample
+from graph_findings.mendings import read_mendings, since
 from graph_findings.tool_findings import read_tools, tool_section
 from roslens.model.finding import Severity
 from roslens.source.rules.graph.findings import RULES
@@ -61,9 +62,9 @@ and `make graph-findings` writes this page and what the pages of rules say of it
 
 
 _BELOW = """\
-Below {:.0f} % over all tables, with five or more read, and still warnings or errors: each was mended by the causes
-below, `cpp.guard` after the fourth table. What was read before still counts here, and the last table is of the rule
-before its last mending:"""
+Below {:.0f} % over all tables, however few were read, and warnings or errors all the same: each was mended by the cause
+of what was not true. What was read before still counts in its share; what was read in tables that were drawn since
+measures the rule as it is."""
 _NOTES_BY_NOW = """\
 Below {:.0f} % over all tables, with five or more read, and notes by now: whether it is a mistake the code does not say
 often enough.
@@ -98,10 +99,9 @@ def _again() -> list[str]:
 def _together(found: Mapping[str, Sample], on: Sequence[str], errors: Container[str]) -> list[str]:
     """Return what all tables say of the rules that are on by default."""
     sums = totals(found)
-    drawn_in = sorted(found.items(), key=lambda item: item[1].seed)
-    latest = {rule: name for name, sample in drawn_in for rule in sample.population}
     known, least = [one for one in on if sums.get(one, (0, 0))[1]], 100 * BOUND
-    below = [one for one in known if sums[one][1] >= _FEW and 100 * sums[one][0] < least * sums[one][1]]
+    mendings = read_mendings()
+    below = [one for one in known if 100 * sums[one][0] < least * sums[one][1]]
     lines = ["## All tables together", ""]
     lines.append(
         f"Of {len(on)} rules that are on by default as warnings or errors, {len(known)} were found in the field; of "
@@ -110,8 +110,11 @@ def _together(found: Mapping[str, Sample], on: Sequence[str], errors: Container[
     lines += ["", _BELOW.format(least), ""]
     for rule in below:
         true, read = sums[rule]
-        last = shares(found[latest[rule]])[rule]
-        lines.append(f"- `{rule}`: {true} of {read}; in the last table that has it {last[0]} of {last[1]}")
+        mending = mendings[rule]
+        later = since(rule, mending, found)
+        measured_since = "{} of {}".format(*later) if later[1] else "none read"
+        after = mending.after.replace("_", " ")
+        lines.append(f"- `{rule}`: {true} of {read}; since mended after {after}: {measured_since} ({mending.cause})")
     notes = [rule.id for rule in native_rules().values() if rule.profiles and rule.severity is Severity.NOTE]
     less = [
         f"`{one}` ({sums[one][0]} of {sums[one][1]})"

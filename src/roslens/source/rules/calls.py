@@ -170,6 +170,14 @@ def is_conditional(node: Node, until: Node) -> bool:
     return False
 
 
+def is_static(call: Node, view: FileView) -> bool:
+    """Tell whether a static variable keeps what a call of C++ makes: it runs once, however often the function does."""
+    around = call.parent
+    declared = around.parent if around is not None and around.type == "init_declarator" else None
+    specifiers = () if declared is None else declared.children
+    return any(one.type == "storage_class_specifier" and view.text(one) == "static" for one in specifiers)
+
+
 def body_of(function: Node) -> Node | None:
     """Return the body of a function, lambda or loop."""
     return function.child_by_field_name("body")

@@ -96,7 +96,8 @@ class CmakeView:
         self._read: set[str] = set()
         self.top = join(package.folder, "CMakeLists.txt")
         self.commands: tuple[Written, ...] = ()
-        if self.top in package.by_path:
+        # Where setup.py builds a package, CMakeLists.txt was left behind by ROS 1 and nothing reads it.
+        if self.top in package.by_path and (package.package.build_type != "ament_python" or 1 in package.ros):
             self.commands = tuple(self._file(self.top, package.folder, (), (), 0))
 
     @property
@@ -109,6 +110,15 @@ class CmakeView:
         """All CMake files of the package, one after the other."""
         files = (one.path for one in self._package.files if one.language.value == "cmake")
         return "\n".join(self._package.read(path).decode("utf-8", "replace") for path in files)
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        return frozenset(re.findall(r"[\w-]+", re.sub(r"#[^\n]*", "", self.text)))
+
+    def may_build(self, path: str) -> bool:
+        """Return whether it may build a source: it names the file, or looks for files by a pattern."""
+        stem = path.rpartition("/")[2].partition(".")[0]
+        return bool({stem, "GLOB", "GLOB_RECURSE", "aux_source_directory"} & self._named) or not self.exists
 
     def named(self, *names: str) -> Iterator[Written]:
         """Yield the commands of these names (lower case), in order."""

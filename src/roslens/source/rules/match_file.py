@@ -17,6 +17,7 @@ from roslens.model.failure import Failure
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import TESTS, TOOL, FileRule
+from roslens.source.rules.switched_off import switched_off
 from roslens.source.rules.table import file_rules
 
 DEEPEST = 60_000
@@ -98,6 +99,8 @@ def match_file(view: FileView, wanted: frozenset[str] | None = None) -> Matched:
     asked = _Asked(view, found, broken)
     for rule, nodes in _lookouts(plan, view, _concerns(plan, view)):
         asked.ask(rule, nodes)
+    if view.syntax == "cpp" and (off := switched_off(view.code)):
+        found = [hit for hit in found if not any(hit.line in lines for lines in off)]
     found.sort(key=_order)
     return Matched(tuple(_once(found)), tuple(broken[one] for one in sorted(broken)))
 

@@ -31,12 +31,17 @@ _ENDINGS = (
 
 def found(view: PackageView) -> Iterator[Hit]:
     """Yield each path below the own package that leads nowhere."""
+    if _installs_what_it_builds(view):
+        return
     names = {path.rpartition("/")[2] for path in view.listing}
     for file in view.launch:
         for element, _ in () if file.is_test else file.elements:
             for key, value in element.attributes.items():
                 match = _OWN.search(value.strip()) if key in _FILES else None
                 if match is None or match[1] != view.package.name or not match[2].endswith(_ENDINGS):
+                    continue
+                # What is left over from ROS 1 in a package for ROS 2 is started by nobody.
+                if match[0].startswith("$(find ") and 1 not in view.ros:
                     continue
                 path = normpath(match[2])
                 # What the program fills in: `Object_XXX.xml`.
@@ -47,6 +52,14 @@ def found(view: PackageView) -> Iterator[Hit]:
                 made = name in view.cmake.text or f"{name}.in" in names or f"{name}.xacro" in names
                 if not view.exists(view.path(path)) and not (2 in view.ros and name in names) and not made:
                     yield file.hit("launch.missing_file", element, _message(path, name, view), path)
+
+
+def _installs_what_it_builds(view: PackageView) -> bool:
+    """Tell whether a folder that the build fills is installed: what is in it, nobody can see before."""
+    for one in view.cmake.named("install"):
+        if "DIRECTORY" in one.words and any("BINARY_DIR" in word for word in one.words):
+            return True
+    return False
 
 
 def _message(path: str, name: str, view: PackageView) -> str:

@@ -37,6 +37,9 @@ def found(view: PackageView) -> Iterator[Hit]:
     for each in plugins:
         if each.path in view.by_path and view.by_path[each.path].role is Role.TEST:
             continue
+        # What is not ported yet lies there and is built by nothing.
+        if not view.cmake.may_build(each.path):
+            continue
         if not any(same_class(one.type or one.name.replace("/", "::"), each.name) for one in described):
             message = f"class {each.name!r} is registered, and no description of plug-ins names it; expected a <class>"
             yield Hit("package.plugin_class", message, each.line, context=each.name, path=each.path)

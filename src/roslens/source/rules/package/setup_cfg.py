@@ -39,7 +39,7 @@ RULE = PackageRule(
     "`install_scripts` below `[install]`, or names the folder of another package. Expected is `$base/lib/PACKAGE`.",
     why="`ros2 run` and launch files look below `lib/PACKAGE`; setuptools installs to `bin`. The build succeeds "
     "and no node can be started.",
-    severity=Severity.ERROR,
+    severity=Severity.NOTE,
     profiles=("ros2",),
     tags=("python", "install"),
     bad="[develop]\nscript_dir=$base/lib/arm_teleop",

@@ -18,7 +18,7 @@ _INSTEAD = {
     "iteritems": "items", "iterkeys": "keys", "itervalues": "values", "execfile": "exec(open(…).read())",
 }  # fmt: skip
 _BOTH = re.compile(
-    rb"\bsix\b|version_info|NameError|\bPY[23]\b|\bpast\b|AttributeError|hasattr|hexversion|sys\.version"
+    rb"\bsix\b|version_info|python_version|NameError|PY[23]\b|\bpast\b|AttributeError|hasattr|hexversion|sys\.version"
 )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -31,6 +32,7 @@ RULE = FileRule(
     title="Assignment as a condition",
     finds="`if (a = b)` or `while (a = b)` without a second pair of parentheses. Write `==`, or assign before.",
     why="The state of the robot is overwritten by the test for it, and the branch is taken always or never.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
@@ -30,6 +31,7 @@ RULE = FileRule(
     finds="`if (a) if (b) x; else y;` without braces: the `else` belongs to the inner `if`. Add braces.",
     why="The branch that was meant for the outer condition runs when the inner one fails, and not at all when "
     "the outer does.",
+    severity=Severity.NOTE,
     profiles=(
         "ros2",
         "ros1",

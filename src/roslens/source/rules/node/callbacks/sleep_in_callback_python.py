@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at, number_of, receiver
 from roslens.source.rules.file_view import FileView
@@ -49,6 +50,7 @@ RULE = FileRule(
     why="rclpy runs all callbacks in one thread unless told otherwise, rospy all of a connection: messages queue up, "
     "and "
     "what is handled afterwards is old.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "real-time"),
     bad="""import time, rclpy

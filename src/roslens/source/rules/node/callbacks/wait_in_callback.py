@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
 from roslens.source.rules.calls import arguments, call_at
 from roslens.source.rules.file_view import FileView, above
@@ -54,6 +55,7 @@ RULE = FileRule(
     "`waitForMessage` in a callback. Look whether it is ready and come back instead.",
     why="Where the other node is late or gone, this one stops reacting to anything, its safety stop included. What is "
     "waited for may need a callback of this very executor: then it waits for ever.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "deadlock"),
     bad="""#include <rclcpp/rclcpp.hpp>

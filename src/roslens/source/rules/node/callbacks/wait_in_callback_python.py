@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, runs_once, spoken
 from roslens.source.rules.calls import call_at
 from roslens.source.rules.file_view import FileView, above
@@ -44,6 +45,7 @@ RULE = FileRule(
     why="Where the other node is late or gone, this one stops reacting; a message that is waited for in the thread "
     "that "
     "receives messages never comes.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("callbacks", "deadlock"),
     bad="""import rclpy

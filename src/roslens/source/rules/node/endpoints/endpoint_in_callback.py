@@ -9,7 +9,15 @@ from tree_sitter import Node
 
 from roslens.model.finding import Severity
 from roslens.source.rules.callbacks import callback_around, spoken
-from roslens.source.rules.calls import arguments, body_of, call_at, function_around, is_conditional, loop_around
+from roslens.source.rules.calls import (
+    arguments,
+    body_of,
+    call_at,
+    function_around,
+    is_conditional,
+    is_static,
+    loop_around,
+)
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import ROS_CPP, FileRule
@@ -20,7 +28,7 @@ _FOREVER = re.compile(r"\bok\s*\(|^\(?(true|1)\)?$|isShuttingDown")
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield a call that makes an endpoint each time round, where no condition guards it."""
     call, function = call_at(node), function_around(node)
-    if call is None or function is None or not arguments(call):
+    if call is None or function is None or not arguments(call) or is_static(call, view):
         return
     expected = "expected it to be made once, in the constructor"
     loop = loop_around(call)
@@ -64,6 +72,7 @@ RULE = FileRule(
     why="Discovery and connecting take longer than a message: what is published on a publisher that was made just now "
     "is "
     "lost, and making them again and again loads every node of the robot.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("endpoints", "callbacks"),
     bad="""#include <rclcpp/rclcpp.hpp>

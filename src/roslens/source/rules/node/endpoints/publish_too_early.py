@@ -13,6 +13,7 @@ from roslens.source.rules.calls import (
     call_at,
     function_around,
     is_conditional,
+    is_static,
     loop_around,
     statement_around,
 )
@@ -37,7 +38,7 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
         return
     made = call.parent
     name = view.text(made.child_by_field_name("declarator") or made.child_by_field_name("left"))
-    if not name or "[" in name or (function is not None and is_conditional(call, function)):
+    if not name or "[" in name or (function is not None and is_conditional(call, function)) or is_static(call, view):
         return
     start = statement_around(call).end_byte
     published = rb"(?<![\w.>])" + re.escape(name.encode()) + rb"\s*(\.|->)\s*(publish)\b"

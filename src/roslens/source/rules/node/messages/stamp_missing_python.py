@@ -51,6 +51,7 @@ RULE = FileRule(
     why="Whoever transforms, filters or records it looks at 1970 in a frame without a name: it is dropped, or taken "
     "for the "
     "newest of all.",
+    severity=Severity.NOTE,
     profiles=("ros2", "ros1"),
     tags=("messages", "time"),
     bad="import rospy\ndef tick():\n    r = Range()\n    r.range = 1.0\n    pub.publish(r)\n",

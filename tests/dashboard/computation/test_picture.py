@@ -8,8 +8,16 @@ from types import ModuleType
 import pytest
 from pace import turned_s
 
-from roslens.dashboard.computation.picture import LONGEST, Left, Line, computation_graph, label_of, style_of, visible_of
-from roslens.dashboard.computation.system import Element, Kind, System
+from roslens.dashboard.computation.picture import (
+    Left,
+    Line,
+    computation_graph,
+    grounds_of,
+    parts_in,
+    style_of,
+    visible_of,
+)
+from roslens.dashboard.computation.system import System
 
 
 @pytest.fixture(scope="module")
@@ -58,13 +66,12 @@ def test_every_visible_element_has_a_place_and_every_wire_between_them_a_path(sy
     assert not graph.many
 
 
-def test_labels_say_the_end_of_a_long_name() -> None:
-    element = Element(Kind.TOPIC, "/a/" + "x" * 40 + "/image", "k", "/a")
-    label = label_of(element)
-    assert len(label) == LONGEST
-    assert label.endswith("/image")
-    assert label_of(Element(Kind.TOPIC, "/a/image", "k", "/a")) == "image"
-    assert label_of(Element(Kind.NODE, "/a/*", "k", "/a", program="CameraNode")) == "* (CameraNode)"
+def test_what_runs_finds_its_place_by_its_name(system: System) -> None:
+    graph, parts = computation_graph(system), parts_in(system)
+    for ground, drawing in zip(grounds_of(system), (graph.topics, graph.lines), strict=True):
+        found = {parts[number].key: place for number, place in drawing.places.items()}
+        assert {key: (stand.x, stand.y) for key, stand in ground.stands.items()} == found
+    assert "node:/lidar" in ground.stands
 
 
 def test_styles() -> None:

@@ -7,7 +7,7 @@ from types import ModuleType
 import msgspec
 import pytest
 
-from roslens.dashboard.computation.system import Kind, System, namespace_of, relative, systems_of
+from roslens.dashboard.computation.system import Kind, System, namespace_of, systems_of
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
 from roslens.model.finding import Finding, Severity
 from roslens.model.graph import Endpoint, Role
@@ -85,8 +85,6 @@ def test_slugs_fit_an_address_and_differ() -> None:
 def test_names() -> None:
     assert namespace_of("/a/b") == "/a"
     assert namespace_of("/a") == "/"
-    assert relative("/a/b/c", "/a") == "b/c"
-    assert relative("/a", "/") == "a"
 
 
 def test_of_a_node_without_any_name_it_is_told_what_it_runs() -> None:

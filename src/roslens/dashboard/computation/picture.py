@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 
 import msgspec
 
-from roslens.dashboard.computation.flow import tiers
-from roslens.dashboard.computation.lay_out import Box, Item, Picture, lay_out
 from roslens.dashboard.computation.noise import DEFAULT, IMPLICIT, matches
-from roslens.dashboard.computation.system import Element, Kind, System, relative
+from roslens.dashboard.computation.system import Kind, System
+from roslens.dashboard.computation.system import Wire as SystemWire
+from roslens.dashboard.plan.columns import closed_up, columns_of, through, tiers_of
+from roslens.dashboard.plan.ground import Box, Ground, Part, Wire, parts_of
+from roslens.dashboard.plan.mark import label_of, part_of
+from roslens.dashboard.plan.plan import ground_of, plan
+from roslens.dashboard.plan.survey import survey
 
-CHARACTER = 6.7
-NODE_HEIGHT = 26.0
-MARK_HEIGHT = 18.0
-MARK = 20.0
-"""Room that the mark of a topic, service or action takes before its name."""
-
-LONGEST = 32
 MANY = 140
 """More elements than this are first shown with topics as lines."""
-
-_ASPECT = 1.7
 
 
 class Left(msgspec.Struct, frozen=True):
@@ -86,51 +81,126 @@ class ComputationGraph(msgspec.Struct, frozen=True):
 def computation_graph(system: System, left: Left | None = None) -> ComputationGraph:
     """Return the graph; what ``left`` means is not visible and has no place, but a column and a row."""
     left = left or Left()
-    lanes = tuple(sorted({element.lane for element in system.elements}, key=_lane_order))
-    node_tiers = _node_tiers(system)
-    columns = _columns(system, node_tiers)
-    sized = [_size(element) for element in system.elements]
-    items = [
-        Item(*sized[number], lanes.index(element.lane), columns[number])
-        for number, element in enumerate(system.elements)
-    ]
+    parts = parts_in(system)
     wires = tuple(
         Line(w.source, w.target, conditional=w.conditional, resolved=w.resolved, implicit=w.implicit, sure=w.sure)
         for w in system.wires
     )
-    flows = _flows(system)
+    flows = _flows(system, parts)
     visible = visible_of(system, left)
-    everything = lay_out(items, [(wire.source, wire.target) for wire in wires], lanes)
-    topics = _drawing(items, wires, visible, lanes, left)
-    nodes = {number for number in visible if system.elements[number].kind is Kind.NODE}
-    on_tiers = [
-        msgspec.structs.replace(item, column=node_tiers[number]) if number < len(node_tiers) else item
-        for number, item in enumerate(items)
-    ]
+    tiers = tiers_of(parts, _keys(parts, wires))
     kept = tuple(
         msgspec.structs.replace(flow, by=by)
         for flow in flows
         if (by := tuple(one for one in flow.by if one in visible))
     )
-    lines = _drawing(on_tiers, kept, nodes, lanes, left)
+    drawn = _drawn(wires, visible, left)
+    topics = _drawing(_marks_ground(parts, visible, wires, left), parts, visible, drawn)
+    nodes = {number for number in visible if parts[number].node}
+    lines = _drawing(_lines_ground(parts, nodes, kept, tiers), parts, nodes, _drawn(kept, nodes, left))
+    lanes = tuple(sorted({part.lane for part in parts}, key=parts_of))
+    columns = columns_of(parts, _keys(parts, wires))
+    rows = _rows(parts, wires, topics)
     marks = tuple(
         Mark(
             element.key,
             element.name,
-            label_of(element),
+            label_of(element.name, element.lane, element.program),
             element.kind.value,
-            *sized[number],
-            items[number].lane,
+            part.width,
+            part.height,
+            lanes.index(part.lane),
             columns[number],
-            everything.rows[number],
-            node_tiers[number] if number < len(node_tiers) else 0,
+            rows[number],
+            tiers.get(number, 0),
             element.sure,
             element.noise,
             element.severity,
         )
-        for number, element in enumerate(system.elements)
+        for number, (element, part) in enumerate(zip(system.elements, parts, strict=True))
     )
     return ComputationGraph(lanes, marks, wires, kept, topics, lines, many=len(visible) > MANY)
+
+
+def grounds_of(system: System) -> tuple[Ground, Ground]:
+    """Return where the elements stand until a reader chooses otherwise: topics as marks, and as lines between nodes."""
+    left = Left()
+    parts = parts_in(system)
+    visible = visible_of(system, left)
+    flows = [flow for flow in _flows(system, parts) if any(one in visible for one in flow.by)]
+    nodes = {number for number in visible if parts[number].node}
+    tiers = tiers_of(parts, _keys(parts, system.wires))
+    return _marks_ground(parts, visible, system.wires, left), _lines_ground(parts, nodes, flows, tiers)
+
+
+def parts_in(system: System) -> tuple[Part, ...]:
+    """Return the elements as parts of a plan, by the names that what runs would have."""
+    hosts = _hosts(system)
+    taken: dict[str, int] = {}
+    found = []
+    for element, host in zip(system.elements, hosts, strict=True):
+        name = f"{element.kind.value}:{element.name}"
+        taken[name] = taken.get(name, 0) + 1
+        key = name if taken[name] == 1 else f"{name}~{taken[name]}"
+        quiet = bool(DEFAULT.intersection(element.noise))
+        part = part_of(key, element.name, element.lane, element.program, host=host)
+        found.append(msgspec.structs.replace(part, quiet=quiet))
+    return tuple(found)
+
+
+def _hosts(system: System) -> list[str]:
+    """Return on which machine each element would be; empty where there is one only, or nodes of several use it."""
+    machines = [node.machine or "of the launch" for node in system.nodes]
+    if len(set(machines)) < 2:
+        return [""] * len(system.elements)
+    users: dict[int, set[str]] = {}
+    for end in system.ends:
+        users.setdefault(end.channel, set()).add(machines[end.node])
+    others = range(len(machines), len(system.elements))
+    return [*machines, *(next(iter(users[one])) if len(users.get(one, ())) == 1 else "" for one in others)]
+
+
+def _keys(parts: Sequence[Part], lines: Sequence[Line | SystemWire]) -> list[Wire]:
+    return [(parts[line.source].key, parts[line.target].key) for line in lines]
+
+
+def _drawn(lines: Sequence[Line], visible: set[int], left: Left) -> list[tuple[int, Line]]:
+    return [(place, line) for place, line in enumerate(lines) if _is_drawn(line, visible, left)]
+
+
+def _is_drawn(line: Line | SystemWire, visible: set[int], left: Left) -> bool:
+    return line.source in visible and line.target in visible and not (line.implicit and IMPLICIT in left.presets)
+
+
+def _marks_ground(parts: Sequence[Part], visible: set[int], wires: Sequence[Line | SystemWire], left: Left) -> Ground:
+    kept = [wire for wire in wires if _is_drawn(wire, visible, left)]
+    return ground_of([parts[number] for number in sorted(visible)], _keys(parts, kept))
+
+
+def _lines_ground(parts: Sequence[Part], nodes: set[int], flows: Sequence[Line], tiers: Mapping[int, int]) -> Ground:
+    numbers = sorted(nodes, key=lambda number: parts[number].key)
+    columns = closed_up([tiers[number] for number in numbers])
+    kept = [flow for flow in flows if flow.source in nodes and flow.target in nodes]
+    return survey([parts[number] for number in numbers], columns, _keys(parts, kept))
+
+
+def _rows(parts: Sequence[Part], wires: Sequence[Line], topics: Drawing) -> list[int]:
+    """Return the order from top to bottom; what has no place stands beside what it is joined to."""
+    heights = {number: place[1] for number, place in topics.places.items()}
+    near: dict[int, list[float]] = {}
+    for wire in wires:
+        for one, other in ((wire.source, wire.target), (wire.target, wire.source)):
+            if one not in heights and other in heights:
+                near.setdefault(one, []).append(heights[other])
+    wanted = [heights.get(number, _mean(near.get(number, ()))) for number in range(len(parts))]
+    rows = [0] * len(parts)
+    for row, number in enumerate(sorted(range(len(parts)), key=lambda number: (wanted[number], parts[number].key))):
+        rows[number] = row
+    return rows
+
+
+def _mean(values: Sequence[float]) -> float:
+    return sum(values) / len(values) if values else 0.0
 
 
 def visible_of(system: System, left: Left) -> set[int]:
@@ -148,88 +218,10 @@ def visible_of(system: System, left: Left) -> set[int]:
     }
 
 
-def label_of(element: Element) -> str:
-    """Return the name as it stands in the box of its namespace; of a long one the middle is left out."""
-    name = relative(element.name, element.lane)
-    if element.program:
-        name = f"{name} ({element.program})"
-    if len(name) <= LONGEST:
-        return name
-    return name[:12] + "\N{HORIZONTAL ELLIPSIS}" + name[13 - LONGEST :]
-
-
-def _lane_order(name: str) -> tuple[str, ...]:
-    return tuple(part for part in name.split("/") if part)
-
-
-def _size(element: Element) -> tuple[float, float]:
-    width = len(label_of(element)) * CHARACTER
-    if element.kind is Kind.NODE:
-        return round(max(48.0, width + 24), 1), NODE_HEIGHT
-    return round(MARK + width + 4, 1), MARK_HEIGHT
-
-
-def _through(system: System) -> dict[tuple[int, int], list[int]]:
-    """Return what flows from node to node, as the topics, services and actions by which it does."""
-    giving: dict[int, list[int]] = {}
-    taking: dict[int, list[int]] = {}
-    nodes = len(system.nodes)
-    for wire in system.wires:
-        if wire.source < nodes:
-            giving.setdefault(wire.target, []).append(wire.source)
-        else:
-            taking.setdefault(wire.source, []).append(wire.target)
-    found: dict[tuple[int, int], list[int]] = {}
-    for channel, sources in sorted(giving.items()):
-        for source in sources:
-            for target in taking.get(channel, ()):
-                found.setdefault((source, target), []).append(channel)
-    return found
-
-
-def _node_tiers(system: System) -> list[int]:
-    count = len(system.nodes)
-    quiet = {number for number, element in enumerate(system.elements) if DEFAULT.intersection(element.noise)}
-    flows = {
-        pair: len(told)
-        for pair, channels in _through(system).items()
-        if (told := [channel for channel in channels if channel not in quiet]) and pair[0] != pair[1]
-    }
-    most = max(3, round((len(system.elements) / 4) ** 0.5 * _ASPECT / 2))
-    found = tiers(count, flows, most)
-    linked = {end for pair in flows for end in pair}
-    wide = 1 + max((found[node] for node in linked), default=0)
-    alone = [node for node in range(count) if node not in linked]
-    for place, node in enumerate(alone):
-        found[node] = place % wide
-    return found
-
-
-def _columns(system: System, node_tiers: list[int]) -> list[int]:
-    """Return columns: what joins nodes stands right behind who gives it, or before the first that takes it."""
-    nodes = len(system.nodes)
-    giving: dict[int, list[int]] = {}
-    taking: dict[int, list[int]] = {}
-    for wire in system.wires:
-        if wire.source < nodes:
-            giving.setdefault(wire.target, []).append(node_tiers[wire.source])
-        else:
-            taking.setdefault(wire.source, []).append(node_tiers[wire.target])
-    found = [2 * tier + 1 for tier in node_tiers]
-    for channel in range(nodes, len(system.elements)):
-        if channel in giving:
-            before = [tier for tier in giving[channel] if tier < max(taking.get(channel, [99]))]
-            found.append(2 * max(before or giving[channel]) + 2)
-        else:
-            found.append(2 * min(taking[channel]))
-    used = {column: place for place, column in enumerate(sorted(set(found)))}
-    return [used[column] for column in found]
-
-
-def _flows(system: System) -> tuple[Line, ...]:
+def _flows(system: System, parts: Sequence[Part]) -> tuple[Line, ...]:
     shaky = {(wire.source, wire.target): wire for wire in system.wires}
     found = []
-    for (source, target), channels in sorted(_through(system).items()):
+    for (source, target), channels in sorted(through(parts, _keys(parts, system.wires)).items()):
         if source == target:
             continue
         pairs = [(shaky[source, channel], shaky[channel, target]) for channel in channels]
@@ -246,26 +238,15 @@ def _flows(system: System) -> tuple[Line, ...]:
     return tuple(found)
 
 
-def _drawing(
-    items: list[Item], lines: Iterable[Line], visible: set[int], lanes: tuple[str, ...], left: Left
-) -> Drawing:
-    """Return the picture of what is visible, columns closed up."""
+def _drawing(ground: Ground, parts: Sequence[Part], visible: set[int], drawn: Sequence[tuple[int, Line]]) -> Drawing:
     order = sorted(visible)
-    number = {old: new for new, old in enumerate(order)}
-    used = {column: place for place, column in enumerate(sorted({items[old].column for old in order}))}
-    kept = [msgspec.structs.replace(items[old], column=used[items[old].column]) for old in order]
-    drawn = [
-        (place, line)
-        for place, line in enumerate(lines)
-        if line.source in visible and line.target in visible and not (line.implicit and IMPLICIT in left.presets)
-    ]
-    picture: Picture = lay_out(kept, [(number[line.source], number[line.target]) for _, line in drawn], lanes)
+    found = plan(ground, [parts[number] for number in order], _keys(parts, [line for _, line in drawn]))
     return Drawing(
-        picture.width,
-        picture.height,
-        {old: picture.places[new] for new, old in enumerate(order)},
-        picture.boxes,
-        tuple((place, path) for (place, _), path in zip(drawn, picture.paths, strict=True)),
+        found.width,
+        found.height,
+        dict(zip(order, found.places, strict=True)),
+        found.boxes,
+        tuple((place, path) for (place, _), path in zip(drawn, found.paths, strict=True)),
     )
 
 

@@ -251,11 +251,6 @@ def systems_of(
     return found
 
 
-def relative(name: str, lane: str) -> str:
-    """Return the name as seen from its namespace's box."""
-    return name.removeprefix(lane if lane == "/" else lane + "/")
-
-
 def node_of(system: System, number: int) -> ConfiguredNode | None:
     """Return the configured node behind an element; None for a topic, service or action."""
     return system.nodes[number] if number < len(system.nodes) else None

@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterator, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
-from roslens.dashboard.computation.lay_out import Box
 from roslens.dashboard.computation.noise import DEFAULT, PRESETS
 from roslens.dashboard.computation.picture import Drawing, Left, Line, Mark, computation_graph, style_of
 from roslens.dashboard.computation.system import Element, Kind, System
 from roslens.dashboard.figures import plural
+from roslens.dashboard.plan.ground import Box
 from roslens.dashboard.render import WEB
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
@@ -142,8 +142,7 @@ def _box(box: Box) -> str:
 
 
 def _title(box: Box) -> str:
-    name = box.name.rpartition("/")[2] if box.depth else box.name
-    return f'<text class="title" x="{box.x + 7:g}" y="{box.y + 15:g}">{_text(name)}</text>'
+    return f'<text class="title" x="{box.x + 7:g}" y="{box.y + 15:g}">{_text(box.title)}</text>'
 
 
 def _wire(line: Line, path: str, system: System) -> str:

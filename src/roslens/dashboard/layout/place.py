@@ -12,6 +12,7 @@ def spread(
     heights: Sequence[float],
     left: Sequence[Sequence[int]],
     right: Sequence[Sequence[int]],
+    passes: int = PASSES,
 ) -> list[float]:
     """Return the vertical centre of each item.
 
@@ -20,6 +21,7 @@ def spread(
         heights: the room that each item needs.
         left: neighbours of each item in the column before.
         right: neighbours in the column after.
+        passes: how often each column is gone through.
     """
     centre = [0.0] * len(heights)
     for column in order:
@@ -27,8 +29,8 @@ def spread(
         for item in column:
             centre[item] = top + heights[item] / 2
             top += heights[item]
-    for turn in range(PASSES):
-        last = turn >= PASSES - 2
+    for turn in range(passes):
+        last = turn >= passes - 2
         columns = order if turn % 2 == 0 else list(reversed(order))
         for column in columns:
             beside = left if turn % 2 == 0 else right

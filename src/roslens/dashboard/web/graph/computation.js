@@ -198,7 +198,7 @@ class ComputationView extends TellingStage {
       this.shown = this.lines.map((one) => ({ ...one, path: line(close.places.get(one.source), close.places.get(one.target), nodes[one.source], nodes[one.target]) }));
       boxes = close.boxes;
     }
-    this.titles = boxes.filter((box) => !box.depth).map((box) => ({ x: box.x + 7, y: box.y + 3, width: 7.6 * box.name.length }));
+    this.titles = boxes.filter((box) => !box.depth).map((box) => ({ x: box.x + 7, y: box.y + 3, width: 7.6 * box.title.length }));
     const giving = new Set(this.shown.map((one) => one.source));
     this.elements.forEach((element, number) => element.classList.toggle("last", !giving.has(number)));
     const as = ready ? `${lines}` : "";
@@ -219,7 +219,7 @@ class ComputationView extends TellingStage {
         draw("g", { class: `box d${Math.min(box.depth, 2)}` }, draw("rect", { x: box.x, y: box.y, width: box.width, height: box.height, rx: 8 })),
       ),
     );
-    this.scene.titles.replaceChildren(...boxes.map((box) => draw("text", { class: `d${Math.min(box.depth, 2)}`, x: box.x + 7, y: box.y + 3, text: box.depth ? box.name.slice(box.name.lastIndexOf("/") + 1) : box.name })));
+    this.scene.titles.replaceChildren(...boxes.map((box) => draw("text", { class: `d${Math.min(box.depth, 2)}`, x: box.x + 7, y: box.y + 3, text: box.title })));
     this.scene.wires.setAttribute("class", `wires${this.shown.length > 200 ? " many" : ""}`);
     this.scene.wires.replaceChildren(...this.shown.map((one) => this.path(one)));
   }

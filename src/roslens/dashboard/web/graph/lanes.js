@@ -1,4 +1,4 @@
-// Elements in columns and in boxes of namespaces, closed up around those that are visible; lay_out.py explains it.
+// Elements in columns and in boxes of namespaces, closed up around those that are visible; the modules of plan/ explain it.
 
 const ROOM = 10;
 const PAD = 12;
@@ -99,6 +99,7 @@ function boxesOf(reach, spans) {
     const y = first.top - HEAD * (first.depth - depth);
     return {
       name,
+      title: titleOf(parts(name)),
       depth,
       x,
       y,
@@ -106,6 +107,13 @@ function boxesOf(reach, spans) {
       height: last.bottom + (PAD / 2) * (last.depth - depth) - y,
     };
   });
+}
+
+/** A host by its name, an outer namespace in full, an inner one by its end, as boxes.py has it. */
+function titleOf(names) {
+  const last = names[names.length - 1];
+  if (last.startsWith("@")) return `host ${last.slice(1)}`;
+  return names.length === 1 || (names.length === 2 && names[0].startsWith("@")) ? `/${last}` : last;
 }
 
 const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`;

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.dashboard.computation.flow import ordered, tiers
+from roslens.dashboard.plan.flow import ordered, tiers
 
 FLOWS = st.integers(1, 12).flatmap(
     lambda count: st.tuples(

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from roslens.dashboard.live.further import Further
     from roslens.live.react.actor import Asker
     from roslens.live.session import Session, Step
-    from roslens.model.reaction import Decision
+    from roslens.model.reaction import Decision, Reaction
 
 _REFUSED = 400
 
@@ -36,14 +36,20 @@ def journal_clock(seconds: float) -> str:
     return f"{time.strftime('%Y-%m-%d', time.localtime(seconds))} {time_of_day(seconds)}"
 
 
-def journal_pages(path: Path, title: str, questions: Questions | None = None) -> Further:
-    """Return the pages of a journal, and of the questions where there are any."""
+def journal_pages(
+    path: Path, title: str, questions: Questions | None = None,
+    reactions: Callable[[], Sequence[Reaction]] = tuple, base: str = "",
+) -> Further:  # fmt: skip
+    """Return the pages of a journal, of the reactions that it is about, and of the questions where there are any.
+
+    The navigation finds them below ``base``.
+    """
     from roslens.dashboard.journal.journal_view import JournalView
     from roslens.dashboard.journal.routes import journal_links, journal_routes
     from roslens.dashboard.live.further import Further
 
-    routes = journal_routes(JournalView(path, journal_clock), title, questions=questions)
-    return Further(routes, journal_links(acting=questions is not None))
+    routes = journal_routes(JournalView(path, journal_clock), title, reactions=reactions, questions=questions)
+    return Further(routes, journal_links(acting=questions is not None, base=base))
 
 
 def serve_reacting(
@@ -62,7 +68,8 @@ def serve_reacting(
             questions.refused(entry.peer, f"{entry.path}: {entry.why or entry.status}")
 
     door = door_of(options, address[0], acting=questions is not None, told=told)
-    return page_beside(stack, session, title, address, time_of_day, door, journal_pages(journal, title, questions))[1]
+    pages = journal_pages(journal, title, questions, lambda: session.monitor.reference.reactions)
+    return page_beside(stack, session, title, address, time_of_day, door, pages)[1]
 
 
 class AskEverywhere:

@@ -17,6 +17,7 @@ from roslens.cli.watch_detail import detail_of
 from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
 from roslens.cli.watch_screen import nameless, urgency, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
+from roslens.judge.expectation import Reference
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.publish.graph_json import graph_bytes
 from roslens.live.signals import BY_KEY
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from roslens.cli.page.past_page import PastPage
     from roslens.live.session import Session, Step
     from roslens.live.tree import SystemView
+    from roslens.model.reaction import Reaction
     from roslens.store.past.recall import Recall
 
 COLUMNS = (
@@ -97,6 +99,22 @@ class PageSource:
 
         self._recall = recall
         self.past = PastPage(recall, self._title, clock=self._clock, picture=lambda: self._picture)
+
+    def end_at(self, time: float) -> bool:
+        """Show how it stood at ``time``, from what is remembered; return whether something is known of then."""
+        seen = self.past.seen(time) if self.past is not None else None
+        shown = self.past.document(time) if self.past is not None else None
+        if seen is None or shown is None:
+            return False
+        view, moment = seen
+        self._looked = Looked(view, moment.verdicts, moment.graph, Reference(""), time)
+        self._newest = msgspec.json.encode(msgspec.structs.replace(shown, live=False))
+        return True
+
+    @property
+    def reactions(self) -> tuple[Reaction, ...]:
+        """What the reference says is to be done, as of the newest look."""
+        return self._looked.reference.reactions if self._looked is not None else ()
 
     def newest(self) -> bytes:
         """Return the newest snapshot; the same object while there is no newer one."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
@@ -61,8 +62,15 @@ def shown_in_navigation(site: Site, name: str) -> bool:
 class Renderer:
     """Renders the views of one site for one medium: served, folder or file."""
 
-    def __init__(self, site: Site, medium: str, live: str = "") -> None:
-        """Load the templates; ``live`` is the address of the page of what runs, where there is one."""
+    def __init__(self, site: Site, medium: str, live: str = "", further: Sequence[tuple[str, str]] = ()) -> None:
+        """Load the templates.
+
+        Args:
+            site: what is shown.
+            medium: served, folder or file.
+            live: address of the page of what runs, where there is one.
+            further: address and word of pages beside these.
+        """
         self._environment = environment(
             medium,
             site=site,
@@ -71,6 +79,7 @@ class Renderer:
             parents=PARENTS,
             help_keys=KEYS,
             live=live,
+            further=further,
         )
 
     def navigation(self, site: Site, links: Links) -> tuple[tuple[str, str], ...]:

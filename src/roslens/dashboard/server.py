@@ -21,6 +21,7 @@ from roslens.dashboard.guard import Guard
 from roslens.dashboard.listener import Tls, address_shown, listen
 from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
 from roslens.dashboard.live.board import Board
+from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
 from roslens.dashboard.live.snapshot import names_in
 from roslens.dashboard.pages.entity import page_of
@@ -32,6 +33,7 @@ from roslens.dashboard.view import Query, Request, View
 from roslens.model.errors import StoreError
 
 _LIVE = "/live/"
+LIVE_WEB = WEB.parent / "live" / "web"
 _OF_GRAPHS = ("/computation/", "/nodes/", "/topics/")
 _GRACE_S = 2
 _ADVICE = "start `roslens serve` with --host HOST"
@@ -47,6 +49,7 @@ def create_app(
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
     board: Board | None = None,
+    further: Further | None = None,
     stopped: Callable[[], bool] = lambda: False,
     access: Access | None = None,
 ) -> Starlette:
@@ -60,10 +63,12 @@ def create_app(
         graph: returns its computation graph as JSON.
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
+        further: pages beside these.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
     """
-    renderer = Renderer(site, "served", _LIVE if snapshot is not None else "")
+    further = further or Further()
+    renderer = Renderer(site, "served", _LIVE if snapshot is not None else "", further.links)
     links = ServedLinks()
 
     # Views read a connection that belongs to one thread, and answer in milliseconds: so no worker threads.
@@ -97,12 +102,17 @@ def create_app(
     beside: list[BaseRoute] = []
     if snapshot is not None:
         site.running = lambda: names_in(snapshot())
-        facts = Facts(names, advice=_ADVICE, pages=lambda: renderer.navigation(site, links), access=access)
+        facts = Facts(
+            names, advice=_ADVICE, pages=lambda: renderer.navigation(site, links), access=access,
+            further=Further(links=further.links),
+        )  # fmt: skip
         live = create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, board=board, stopped=stopped)
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
-    return Starlette(
+    app = Starlette(
         routes=[
             *beside,
+            *further.routes,
+            Mount("/web/live", StaticFiles(directory=LIVE_WEB)),
             Mount("/web", StaticFiles(directory=WEB)),
             Route("/entity", entity),
             Route("/computation/{slug}.svg", picture),
@@ -112,6 +122,9 @@ def create_app(
         middleware=[Middleware(Guard, names=names, access=access)],
         exception_handlers={StoreError: failed},
     )
+    own = (((_LIVE, "Live"),) if snapshot is not None else ()) + further.links
+    app.state.navigation = lambda: (*renderer.navigation(site, links), *own)
+    return app
 
 
 def _request(target: Target, query: Query) -> Request:
@@ -153,6 +166,7 @@ def serve(
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
     board: Board | None = None,
+    further: Further | None = None,
     access: Access | None = None,
     tls: Tls | None = None,
 ) -> None:
@@ -168,6 +182,7 @@ def serve(
         graph: returns its computation graph as JSON; called from this thread too.
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
+        further: pages beside these.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.
 
@@ -188,7 +203,7 @@ def serve(
     names = frozenset({host.lower()})
     app = create_app(
         site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, board=board,
-        stopped=lambda: bool(stopping), access=access,
+        further=further, stopped=lambda: bool(stopping), access=access,
     )  # fmt: skip
     local, free = (
         "Leave --host out to listen on this machine only",

@@ -20,6 +20,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.cli.watch_page import PageSource
+    from roslens.dashboard.live.further import Further
 
 TEXT = "Serve the pages of the last run on this machine."
 EXAMPLES = """\
@@ -28,6 +29,7 @@ EXAMPLES = """\
   roslens serve --live --reference robot.yaml      with a page of the robot that runs
   roslens serve --bag drive.bag --reference robot.yaml
                                                    or of a recording of it
+  roslens serve --history robot.sqlite --journal   or of what a watch kept of it, and of what was done about faults
   roslens serve --against drive.mcap               with a page of what a recording has otherwise than the source"""
 
 
@@ -43,6 +45,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     live = parser.add_argument_group("the robot that runs")
     live.add_argument("--live", action="store_true", help="watch it, and show it on a page beside the others")
     live.add_argument("--bag", type=Path, nargs="+", metavar="FILE", help="show a recording there instead")
+    live.add_argument("--history", type=Path, metavar="FILE", help="show what `roslens watch --history` kept instead")
+    live.add_argument(
+        "--journal", type=Path, nargs="?", const=Path(), metavar="FILE",
+        help="with pages of what reactions decided and did (default: the journal of `roslens react` here)",
+    )  # fmt: skip
     add_reference_argument(live)
     add_observer_arguments(live)
     add_against_argument(parser)
@@ -57,8 +64,9 @@ def run(options: argparse.Namespace) -> int:
         StoreError: the store cannot be read.
         DocumentError: a reference is wrong.
     """
-    if options.live and options.bag:
-        raise UsageError("--live with --bag", expected="one of them")
+    several = [f"--{name}" for name in ("live", "bag", "history") if getattr(options, name)]
+    if len(several) > 1:
+        raise UsageError(" with ".join(several), expected="one of them")
     of_bag = bool(options.bag)
     if not options.live and (option := "--reference" if options.reference and not of_bag else given(options)):
         raise UsageError(f"{option} without --live", expected="both", advice="Only what runs is held against it")
@@ -103,6 +111,7 @@ def run(options: argparse.Namespace) -> int:
                 graph=page.graph if page else no_graph,
                 past=page.past if page else None,
                 board=page.board if page else None,
+                further=_journal(options, site.name, page),
                 access=door.access,
                 tls=door.tls,
             )
@@ -118,4 +127,20 @@ def _beside(options: argparse.Namespace) -> AbstractContextManager[PageSource | 
         from roslens.cli.live_beside import live_beside
 
         return live_beside(options)
+    if options.history:
+        from roslens.cli.served.kept_history import history_beside
+
+        return history_beside(options.history)
     return nullcontext()
+
+
+def _journal(options: argparse.Namespace, title: str, page: PageSource | None) -> Further | None:
+    if options.journal is None:
+        return None
+    import os
+
+    from roslens.cli.react_page import journal_pages
+    from roslens.cli.user_folder import state_folder
+
+    path = options.journal if options.journal != Path() else state_folder(os.environ) / "journal.jsonl"
+    return journal_pages(path, title, reactions=(lambda: page.reactions) if page else tuple, base="/")

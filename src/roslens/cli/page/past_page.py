@@ -56,12 +56,12 @@ class PastPage:
 
     def snapshot(self, at: float) -> bytes:
         """Return how it was; see :class:`roslens.dashboard.live.past.Past`."""
-        found = self._document(at)
+        found = self.document(at)
         return msgspec.json.encode(found) if found is not None else b""
 
     def detail(self, entity: str, at: float) -> bytes:
         """Return what was known of an entity."""
-        seen = self._seen(at)
+        seen = self.seen(at)
         if seen is None:
             return b""
         view, moment = seen
@@ -115,7 +115,7 @@ class PastPage:
 
     def compared(self, since: float, until: float) -> Compared | None:
         """Return what is not the same at two moments."""
-        before, after = self._document(since), self._document(until)
+        before, after = self.document(since), self.document(until)
         if before is None or after is None:
             return None
         old, new = _by_entity(before), _by_entity(after)
@@ -125,13 +125,15 @@ class PastPage:
         same = len({*old, *new}) - len(changed)
         return Compared(since, until, (before.when, after.when), shown, same, len(changed) - len(shown))
 
-    def _seen(self, at: float) -> tuple[SystemView, Moment] | None:
+    def seen(self, at: float) -> tuple[SystemView, Moment] | None:
+        """Return how everything stood, and what was kept of that; None where nothing was."""
         if not math.isfinite(at) or (moment := self._recall.moment(at)) is None:
             return None
         return tree_then(moment, self._recall.values(at)), moment
 
-    def _document(self, at: float) -> Snapshot | None:
-        seen = self._seen(at)
+    def document(self, at: float) -> Snapshot | None:
+        """Return how it was as the live page shows it; None where nothing is kept of then."""
+        seen = self.seen(at)
         if seen is None:
             return None
         view, moment = seen

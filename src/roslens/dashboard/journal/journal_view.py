@@ -115,6 +115,21 @@ class JournalView:
                 verified=verified,
             )
 
+    def decided(self) -> dict[str, tuple[int, JournalRow]]:
+        """Return by reaction how many decisions of it are kept, and the newest entry about one of them."""
+        with self._lock:
+            try:
+                self._read()
+            except StoreError:
+                return {}
+            found: dict[str, tuple[int, JournalRow]] = {}
+            for one in self._rows:
+                if one.decision:
+                    name = one.decision.partition("/")[0]
+                    count = found[name][0] if name in found else 0
+                    found[name] = count + (one.what == "decided"), one
+            return found
+
     def _look(self) -> tuple[int, int, int]:
         try:
             found = self.path.stat()

@@ -18,36 +18,49 @@ from starlette.staticfiles import StaticFiles
 import roslens
 from roslens.dashboard.access.person import person_of
 from roslens.dashboard.journal.journal_view import PAGE, JournalView
+from roslens.dashboard.journal.plan import Countermeasure, plan_of
 from roslens.dashboard.journal.questions import Questions
 from roslens.dashboard.render import TEMPLATES
+from roslens.model.reaction import Reaction
 
 HERE = Path(__file__).parent
 _FORM = "application/x-www-form-urlencoded"
 
 
+Navigation = Callable[[], Sequence[tuple[str, str]]]
+"""Returns address and word of each page that all pages lead to; the application keeps it as ``state.navigation``."""
+
+
 def journal_routes(
-    view: JournalView, title: str, *, questions: Questions | None = None, wall: Callable[[], float] = time.time
-) -> list[BaseRoute]:
-    """Return the routes beside those of the live page.
+    view: JournalView, title: str, *, reactions: Callable[[], Sequence[Reaction]] = tuple,
+    questions: Questions | None = None, wall: Callable[[], float] = time.time,
+) -> list[BaseRoute]:  # fmt: skip
+    """Return the routes beside those of the live page, or of a site; its ``state.navigation`` leads to them.
 
     Args:
         view: of the journal.
         title: what is watched.
+        reactions: returns those of the reference that holds.
         questions: that can be answered; None shows the journal alone.
         wall: says seconds since the epoch.
     """
-    return _Pages(view, title, questions, wall).routes()
+    return _Pages(view, title, reactions, questions, wall).routes()
 
 
-def journal_links(*, acting: bool) -> tuple[tuple[str, str], ...]:
-    """Return what the navigation has of it: address and word."""
-    return (("journal", "Journal"), ("questions", "Questions")) if acting else (("journal", "Journal"),)
+def journal_links(*, acting: bool, base: str = "") -> tuple[tuple[str, str], ...]:
+    """Return what the navigation has of it: address, below ``base``, and word."""
+    shown = (("plan", "Countermeasures"), ("journal", "Journal"), ("questions", "Questions"))
+    return tuple((base + place, word) for place, word in shown[: 3 if acting else 2])
 
 
 class _Pages:
-    def __init__(self, view: JournalView, title: str, questions: Questions | None, wall: Callable[[], float]) -> None:
+    def __init__(
+        self, view: JournalView, title: str, reactions: Callable[[], Sequence[Reaction]], questions: Questions | None,
+        wall: Callable[[], float],
+    ) -> None:  # fmt: skip
         self._view = view
         self._title = title
+        self._reactions = reactions
         self._asked = questions
         self._wall = wall
         self._environment = Environment(
@@ -57,6 +70,8 @@ class _Pages:
 
     def routes(self) -> list[BaseRoute]:
         found: list[BaseRoute] = [
+            Route("/plan", self.plan),
+            Route("/plan.json", self.plan_json),
             Route("/journal", self.journal),
             Route("/journal.json", self.journal_json),
             Route("/journal/state.json", self.state),
@@ -80,7 +95,7 @@ class _Pages:
             kept = {key: value for key, value in chosen.items() if value}
             older = urlencode({**kept, "before": part.rows[-1].n})
         return self._shown(
-            "journal.html", "journal", part=part, chosen=chosen, older=older, path=str(self._view.path),
+            request, "journal.html", "journal", part=part, chosen=chosen, older=older, path=str(self._view.path),
             version=self._version(),
         )  # fmt: skip
 
@@ -88,6 +103,17 @@ class _Pages:
         """Return the same for programs."""
         found = self._view.part(**_chosen(request))
         return Response(msgspec.json.encode(found), media_type="application/json")
+
+    def plan(self, request: Request) -> Response:
+        """Show what is to be done about faults."""
+        return self._shown(request, "plan.html", "plan", plan=self._plan(), version=self._version())
+
+    def plan_json(self, _: Request) -> Response:
+        """Return the same for programs."""
+        return Response(msgspec.json.encode(self._plan()), media_type="application/json")
+
+    def _plan(self) -> tuple[Countermeasure, ...]:
+        return plan_of(self._reactions(), self._view.decided())
 
     def state(self, _: Request) -> Response:
         """Return what changes when there is something new to show."""
@@ -125,6 +151,7 @@ class _Pages:
         asked = [(one, max(round(one.until - now), 0)) for one in self._of_asked().open()]
         person = person_of(request)
         return self._shown(
+            request,
             "questions.html",
             "questions",
             status,
@@ -147,10 +174,10 @@ class _Pages:
         asked: Sequence[Any] = self._asked.open() if self._asked is not None else ()
         return "/".join((self._view.version(), *(one.decision for one in asked)))
 
-    def _shown(self, template: str, page: str, status: int = 200, **told: Any) -> HTMLResponse:
+    def _shown(self, request: Request, template: str, page: str, status: int = 200, **told: Any) -> HTMLResponse:
         waiting = len(self._asked.open()) if self._asked is not None else 0
         text = self._environment.get_template(template).render(
-            page=page, title=self._title, links=journal_links(acting=self._asked is not None), waiting=waiting,
+            page=page, title=self._title, links=request.app.state.navigation(), waiting=waiting,
             release=roslens.__version__, **told,
         )  # fmt: skip
         return HTMLResponse(text, status_code=status)

@@ -144,7 +144,7 @@ def create_live_app(
             headers={"cache-control": "no-store", "x-accel-buffering": "no"},
         )
 
-    return Starlette(
+    app = Starlette(
         routes=[
             Route("/", show),
             Route("/snapshot.json", twin),
@@ -160,6 +160,8 @@ def create_live_app(
         middleware=[Middleware(Guard, names=facts.names, advice=facts.advice, access=facts.access)],
         exception_handlers={StoreError: unreadable, MomentError: refused},
     )
+    app.state.navigation = templates.navigation
+    return app
 
 
 class _Read:
@@ -220,6 +222,8 @@ class _Templates:
 
     def __init__(self, facts: Facts, remembers: bool, boards: bool) -> None:
         self._pages = facts.pages
+        own = (("./", "Live"), ("references", "References")) if boards else (("./", "Live"),)
+        self._own = (*own, *facts.further.links)
         environment = Environment(
             loader=FileSystemLoader([HERE / "templates", TEMPLATES]),
             autoescape=True,
@@ -228,18 +232,22 @@ class _Templates:
             undefined=StrictUndefined,
         )
         environment.globals.update(
-            version=roslens.__version__, links=facts.further.links, remembers=remembers, boards=boards, keys=_KEYS
+            version=roslens.__version__, navigation=self.navigation, remembers=remembers, keys=_KEYS
         )
         self._live = environment.get_template("live.html")
         self._compared = environment.get_template("compared.html")
         self._references = environment.get_template("references.html")
+
+    def navigation(self) -> tuple[tuple[str, str], ...]:
+        """Return address and word of each page that all of these lead to."""
+        return (*self._pages(), *self._own)
 
     def live(self, shown: Snapshot, at: str, mark: str, may: bool) -> str:
         text = _embeddable(msgspec.json.encode(shown))
         return self._live.render(snapshot=shown, text=text, at=at, mark=mark, may=may, pages=self._pages())
 
     def compared(self, found: object) -> str:
-        return self._compared.render(found=found, pages=self._pages())
+        return self._compared.render(found=found)
 
     def references(self, found: object, document: str, accepted: tuple[str, ...]) -> str:
-        return self._references.render(found=found, document=document, accepted=accepted, pages=self._pages())
+        return self._references.render(found=found, document=document, accepted=accepted)

@@ -13,7 +13,7 @@ EVERYDAY := not nightly$(if $(ROSLENS_CORPORA),, and not corpora)
 # Where tests stand that want the machine for themselves; to look through all others for them takes ten seconds.
 ALONE := tests/scenarios tests/testbed
 
-.PHONY: demo tour demo-live demo-ros2 testbed test nightly slow faults quick lint parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
+.PHONY: demo tour demo-live demo-ros2 testbed test nightly slow faults quick lint rewritten parts docs known-mistakes graph-findings recall accuracy same-facts fuzz mutants lock lock-ros2 bench sites clean
 
 # Analyse the example robot and what a change of it brings, write its report, serve it beside a recording of the robot in
 # which something goes wrong. Another workspace, without a recording: make demo WS=~/robot_ws
@@ -50,7 +50,8 @@ testbed: .venv/stamp
 	PYTHONPATH=tests $(BIN)/python -m testbed $(ARGS)
 
 test: export ROSLENS_SAME_EXAMPLES = 1
-test: parts lint
+test: parts
+	$(MAKE) --no-print-directory -j 2 --output-sync=target lint rewritten
 	$(BIN)/pytest -n auto --dist worksteal -m "$(EVERYDAY) and not slow"
 	$(BIN)/pytest -m "$(EVERYDAY) and slow and not table" $(ALONE)
 
@@ -74,6 +75,10 @@ faults: parts lint
 quick: lint
 	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not heavy and not real and not browser and not nightly" \
 		--ignore=tests/scenarios --ignore=tests/native --ignore=tests/cli --ignore=tests/dashboard --ignore=tests/plugins/haros --ignore=tests/accuracy
+
+# Test modules with their assertions rewritten are kept: each of the workers would do that for all of them.
+rewritten: .venv/stamp
+	$(BIN)/pytest --collect-only -qq -m "$(EVERYDAY)" > /dev/null
 
 lint: .venv/stamp
 	$(BIN)/ruff check

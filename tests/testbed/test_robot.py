@@ -41,7 +41,7 @@ topic that nobody hears, shows at every pace."""
     ("kind", "link"),
     [
         ("ros1", "shaped"),
-        ("ros2", "bulk"),
+        pytest.param("ros2", "bulk", marks=NIGHTLY),
         pytest.param("ros1", "bulk", marks=NIGHTLY),
         pytest.param("ros2", "shaped", marks=NIGHTLY),
     ],

@@ -49,7 +49,7 @@ def test_the_overview_says_how_it_stands_and_since_which_run(site: Site, since: 
         page = Client(create_app(site)).get("/").text
     finally:
         site.gate = None
-    assert "0 errors: passes" in page
+    assert "Passes the gate: 0 errors" in page
     assert f"+{since.added:,}</a> / \N{MINUS SIGN}{since.resolved} since run 4" in page
 
 

@@ -8,6 +8,7 @@ from itertools import islice
 import msgspec
 
 from roslens.dashboard.address import PageRef
+from roslens.dashboard.review import Reviewed
 from roslens.dashboard.site import RuleTotal, Site
 from roslens.dashboard.source_text import Excerpt
 from roslens.dashboard.table import Cell, Column, Table
@@ -68,6 +69,7 @@ class ShownFinding(msgspec.Struct, frozen=True):
     excerpt: Excerpt | None
     ref: PageRef | None
     is_new: bool = False
+    reviewed: Reviewed | None = None
 
 
 class FindingGroup(msgspec.Struct, frozen=True):
@@ -290,6 +292,7 @@ def _grouped(found: Sequence[ShownFinding], counts: dict[str, int], *, by_file: 
 
 def _shown(site: Site, found: Iterable[Finding], request: Request) -> tuple[ShownFinding, ...]:
     limits = request.limits
+    reviewed = site.review.entries() if site.review is not None else {}
     return tuple(
         ShownFinding(
             finding,
@@ -298,6 +301,7 @@ def _shown(site: Site, found: Iterable[Finding], request: Request) -> tuple[Show
             site.sources.excerpt(finding.path, finding.line, finding.end_line) if limits.excerpts else None,
             file_ref(site, finding.path, finding.line),
             site.since is not None and finding.gated and site.since.is_new(finding),
+            reviewed.get(finding.fingerprint),
         )
         for finding in islice(found, limits.findings)
     )

@@ -11,6 +11,12 @@ from roslens.judge.gate import GateResult
 from roslens.model.finding import Severity
 
 NEVER = "never"
+_BEGINNINGS = {
+    "passes": "Passes the gate",
+    "fails": "Fails the gate",
+    "cannot be told": "Whether it passes the gate cannot be told",
+    "nothing fails it": "No finding fails it",
+}
 
 
 class GateLine(msgspec.Struct, frozen=True):
@@ -18,6 +24,11 @@ class GateLine(msgspec.Struct, frozen=True):
 
     answer: str
     conditions: tuple[str, ...]
+
+    @property
+    def sentence(self) -> str:
+        """The line: ``Fails the gate: 1 error``."""
+        return f"{_BEGINNINGS[self.answer]}: {'; '.join(self.conditions)}"
 
 
 def gate_line(severities: Mapping[Severity, int], fail_on: str, results: tuple[GateResult, ...] = ()) -> GateLine:

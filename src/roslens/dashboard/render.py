@@ -90,9 +90,9 @@ class Renderer:
             if shown_in_navigation(site, name)
         )
 
-    def page(self, view: View, links: Links) -> str:
-        """Return a whole page."""
-        return self._render("frame.html", view, links)
+    def page(self, view: View, links: Links, *, may: bool = False) -> str:
+        """Return a whole page; ``may`` says whether who looks may change what is reviewed."""
+        return self._render("frame.html", view, links, may=may)
 
     def section(self, view: View, links: FileLinks) -> str:
         """Return the content of a page without its frame, for a single file."""
@@ -106,10 +106,11 @@ class Renderer:
         """Return a page that says ``what`` and gives ``advice``, both among what the view shows."""
         return self._render("frame.html", view, links, content="message")
 
-    def _render(self, template: str, view: View, links: Links, content: str = "") -> str:
+    def _render(self, template: str, view: View, links: Links, content: str = "", *, may: bool = False) -> str:
         return self._environment.get_template(template).render(
-            view=view, content=content or view.ref.page, link=links.to, twin=links.twin, asset=links.asset, **view.shown
-        )
+            view=view, content=content or view.ref.page, link=links.to, twin=links.twin, asset=links.asset, may=may,
+            **view.shown,
+        )  # fmt: skip
 
 
 def environment(medium: str, **known: object) -> Environment:

@@ -14,6 +14,7 @@ from starlette.responses import HTMLResponse, PlainTextResponse, RedirectRespons
 from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
+from roslens.dashboard.access.person import person_of
 from roslens.dashboard.access.policy import Access
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.computation.to_svg import to_svg
@@ -26,6 +27,7 @@ from roslens.dashboard.live.past import Past
 from roslens.dashboard.live.snapshot import names_in
 from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.render import WEB, Renderer
+from roslens.dashboard.review_routes import review_routes
 from roslens.dashboard.routes import PAGES, Target, candidates
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import to_csv
@@ -76,7 +78,7 @@ def create_app(
         query = Query(request.query_params.multi_items())
         for target in candidates(request.path_params["path"]):
             view = PAGES[target.page](site, _request(target, query))
-            if view is not None and (response := _respond(site, renderer, links, view, target)):
+            if view is not None and (response := _respond(request, site, renderer, links, view, target)):
                 return response
         return _missing(renderer, links, request.url.path, site.reading)
 
@@ -112,6 +114,7 @@ def create_app(
         routes=[
             *beside,
             *further.routes,
+            *(review_routes(site.review) if site.review is not None else ()),
             Mount("/web/live", StaticFiles(directory=LIVE_WEB)),
             Mount("/web", StaticFiles(directory=WEB)),
             Route("/entity", entity),
@@ -131,9 +134,12 @@ def _request(target: Target, query: Query) -> Request:
     return Request(target.key, query, complete=target.form == "csv")
 
 
-def _respond(site: Site, renderer: Renderer, links: ServedLinks, view: View, target: Target) -> Response | None:
+def _respond(
+    request: HttpRequest, site: Site, renderer: Renderer, links: ServedLinks, view: View, target: Target
+) -> Response | None:
     if target.form == "html":
-        return HTMLResponse(renderer.page(view, links))
+        may = site.review is not None and person_of(request).may_operate
+        return HTMLResponse(renderer.page(view, links, may=may))
     if target.form == "json":
         return Response(view.to_json(site.run_facts()), media_type=_MEDIA["json"])
     table = next((table for table in view.tables if table.name == target.table or not target.table), None)

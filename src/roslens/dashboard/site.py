@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.dashboard.last_change import LastChange, unknown_change
+from roslens.dashboard.review import Review
 from roslens.dashboard.source_text import ReadSource, Sources
 from roslens.judge.constraint import Constraint
 from roslens.judge.range import Range
@@ -116,6 +117,8 @@ class Site:
         """Tells what is watched now, or was recorded."""
         self.against: Callable[[str], tuple[str, Conformance]] | None = None
         """Compares a configuration by its slug with what runs or was recorded; None where nothing is given."""
+        self.review: Review | None = None
+        """What the team decided about findings; None where that is not known."""
         self.reading = ""
         """What of the graphs is being read still; empty where all of them are there."""
 

@@ -59,7 +59,7 @@ def _inner(column: Column, cell: Cell, digits: int, link: Link) -> str:
     if cell.spark:
         return _spark(cell.spark)
     if column.kind == "mark":
-        return mark_html(str(cell.value))
+        return mark_html(str(cell.value), cell.text or "")
     # A plain string: what is joined to safe markup would be escaped once more.
     text = str(ticks(shown(column, cell, digits)) if column.kind == "text" else escape(shown(column, cell, digits)))
     if column.kind in {"code", "name"}:
@@ -112,10 +112,10 @@ def glyph_html(name: str) -> str:
     return f'<svg class="glyph {name}" viewBox="0 0 16 16" aria-hidden="true"><use href="#g-{name}"/></svg>'
 
 
-def mark_html(name: str) -> str:
-    """Return sign and word."""
+def mark_html(name: str, words: str = "") -> str:
+    """Return sign and words; its name where there are none."""
     safe = str(escape(name))
-    return f'<span class="mark">{glyph_html(safe)}{safe}</span>'
+    return f'<span class="mark">{glyph_html(safe)}{escape(words or name)}</span>'
 
 
 def _rating(name: str) -> str:

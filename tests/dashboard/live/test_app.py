@@ -388,3 +388,15 @@ def test_an_address_that_is_no_moment_is_refused_with_what_was_expected(path):
     answer = asking.get(path)
     assert answer.status_code == 400
     assert "expected seconds since the epoch" in answer.text
+
+
+def test_of_very_many_rows_the_page_has_the_first_and_a_link_to_all(monkeypatch):
+    monkeypatch.setattr("roslens.dashboard.live.app.MOST_PLAIN", 5)
+    asking = client(ScriptedRobot())
+    rows = len(asking.get("/snapshot.json").json()["rows"])
+    page = asking.get("/").text
+    assert page.count("<tr class=") == 5
+    assert f'5 of {rows} rows; <a href="?all=1">all of them</a>' in page
+    whole = asking.get("/?all=1").text
+    assert whole.count("<tr class=") == rows
+    assert "of them</a>" not in whole

@@ -47,26 +47,20 @@ def run(options: argparse.Namespace) -> int:
     Raises:
         UsageError: nothing is meant by an id, there is no reason, or the file is wrong.
     """
-    from pathlib import Path
-
-    from roslens.cli.configuration import find_configuration
+    from roslens.cli.accepted_file import accepted_file_of, entries_of, write_entries
     from roslens.model.errors import UsageError
-    from roslens.source.workspace.acceptances import FILE_NAME, read_acceptances
 
-    root = _root(options.path)
-    base = Path(find_configuration(root, options.config).base or ".")
-    place = base / FILE_NAME
-    entries, failures = read_acceptances(place)
-    if failures:
-        # What cannot be read would be lost when the file is written again.
-        raise UsageError(f"{place}: {failures[0].what}", expected=failures[0].expected, advice="Mend the file first")
+    place = accepted_file_of(_root(options.path), options.config)
+    entries = entries_of(place)
     if options.list:
         _show(entries)
         return 0
     if not options.ids:
         raise UsageError("no findings are named", expected="fingerprints, FILE:LINE or RULE@GLOB, or --list")
     kept = _without(entries, options.ids) if options.undo else _with(entries, options)
-    _write(place, kept)
+    write_entries(place, kept)
+    if kept:
+        print(f"wrote {place}")
     return 0
 
 
@@ -104,10 +98,10 @@ def _without(entries: tuple[Acceptance, ...], ids: list[str]) -> list[Acceptance
 
 
 def _with(entries: tuple[Acceptance, ...], options: argparse.Namespace) -> list[Acceptance]:
+    from roslens.cli.accepted_file import with_findings
     from roslens.cli.workplace import open_store
     from roslens.model.errors import UsageError
     from roslens.model.set_aside import Disposition
-    from roslens.source.workspace.acceptances import Acceptance
 
     reason = " ".join((options.reason or "").split())
     if not reason:
@@ -116,12 +110,8 @@ def _with(entries: tuple[Acceptance, ...], options: argparse.Namespace) -> list[
     with open_store(options.path) as store:
         view = store.view(None)
         chosen = {one.fingerprint: one for given in options.ids for one in _meant(given, view)}
-    added = {
-        one.fingerprint: Acceptance(one.fingerprint, reason, state, one.rule, one.path, one.entity, one.message)
-        for one in chosen.values()
-    }
-    print(f"{len(added)} {'called false positives' if options.false_positive else 'accepted'}; check again to see it")
-    return [*(one for one in entries if one.fingerprint not in added), *added.values()]
+    print(f"{len(chosen)} {'called false positives' if options.false_positive else 'accepted'}; check again to see it")
+    return with_findings(entries, chosen.values(), reason, state)
 
 
 _LEAST = 6
@@ -162,15 +152,3 @@ def _meant(given: str, view: RunView) -> list[Finding]:
             advice="`roslens check --format json` shows the fingerprints; run it first if the source changed",
         )
     return [one for one in found if one.fingerprint]
-
-
-def _write(place: Path, entries: list[Acceptance]) -> None:
-    from roslens.report.whole_file import whole_file
-    from roslens.source.workspace.acceptances import to_toml
-
-    if not entries:
-        place.unlink(missing_ok=True)
-        return
-    with whole_file(place) as stream:
-        stream.write(to_toml(entries))
-    print(f"wrote {place}")

@@ -40,6 +40,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=int, default=8080, help="port (default: 8080; 0 takes a free one)")
     parser.add_argument("--run", type=int, metavar="N", dest="number", help="another run than the last one")
     add_door_arguments(parser)
+    parser.add_argument(
+        "--accept", action="store_true",
+        help="who opens the address that is printed may accept findings there (in roslens.accepted.toml)",
+    )  # fmt: skip
     add_shown_argument(parser)
     add_kept_arguments(parser)
     live = parser.add_argument_group("the robot that runs")
@@ -73,6 +77,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.conformance.shown_sides import against, shown_sides
     from roslens.cli.kept_new import shown_new
     from roslens.cli.served.last_change import last_change_in
+    from roslens.cli.served.reviewing import reviewing_of
     from roslens.cli.served.standing import gate_of, kept_runs
     from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_past import shown_past
@@ -80,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.dashboard.live.app import no_graph, nothing
     from roslens.dashboard.server import serve
 
-    door = door_of(options, options.host, acting=options.live)
+    door = door_of(options, options.host, acting=options.live or options.accept)
     progress = progress_for(options)
     with (
         shown_run(options, progress) as view,
@@ -92,6 +97,7 @@ def run(options: argparse.Namespace) -> int:
         site.new_first = shown_new(options, view)
         site.runs, site.since = kept.runs, kept.since
         site.gate = gate_of(site)
+        site.review = reviewing_of(Path(view.header.root), view.findings)
         site.last_change = last_change_in(view.header.root)
 
         def ready(url: str) -> None:

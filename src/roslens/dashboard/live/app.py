@@ -32,6 +32,8 @@ from roslens.dashboard.render import TEMPLATES, WEB
 from roslens.model.errors import StoreError
 
 HERE = Path(__file__).parent
+MOST_PLAIN = 300
+"""Rows that are written into the page itself; the script writes the others, and without it a link leads to all."""
 MOST_READERS = 32
 """Streams at a time; each reader holds a connection."""
 _LOOK_S = 0.1
@@ -113,7 +115,8 @@ def create_live_app(
         telling.look()
         shown = held(msgspec.json.decode(text, type=Snapshot)) if then else telling.newest()
         may = board is not None and person_of(request).may_operate
-        return HTMLResponse(templates.live(shown, then, "" if then else telling.mark(), may))
+        plain = len(shown.rows) if "all" in request.query_params else MOST_PLAIN
+        return HTMLResponse(templates.live(shown, then, "" if then else telling.mark(), may, plain))
 
     async def twin(request: Request) -> Response:
         if refusal := foreign(request):
@@ -242,9 +245,11 @@ class _Templates:
         """Return address and word of each page that all of these lead to."""
         return (*self._pages(), *self._own)
 
-    def live(self, shown: Snapshot, at: str, mark: str, may: bool) -> str:
+    def live(self, shown: Snapshot, at: str, mark: str, may: bool, plain: int) -> str:
         text = _embeddable(msgspec.json.encode(shown))
-        return self._live.render(snapshot=shown, text=text, at=at, mark=mark, may=may, pages=self._pages())
+        return self._live.render(
+            snapshot=shown, text=text, at=at, mark=mark, may=may, plain=plain, pages=self._pages()
+        )  # fmt: skip
 
     def compared(self, found: object) -> str:
         return self._compared.render(found=found)

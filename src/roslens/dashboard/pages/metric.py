@@ -88,9 +88,10 @@ def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> 
     for model, constraint in site.constraints_on(kind, key):
         ratings = [rate(value, constraint.range) for value in values]
         high, low = ratings.count(Rating.HIGH), ratings.count(Rating.LOW)
+        rating = "high" if high else "low" if low else "ok" if values else "unknown"
         rows.append(
             (
-                Cell("high" if high else "low" if low else "ok" if values else "unknown"),
+                Cell(rating, text=_said(high, low, len(values))),
                 Cell(model.name, text=model.title or model.name),
                 Cell(str(constraint.range)),
                 Cell(high),
@@ -100,7 +101,7 @@ def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> 
             )
         )
     columns = (
-        Column("rating", "Holds?", "mark"),
+        Column("rating", "Result", "mark"),
         Column("model", "Model"),
         Column("range", "Asks for"),
         Column("high", "Above", "number"),
@@ -109,7 +110,14 @@ def _bounds(site: Site, kind: EntityKind, key: str, values: Sequence[float]) -> 
         Column("judged", "Judged in this run"),
     )
     empty = "No model says what is too much or too little of it."
-    return Table("bounds", "Bounds of each quality model", columns, tuple(rows), total=len(rows), empty=empty)
+    return Table("bounds", "Limits of each quality model", columns, tuple(rows), total=len(rows), empty=empty)
+
+
+def _said(high: int, low: int, values: int) -> str:
+    if not values:
+        return "no values"
+    outside = [f"{count:,} {word}" for count, word in ((high, "above"), (low, "below")) if count]
+    return ", ".join(outside) or "all within"
 
 
 def _worst(site: Site, quantity: Quantity, kind: EntityKind, found: Values, digits: int, limit: int | None) -> Table:

@@ -17,6 +17,8 @@ from roslens.store.series import TIERS
 
 BINS = 240
 """Parts of a stretch of time for which marks are counted."""
+MOST_MARKED = 100_000
+"""Alarms, and events, that are counted for marks: of more, the newest."""
 _LOOK_BACK_S = 3
 """Values of a busy monitor come less than once a second."""
 _MOST_CHANGES = 200_000
@@ -171,24 +173,27 @@ class Recall:
     def marks(self, since: float, until: float) -> list[Mark]:
         """Return what happened in a stretch of time, at most one mark of a kind in each of :data:`BINS` parts.
 
+        Of very much the newest is told.
+
         Raises:
             StoreError: the history cannot be read.
         """
         width = max((until - since) / BINS, 0.001)
         found = []
         with self._reading() as connection:
+            of_alarms, of_events = (_from(connection, table, since, until) for table in ("verdict", "event"))
             alarms = connection.execute(
                 "SELECT min(time), count(*), entity, state FROM verdict INDEXED BY verdict_mark"
                 " WHERE time BETWEEN ? AND ? AND state IN ('low', 'high', 'absent')"
                 " GROUP BY CAST((time - ?) / ? AS INTEGER)",
-                (since, until, since, width),
+                (of_alarms, until, since, width),
             )
             found += [Mark(time, "alarm", entity, state, count) for time, count, entity, state in alarms]
             events = connection.execute(
                 "SELECT min(time), count(*), entity, change, detail FROM event"
                 " WHERE time BETWEEN ? AND ? AND entity NOT LIKE 'process:%'"
                 " GROUP BY CAST((time - ?) / ? AS INTEGER), change",
-                (since, until, since, width),
+                (of_events, until, since, width),
             )
             for time, count, entity, change, detail in events:
                 kind = _KINDS.get(change, "change")
@@ -207,6 +212,15 @@ class Recall:
                 expected="what `roslens watch` wrote",
                 advice="What is now is shown all the same",
             ) from None
+
+
+def _from(connection: sqlite3.Connection, table: str, since: float, until: float) -> float:
+    """Return from when on the newest of a stretch are, as many as are counted."""
+    row = connection.execute(
+        f"SELECT time FROM {table} WHERE time <= ? AND time > ? ORDER BY time DESC LIMIT 1 OFFSET ?",  # noqa: S608
+        (until, since, MOST_MARKED - 1),
+    ).fetchone()
+    return float(row[0]) if row is not None else since
 
 
 def _over(one: Verdict) -> bool:

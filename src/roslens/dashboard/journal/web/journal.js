@@ -72,8 +72,10 @@ function refocus(held) {
 }
 
 function count() {
-  for (const one of document.querySelectorAll("[data-until]")) {
-    const left = Math.round(Number(one.dataset.until) - Date.now() / 1000);
+  for (const one of document.querySelectorAll("[data-left]")) {
+    // By seconds that passed here: the clock of who looks may be another than the monitor's.
+    one.dataset.end ??= performance.now() / 1000 + Number(one.dataset.left);
+    const left = Math.round(Number(one.dataset.end) - performance.now() / 1000);
     one.textContent = left > 0 ? `${left} s left` : "its time is over";
   }
 }

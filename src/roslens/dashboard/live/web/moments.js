@@ -69,7 +69,7 @@ export class Moments {
     slider.max = this.last;
     slider.step = Math.round(step * 10) / 10;
     slider.value = this.at ?? this.last;
-    slider.setAttribute("aria-valuetext", this.at === null ? "now" : written(this.at));
+    slider.setAttribute("aria-valuetext", this.at === null ? (this.live ? "now" : "the end") : written(this.at));
   }
 
   drawMarks() {

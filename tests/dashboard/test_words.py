@@ -1,0 +1,78 @@
+"""What pages and the terminal say, in the words that readers of navigation2 found: none of those they stumbled over."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from dashboard.conftest import Client
+from dashboard.live.scripted_robot import ScriptedRobot
+
+import roslens
+from roslens.cli.watch_screen import nameless
+from roslens.dashboard.computation.system import VERB
+from roslens.dashboard.server import create_app
+from roslens.judge.constraint import Constraint
+from roslens.judge.range import Range
+from roslens.live.tree import SystemView
+from roslens.model.entity import EntityKind
+from roslens.model.graph import Role
+
+TEXTS = [
+    (path, path.read_text("utf-8"))
+    for folder in ("dashboard", "cli", "report")
+    for suffix in ("*.py", "*.html", "*.js")
+    for path in sorted((Path(roslens.__file__).parent / folder).rglob(suffix))
+    if "vendor" not in path.parts
+]
+STUMBLED_OVER = (
+    "What the quality models ask", "Holds?", "weighted methods per class", "subscribes topic", "Overrides that nobody",
+    "most findings per kloc", "observed by inside", "is absent, expected", "cpp source",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("words", STUMBLED_OVER)
+def test_nothing_says_it_the_old_way(words: str) -> None:
+    assert [path.name for path, text in TEXTS if words in text] == []
+
+
+def test_a_limit_says_how_many_are_outside(client: Client) -> None:
+    page = client.get("/metrics/cyclomatic_complexity").text
+    assert "Limits of each quality model" in page
+    assert re.search(r"</svg>\d+ above|</svg>all within", page)
+
+
+def test_who_hears_a_topic_subscribes_to_it() -> None:
+    assert VERB[Role.SUBSCRIPTION] == "subscribes to"
+
+
+def test_a_service_of_which_nobody_knows_the_server_has_no_publisher() -> None:
+    def part(kind: str, *children: SystemView) -> SystemView:
+        return SystemView(f"{kind}:", "", kind, children=children)
+
+    assert nameless(part("node", part("service"))) == "(server unknown)"
+    assert nameless(part("node", part("topic"))) == "(publisher unknown)"
+
+
+def test_a_topic_that_says_nothing_is_silent() -> None:
+    robot = ScriptedRobot()
+    robot.rates["/scan"] = 0
+    robot.run(20)
+    (alert,) = [one for one in robot.page.snapshot(robot.session, robot.now, "").alerts if one.entity == "topic:/scan"]
+    assert alert.sentence.startswith("is silent, expected 8..12 Hz")
+    assert re.search(r"silent for 2\d\.\d s", alert.evidence)
+
+
+def test_the_number_comes_first_and_the_limit_behind_it() -> None:
+    made = Constraint("calls", EntityKind.FUNCTION, "calls", Range(None, 10))
+    assert "limit 10" in made.breach_text(30, "max")
+
+
+def test_the_run_says_whether_it_passes_in_a_sentence(client: Client) -> None:
+    assert ": fails</b>" not in client.get("/").text
+
+
+@pytest.fixture(scope="module")
+def client(site: object) -> Client:
+    return Client(create_app(site))  # type: ignore[arg-type]

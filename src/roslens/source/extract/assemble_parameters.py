@@ -18,8 +18,8 @@ from roslens.source.extract.assemble_written import Write, after_writes
 from roslens.source.extract.environment_defaults import supposed_name
 from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
-from roslens.source.extract.parameter_types import LIST
 from roslens.source.extract.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
+from roslens.source.extract.ros2_values import LIST
 from roslens.source.extract.text import Choice, Hole, Text
 
 _NAME_OF_NODE = "name of the node"

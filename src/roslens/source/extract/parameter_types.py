@@ -11,12 +11,11 @@ from collections.abc import Iterable
 from typing import Any
 
 from roslens.source.extract.abstract_value import Named, Obj
+from roslens.source.extract.ros2_values import LIST
 from roslens.source.extract.text import Text
 from roslens.source.extract.type_names import type_arguments, type_name
 from roslens.source.extract.typed_list import TypedList
 
-LIST = "list"
-"""The type of a list of which the items do not say what it is."""
 _WHOLE = re.compile(
     r"(?:un)?signed(?: (?:char|short|int|long))*|(?:short|long)(?: (?:int|long))*|u?int(?:\d+_t)?|s?size_t"
 )

@@ -12,8 +12,9 @@ from collections.abc import Callable, Sequence
 
 from roslens.judge.yaml_tree import Items, Node, Scalar, Table, read_tree
 from roslens.model.errors import DocumentError
-from roslens.source.extract.parameter_types import LIST
 
+LIST = "list"
+"""The type of a list of which the items do not say what it is."""
 _TRUTHS = frozenset(
     word
     for pair in (("y", "n"), ("yes", "no"), ("true", "false"), ("on", "off"))

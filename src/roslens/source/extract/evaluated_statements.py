@@ -70,7 +70,7 @@ def initialise(engine: Evaluation, statement: Statement) -> None:
     elif isinstance(statement, Assign) and isinstance(statement.target, Member) and statement.value is not None:
         thing = engine.frame.self
         name = statement.target.name
-        declared = declared_field(engine, thing, name) if isinstance(thing, Obj) else ""
+        declared = engine.index.declared_field(thing.defined, name) if isinstance(thing, Obj) else ""
         value = engine.value(statement.value)
         engine.written_at(statement.line)
         if isinstance(statement.value, Sequence):
@@ -85,15 +85,6 @@ def initialise(engine: Evaluation, statement: Statement) -> None:
             value = engine.constructed(declared, value)
         if isinstance(thing, Obj):
             thing.fields[name] = value
-
-
-def declared_field(engine: Evaluation, thing: Obj, name: str) -> str:
-    """Return the declared type of a member; empty where none of its classes declares it."""
-    for one in engine.index.chain(thing.defined) if thing.defined else ():
-        for field in getattr(one.what, "fields", ()):
-            if field.name == name:
-                return str(field.type)
-    return ""
 
 
 def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywords: dict[str, Any]) -> None:
@@ -255,7 +246,7 @@ def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
 def _is_field(engine: Evaluation, thing: Obj, name: str) -> bool:
     if engine.index.programs.get(engine.frame.path) and engine.index.programs[engine.frame.path].language == "python":
         return False
-    return name in thing.fields or bool(declared_field(engine, thing, name)) or name.endswith("_")
+    return name in thing.fields or bool(engine.index.declared_field(thing.defined, name)) or name.endswith("_")
 
 
 def _evaluated(engine: Evaluation, statement: Evaluate) -> None:

@@ -53,6 +53,4 @@ def _is_reference(engine: Evaluation, holder: Name | Member) -> bool:
     thing = engine.frame.self
     if not isinstance(thing, Obj) or holder.name in engine.frame.names:
         return False
-    from roslens.source.extract.evaluated_statements import declared_field
-
-    return declared_field(engine, thing, holder.name).endswith("&")
+    return engine.index.declared_field(thing.defined, holder.name).endswith("&")

@@ -1,5 +1,6 @@
 from roslens.source.extract.abstract_value import Building
-from roslens.source.extract.plugin_choice import Chosen, chosen_value, node_key
+from roslens.source.extract.chosen import Chosen, node_key
+from roslens.source.extract.plugin_choice import chosen_value
 from roslens.source.extract.text import Hole, Text, unknown
 
 HOST = Building("Host", "a.cpp", 3, "ros2", name=Text.of("host"))

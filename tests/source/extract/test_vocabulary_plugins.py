@@ -2,8 +2,8 @@
 
 import pytest
 
+from roslens.source.extract.chosen import Chosen, node_key
 from roslens.source.extract.node_units import facts_of_class, facts_of_main, node_classes
-from roslens.source.extract.plugin_choice import Chosen, node_key
 
 PLUGINS = """
 #include <rclcpp/rclcpp.hpp>

@@ -2,8 +2,8 @@
 
 import pytest
 
+from roslens.source.extract.chosen import Chosen
 from roslens.source.extract.node_units import facts_of_class, node_classes
-from roslens.source.extract.plugin_choice import Chosen
 
 
 def test_a_name_is_put_together_by_a_stream(node_of):

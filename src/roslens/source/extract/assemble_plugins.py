@@ -11,8 +11,8 @@ import msgspec
 
 from roslens.source.extract.assemble_parameters import Values
 from roslens.source.extract.assemble_units import Meant
+from roslens.source.extract.chosen import Chosen, node_key
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, PluginFact, Sure
-from roslens.source.extract.plugin_choice import Chosen, node_key
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.unknown_lists import listed
 

@@ -8,9 +8,9 @@ from typing import Protocol
 import msgspec
 
 from roslens.model.configuration import Origin
+from roslens.source.extract.chosen import Chosen
 from roslens.source.extract.launched import Launched
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
-from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
 
 _PROGRAMS = frozenset({TargetKind.EXECUTABLE, TargetKind.SCRIPT})

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Callable, Class, Named, Obj, QosValue, Unknown
 from roslens.source.extract.changed_values import CHANGING, changed_by
+from roslens.source.extract.each_way import each_way
 from roslens.source.extract.evaluated_expressions import Expressions
 from roslens.source.extract.made_texts import text_made
 from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.object_ways import each_way
 from roslens.source.extract.overload_choice import overload
 from roslens.source.extract.owned_pointer import OWNERS, is_owner, owns_first
 from roslens.source.extract.plain_methods import plain_method

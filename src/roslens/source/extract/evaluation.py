@@ -23,6 +23,7 @@ from roslens.source.extract.abstract_value import (
 )
 from roslens.source.extract.captured import Around, names_now, set_around
 from roslens.source.extract.changed_in_ways import Changes
+from roslens.source.extract.chosen import Chosen
 from roslens.source.extract.controller_handles import is_of_controller
 from roslens.source.extract.decorated import decorated
 from roslens.source.extract.evaluated_again import HEAVY, Again, Done
@@ -35,7 +36,6 @@ from roslens.source.extract.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence, led_to
 from roslens.source.extract.overload_choice import overload, taking
-from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.refined_values import lose, lose_unseen

@@ -10,12 +10,12 @@ from typing import Any
 import msgspec
 
 from roslens.source.extract.abstract_value import Building, Callable, Named, Obj, Unknown
+from roslens.source.extract.chosen import Chosen
 from roslens.source.extract.evaluated_statements import block
 from roslens.source.extract.evaluation import Evaluation, SpentError
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_bases import NODE_BASES, generation_of
 from roslens.source.extract.node_facts import Evidence, NodeFacts, Sure
-from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.program import (
     Assign,
     Branch,

@@ -1,17 +1,9 @@
-"""Objects that are one or another by conditions: each does what its own class says, under its condition."""
+"""Objects that are one or another by conditions: what stands for both, and the conditions of each."""
 
 from __future__ import annotations
 
-from collections.abc import Callable as Function1
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
-
 from roslens.source.extract.abstract_value import Obj
 from roslens.source.extract.condition import negated
-
-if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
 
 _MOST = 12
 """Objects that are kept apart; of more the last one stands for all."""
@@ -36,23 +28,3 @@ def one_object(value: Obj, other: Obj, condition: str) -> Obj | None:
 def _under(condition: str, one: Obj) -> tuple[tuple[tuple[str, ...], Obj], ...]:
     ways = one.ways or (((), one),)
     return tuple(((condition, *conditions), thing) for conditions, thing in ways)
-
-
-def each_way(engine: Evaluation, several: Obj, called: Function1[[Obj], Any]) -> Any:
-    """Call a method of each object that it may be, and return what the last one returns."""
-    found = None
-    for conditions, thing in several.ways:
-        with _conditions(engine, conditions):
-            found = called(thing)
-    return found
-
-
-@contextmanager
-def _conditions(engine: Evaluation, conditions: tuple[str, ...]) -> Iterator[None]:
-    for one in conditions:
-        engine.under(one)
-    try:
-        yield
-    finally:
-        for _ in conditions:
-            engine.conditions.pop()

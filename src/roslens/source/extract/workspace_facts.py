@@ -14,9 +14,9 @@ import msgspec
 
 from roslens.model.failure import Failure
 from roslens.model.source import Language, Package, Role
+from roslens.source.extract.chosen import Chosen
 from roslens.source.extract.launched import Unresolved
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
-from roslens.source.extract.plugin_choice import Chosen
 from roslens.source.extract.text import Text
 from roslens.source.extract.workspace_index import Index
 from roslens.source.extract.workspace_interfaces import KnownInterface, nearest

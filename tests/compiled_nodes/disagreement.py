@@ -12,7 +12,7 @@ from roslens.model.graph import Role
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.node_facts import EndpointFact, NodeFacts, Sure
 from roslens.source.extract.text import Hole, Text
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_units import facts_of_workspace
 from roslens.source.syntax.macros import load_macros
 
@@ -73,7 +73,7 @@ def _space(text: str) -> str:
 def evaluated(text: str) -> NodeFacts:
     """Return what source says of the node of a program."""
     whole = INCLUDES + text
-    index = Index({"pkg/a.cpp": program_of_cpp(whole.encode(), _MACROS)})
+    index = indexed({"pkg/a.cpp": program_of_cpp(whole.encode(), _MACROS)})
     return next(one for one in facts_of_workspace(index) if one.unit.endswith(".Talker") or one.unit == "Talker")
 
 

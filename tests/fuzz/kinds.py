@@ -92,24 +92,24 @@ def _cpp(content: bytes) -> None:
     from roslens.model.source import Language
     from roslens.source.analyse_file import analyse_file
     from roslens.source.extract.cpp_program import program_of_cpp
-    from roslens.source.extract.workspace_index import Index
+    from roslens.source.extract.vocabulary_index import indexed
     from roslens.source.extract.workspace_units import facts_of_workspace
     from roslens.source.settings import MacroSettings
 
     analyse_file(content, Language.CPP, MacroSettings())
-    facts_of_workspace(Index({"pkg/a.cpp": program_of_cpp(content, _macros())}))
+    facts_of_workspace(indexed({"pkg/a.cpp": program_of_cpp(content, _macros())}))
 
 
 def _python(content: bytes) -> None:
     from roslens.model.source import Language
     from roslens.source.analyse_file import analyse_file
     from roslens.source.extract.python_program import program_of_python
-    from roslens.source.extract.workspace_index import Index
+    from roslens.source.extract.vocabulary_index import indexed
     from roslens.source.extract.workspace_units import facts_of_workspace
     from roslens.source.settings import MacroSettings
 
     analyse_file(content, Language.PYTHON, MacroSettings())
-    facts_of_workspace(Index({"pkg/a.py": program_of_python(content)}))
+    facts_of_workspace(indexed({"pkg/a.py": program_of_python(content)}))
 
 
 class _Given:

@@ -10,7 +10,7 @@ from python_truth.node_stubs import Made, Run
 from roslens.source.extract.node_facts import EndpointFact, NodeFacts, ParameterFact, Sure
 from roslens.source.extract.python_program import program_of_python
 from roslens.source.extract.text import Text
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_units import facts_of_workspace
 
 Fact = EndpointFact | ParameterFact
@@ -27,7 +27,7 @@ class Disagreement(msgspec.Struct, frozen=True):
 
 def facts_of(program: str) -> NodeFacts | None:
     """Return what evaluation says of a program, started as a script."""
-    found = facts_of_workspace(Index({"pkg/made_up.py": program_of_python(program.encode())}))
+    found = facts_of_workspace(indexed({"pkg/made_up.py": program_of_python(program.encode())}))
     return next((one for one in found if one.unit == "<module>" and one.number == 0), None)
 
 

@@ -11,7 +11,7 @@ from roslens.live.adapters.child import clean_environment
 from roslens.source.extract.python_program import program_of_python
 from roslens.source.extract.resolve_name import node_pattern_matches
 from roslens.source.extract.ros2_values import is_mixed, type_in_file
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_units import facts_of_workspace
 
 pytestmark = pytest.mark.real
@@ -108,7 +108,7 @@ def test_declarations_are_what_a_node_has(ros2_python):
     real = {name: one for name, one in real.items() if "service" not in name}
     (facts,) = [
         one
-        for one in facts_of_workspace(Index({"pkg/a.py": program_of_python(NODE.encode())}))
+        for one in facts_of_workspace(indexed({"pkg/a.py": program_of_python(NODE.encode())}))
         if one.unit == "Declaring"
     ]
     assert {

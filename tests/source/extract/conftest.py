@@ -4,7 +4,7 @@ import pytest
 
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.python_program import program_of_python
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_units import facts_of_workspace
 from roslens.source.syntax.macros import load_macros
 
@@ -17,7 +17,7 @@ def index_of(**files):
         stem, _, ending = name.rpartition("_")
         lowered = program_of_python(text.encode()) if ending in ("py", "cfg") else program_of_cpp(text.encode(), MACROS)
         programs[f"pkg/{stem}.{ending}"] = lowered
-    return Index(programs)
+    return indexed(programs)
 
 
 @pytest.fixture(name="index_of")

@@ -4,7 +4,7 @@ from roslens.source.extract.assemble_program import classes_made, joined_facts
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts
 from roslens.source.extract.node_units import node_classes
 from roslens.source.extract.text import Text, unknown
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.parsed_file import parse_file
 from roslens.source.settings import MacroSettings
 
@@ -26,7 +26,7 @@ def end(line: int, name: Text) -> EndpointFact:
 
 
 def test_the_classes_that_a_main_function_makes_are_those_that_are_nodes():
-    index = Index({"a.cpp": parse_file(CODE, Language.CPP, MacroSettings()).program()})
+    index = indexed({"a.cpp": parse_file(CODE, Language.CPP, MacroSettings()).program()})
     nodes = [one for one, _, _ in node_classes(index)]
     assert list(classes_made(index, "a.cpp", nodes)) == ["robot.Talker"]
 

@@ -2,7 +2,7 @@ import pytest
 
 from roslens.source.extract.node_units import facts_of_module
 from roslens.source.extract.python_program import program_of_python
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 
 
 def test_the_name_is_said_by_the_caller(node_of):
@@ -109,7 +109,7 @@ if __name__ == "__main__":
     talker.Talker()
 """
     texts = {"pkg/scripts/talker": script, "pkg/src/talker/__init__.py": package}
-    index = Index({path: program_of_python(text.encode()) for path, text in texts.items()})
+    index = indexed({path: program_of_python(text.encode()) for path, text in texts.items()})
     (found,) = facts_of_module(index, "pkg/scripts/talker")
     assert [(str(one.name), one.evidence.path) for one in found.endpoints] == [("said", "pkg/src/talker/__init__.py")]
 

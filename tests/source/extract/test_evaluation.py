@@ -9,7 +9,7 @@ from pace import turned_s
 
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.python_program import program_of_python
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_units import facts_of_workspace
 from roslens.source.syntax.macros import load_macros
 
@@ -78,7 +78,7 @@ if __name__ == '__main__':
 
 
 def facts_of(cpp="", python=""):
-    return facts_of_workspace(Index({"p/a.cpp": program_of_cpp(cpp.encode(), MACROS),
+    return facts_of_workspace(indexed({"p/a.cpp": program_of_cpp(cpp.encode(), MACROS),
                                      "p/b.py": program_of_python(python.encode())}))  # fmt: skip
 
 

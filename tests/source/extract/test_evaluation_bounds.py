@@ -6,14 +6,14 @@ import pytest
 from pace import turned_s
 
 from roslens.source.extract.cpp_program import program_of_cpp
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_units import facts_of_workspace
 from roslens.source.syntax.macros import load_macros
 
 
 def facts_of(text):
     program = program_of_cpp(text.encode(), load_macros())
-    return facts_of_workspace(Index({"demo/src/a.cpp": program}))
+    return facts_of_workspace(indexed({"demo/src/a.cpp": program}))
 
 
 @pytest.mark.timed

@@ -8,6 +8,7 @@ from roslens.source.extract import isolated_units, node_units
 from roslens.source.extract.isolated_units import units_of
 from roslens.source.extract.node_facts import Evidence, Target, TargetKind
 from roslens.source.extract.python_program import program_of_python
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_index import Index
 from roslens.source.extract.workspace_units import facts_of_workspace
 
@@ -31,7 +32,7 @@ rospy.Subscriber('chatter', String, print)
 @pytest.fixture
 def index() -> Index:
     contents = {"a/talk.py": TALK, "b/hear.py": HEAR}
-    return Index({path: program_of_python(content) for path, content in contents.items()})
+    return indexed({path: program_of_python(content) for path, content in contents.items()})
 
 
 def started(entry: str) -> Target:

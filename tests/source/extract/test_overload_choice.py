@@ -4,10 +4,11 @@ from roslens.source.extract.abstract_value import Building, Handle, Obj
 from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.program import Function, Literal, Parameter
 from roslens.source.extract.text import Text
-from roslens.source.extract.workspace_index import Defined, Index
+from roslens.source.extract.vocabulary_index import indexed
+from roslens.source.extract.workspace_index import Defined
 
-INDEX = Index({})
-INDEX = Index({})
+INDEX = indexed({})
+INDEX = indexed({})
 HANDLE = Handle(Building("main", "a.cpp", 1, "ros1"))
 
 

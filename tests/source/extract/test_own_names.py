@@ -4,7 +4,7 @@ import pytest
 
 from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.node_units import facts_of_main
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.syntax.macros import load_macros
 
 NODE = """
@@ -100,7 +100,7 @@ def test_of_two_packages_with_a_header_of_one_path_the_one_is_meant_that_is_need
     texts = {f"{one}/include/common/robot.hpp": ROBOT.format(name=one) for one in "ab"}
     texts |= {f"{one}/src/main.cpp": MAIN for one in "abc"}
     programs = {path: program_of_cpp(text.encode(), macros) for path, text in texts.items()}
-    index = Index(programs, {path: path[0] for path in texts}, needs)
+    index = indexed(programs, {path: path[0] for path in texts}, needs)
     found = {one: facts_of_main(index, f"{one}/src/main.cpp")[0].name.known for one in "abc"}
     assert found == {"a": "a", "b": "b", "c": name}
 

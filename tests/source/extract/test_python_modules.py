@@ -1,9 +1,9 @@
 from roslens.source.extract.python_program import program_of_python
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 
 
 def index(files):
-    return Index({path: program_of_python(text.encode()) for path, text in files.items()})
+    return indexed({path: program_of_python(text.encode()) for path, text in files.items()})
 
 
 def test_a_package_hands_on_what_its_modules_define():

@@ -8,7 +8,7 @@ import pytest
 
 from roslens.source.extract.python_program import program_of_python
 from roslens.source.extract.reconfigure_file import read_reconfigure_file
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 
 ROOT = Path(__file__).parents[3]
 PYTHON, GENERATOR = Path("/usr/bin/python3"), Path("/usr/lib/python3/dist-packages/dynamic_reconfigure")
@@ -71,7 +71,7 @@ def end_as_said(end, kind):
 
 
 def read(content):
-    index = Index({"pkg/cfg/A.cfg": program_of_python(content)})
+    index = indexed({"pkg/cfg/A.cfg": program_of_python(content)})
     (file,) = read_reconfigure_file(index, "pkg/cfg/A.cfg")
     assert file.whole
     found = [(one.name.known, one.type, one.default.known, one.range, one.description) for one in file.declarations]

@@ -3,7 +3,7 @@ from roslens.source.extract.evaluation import Evaluation
 from roslens.source.extract.node_facts import Evidence
 from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, below, find_outer, known_names
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 
 NODE = Building("A", "a.cpp", 1, "ros1")
 
@@ -20,7 +20,7 @@ def test_arguments_by_name_or_place():
 
 def test_words_are_found_by_whole_names():
     assert {"ros.init", "rclcpp.Node", "tf2_ros.TransformListener", "BT.InputPort"} <= known_names()
-    engine = Evaluation(Index({}), NODE)
+    engine = Evaluation(indexed({}), NODE)
     assert find_outer(engine, "rclcpp.Node") is not None
     assert find_outer(engine, "my.Node") is None
 

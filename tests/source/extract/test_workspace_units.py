@@ -5,7 +5,7 @@ from roslens.source.extract.cpp_program import program_of_cpp
 from roslens.source.extract.makes_endpoints import MAKE, STEMS, makes_endpoints
 from roslens.source.extract.python_program import program_of_python
 from roslens.source.extract.reached_functions import Reached
-from roslens.source.extract.workspace_index import Index
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_units import facts_of_workspace, unreached
 from roslens.source.syntax.macros import load_macros
 
@@ -17,7 +17,7 @@ def index_of(*files):
     for path, text in files:
         lower = program_of_python if path.endswith(".py") else lambda content: program_of_cpp(content, MACROS)
         programs[path] = lower(text.encode())
-    return Index(programs)
+    return indexed(programs)
 
 
 def facts_of(*files):
@@ -85,7 +85,7 @@ def test_nodes_of_behaviour_trees_are_made_as_they_are_registered():
 
 
 def test_what_is_reached_is_not_unreached():
-    index = Index({"p/listener.cpp": program_of_cpp(LOADED.encode(), MACROS)})
+    index = indexed({"p/listener.cpp": program_of_cpp(LOADED.encode(), MACROS)})
     (only,) = unreached(index, set())
     start = next(one for one in index.programs["p/listener.cpp"].functions if one.name == "start")
     assert only.what.name == "Listener"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -65,6 +65,8 @@ class Index:
         packages: Packages | None = None,
         needs: Needs | None = None,
         targets: Iterable[Target] = (),
+        *,
+        known: Collection[str] = frozenset(),
     ) -> None:
         """Index programs by path.
 
@@ -73,12 +75,10 @@ class Index:
             packages: of each file; by default its first folder.
             needs: what packages depend on.
             targets: that builds make.
+            known: whole names of which the meaning is known: they mean that too where their source is in the workspace.
         """
-        # What the vocabulary knows is meant by it too where its source is in the workspace.
-        from roslens.source.extract.vocabulary import known_names
-
         self.lookups = Lookups()
-        self._outer = known_names()
+        self._outer = frozenset(known)
         self.programs = dict(programs)
         self.version = ""
         self.parameter_libraries: tuple[ParameterLibrary, ...] = ()

@@ -24,6 +24,7 @@ from roslens.source.extract.package_versions import build_type_for, versions_of
 from roslens.source.extract.parameter_library import ParameterLibrary, parameter_library
 from roslens.source.extract.ros_switch import VERSIONS
 from roslens.source.extract.targets import Build, build_of
+from roslens.source.extract.vocabulary_index import indexed
 from roslens.source.extract.workspace_index import Index
 from roslens.source.extract.workspace_interfaces import INTERFACES, KnownInterface, interfaces_of, ros_generation
 from roslens.source.extract.workspace_programs import WorkspacePrograms, workspace_programs
@@ -233,7 +234,7 @@ class WorkspaceParts:
                     if known.get(path, version) == version
                 }
                 targets = [one for one in targets if version in (one.versions or VERSIONS)]
-            index = Index(programs, self.owners, self.needs, targets)
+            index = indexed(programs, self.owners, self.needs, targets)
             index.parameter_libraries = self.libraries
             index.units = {} if self.again else None
             index.version = version

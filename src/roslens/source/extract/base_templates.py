@@ -9,10 +9,10 @@ from roslens.source.extract.type_names import dotted
 
 if TYPE_CHECKING:
     from roslens.source.extract.abstract_value import Obj
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
-def bind_bases(engine: Evaluation, thing: Obj) -> None:
+def bind_bases(engine: Context, thing: Obj) -> None:
     """Note what the classes of an object give their bases as template arguments: ``class A : public Base<String>``."""
     for one in engine.index.chain(thing.defined) if thing.defined is not None else ():
         arguments = getattr(one.what, "base_templates", ())
@@ -30,7 +30,7 @@ def bind_bases(engine: Evaluation, thing: Obj) -> None:
         engine.frame = outer
 
 
-def _whole(engine: Evaluation, written: str) -> str:
+def _whole(engine: Context, written: str) -> str:
     """Return a template argument as it is meant where it is written: elsewhere its name may mean another class."""
     meant = engine.template(written)
     plain = dotted(meant)

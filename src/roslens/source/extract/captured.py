@@ -10,7 +10,7 @@ from roslens.source.extract.program import Lambda, Name
 from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 class Around(dict[str, Any]):
@@ -32,7 +32,7 @@ class Around(dict[str, Any]):
         return True
 
 
-def names_around(engine: Evaluation, made: Lambda) -> dict[str, Any]:
+def names_around(engine: Context, made: Lambda) -> dict[str, Any]:
     """Return the variables around a lambda that is made now."""
     frame, holds = engine.frame, made.holds
     if not holds:
@@ -46,7 +46,7 @@ def names_around(engine: Evaluation, made: Lambda) -> dict[str, Any]:
     return Around(frame, copies)
 
 
-def names_now(engine: Evaluation, around: Around) -> dict[str, Any]:
+def names_now(engine: Context, around: Around) -> dict[str, Any]:
     """Return what the variables around a lambda are that is called now."""
     frame = around.frame
     if not frame.aliases:
@@ -58,11 +58,11 @@ def names_now(engine: Evaluation, around: Around) -> dict[str, Any]:
         engine.frame = outer
 
 
-def _referred(engine: Evaluation) -> dict[str, Any]:
+def _referred(engine: Context) -> dict[str, Any]:
     return {name: engine.value(one) for name, (one, _) in engine.frame.aliases.items()}
 
 
-def set_around(engine: Evaluation, function: Callable, frame: Frame) -> None:
+def set_around(engine: Context, function: Callable, frame: Frame) -> None:
     """Forget what variables around a lambda were that it set when it was called.
 
     Whether a name is that of a variable around, or of one of its own (``auto topic = "b"``), a program does not tell:
@@ -84,7 +84,7 @@ def set_around(engine: Evaluation, function: Callable, frame: Frame) -> None:
         _set_referred(engine, around, frame, own)
 
 
-def _set_referred(engine: Evaluation, around: Around, frame: Frame, own: set[str]) -> None:
+def _set_referred(engine: Context, around: Around, frame: Frame, own: set[str]) -> None:
     """Forget what other names of variables around lead to where a lambda set it."""
     outer, engine.frame = engine.frame, around.frame
     try:

@@ -14,7 +14,7 @@ from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.word_list import Words
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _OF_TEXTS = frozenset({"append", "push_back", "insert", "replace", "erase", "assign", "clear", "pop_back", "resize",
                        "swap", "prepend", "remove"})  # fmt: skip
@@ -27,7 +27,7 @@ _MOST_LENGTH = 10_000
 
 
 def changed_by(
-    engine: Evaluation, written: Expression, of: Any, name: str, arguments: list[Any], keywords: dict[str, Any]
+    engine: Context, written: Expression, of: Any, name: str, arguments: list[Any], keywords: dict[str, Any]
 ) -> tuple[Any] | None:
     """Change a value by a method of it; return the result of the call, None where the method changes nothing.
 
@@ -49,13 +49,13 @@ def changed_by(
     return None
 
 
-def is_open(engine: Evaluation) -> str:
+def is_open(engine: Context) -> str:
     """Return the innermost condition of the function that nobody can decide; empty where there is none."""
     frame = engine.frame
     return engine.conditions[-1] if len(engine.conditions) > frame.depth + frame.passed else ""
 
 
-def put_item(engine: Evaluation, of: dict[Any, Any] | list[Any], key: Any, value: Any) -> None:
+def put_item(engine: Context, of: dict[Any, Any] | list[Any], key: Any, value: Any) -> None:
     """Put an item into a table or list."""
     if isinstance(of, dict):
         engine.changes.put(of, hashable(key), value)
@@ -74,7 +74,7 @@ def _root(written: Expression) -> Expression:
     return written
 
 
-def _text(engine: Evaluation, written: Expression, of: Text, name: str, arguments: list[Any]) -> tuple[Any] | None:
+def _text(engine: Context, written: Expression, of: Text, name: str, arguments: list[Any]) -> tuple[Any] | None:
     if not isinstance(written, Name | Member | Call):
         return None
     listed = of.known is None and name in ("push_back", "insert", "erase", "clear", "pop_back", "resize")
@@ -132,7 +132,7 @@ def _changed(of: Text, name: str, arguments: list[Any]) -> Text | None:
     return None
 
 
-def _list(engine: Evaluation, of: list[Any], name: str, arguments: list[Any]) -> tuple[Any]:
+def _list(engine: Context, of: list[Any], name: str, arguments: list[Any]) -> tuple[Any]:
     if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
         engine.changes.items(of)
         of += arguments[0]
@@ -179,7 +179,7 @@ def _forget(of: list[Any] | dict[Any, Any], reason: str) -> Unknown:
 
 
 def _table(
-    engine: Evaluation, of: dict[Any, Any], name: str, arguments: list[Any], keywords: dict[str, Any],
+    engine: Context, of: dict[Any, Any], name: str, arguments: list[Any], keywords: dict[str, Any],
 ) -> tuple[Any]:  # fmt: skip
     first = arguments[0] if arguments else None
     if name == "update" and (first is None or isinstance(first, dict)):

@@ -15,14 +15,14 @@ from roslens.source.extract.program import Assign, Call, Evaluate, Member, Name
 from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
     from roslens.source.extract.program import Function, Program, Statement
     from roslens.source.extract.workspace_index import Defined
 
 Place = tuple[str, str]
 
 
-def set_attribute(engine: Evaluation, of: Class, name: str, value: Any) -> None:
+def set_attribute(engine: Context, of: Class, name: str, value: Any) -> None:
     """Put a value into an attribute of a class."""
     place = _place(engine, of.defined, name)
     if place is not None:
@@ -32,13 +32,13 @@ def set_attribute(engine: Evaluation, of: Class, name: str, value: Any) -> None:
         engine.changes.put(engine.constants, place, value)
 
 
-def class_of_scope(engine: Evaluation) -> Any:
+def class_of_scope(engine: Context) -> Any:
     """Return the class in whose method ``cls`` stands."""
     found = engine.index.class_of(engine.frame.scope.rpartition(".")[0], engine.frame.path, "")
     return Unknown("cls") if found is None else Class(found)
 
 
-def read_first(engine: Evaluation, name: str, value: Any) -> Any:
+def read_first(engine: Context, name: str, value: Any) -> Any:
     """Return what an attribute is to whoever reads it first: what the class says, if nothing sets it by its class."""
     class_name, _, last = name.rpartition(".")
     if (class_name.rpartition(".")[2], last) not in _all_set(engine):
@@ -51,14 +51,14 @@ def read_first(engine: Evaluation, name: str, value: Any) -> Any:
     return Unknown(reason) if isinstance(value, int | float) else value
 
 
-def of_object(engine: Evaluation, defined: Defined, name: str, value: Any) -> Any:
+def of_object(engine: Context, defined: Defined, name: str, value: Any) -> Any:
     """Return what a new object has of its class: what the class says, or what was set for all meanwhile."""
     if (defined.what.name, name) not in _all_set(engine):
         return value
     return engine.member_of(Class(defined), name, engine)
 
 
-def _for_objects(engine: Evaluation, defined: Defined, name: str, before: Any, value: Any) -> None:
+def _for_objects(engine: Context, defined: Defined, name: str, before: Any, value: Any) -> None:
     """Let objects that are at hand have it too, but for those that have one of their own."""
     thing = engine.frame.self
     held = [thing, *engine.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
@@ -68,7 +68,7 @@ def _for_objects(engine: Evaluation, defined: Defined, name: str, before: Any, v
             engine.changes.put(one.fields, name, value)
 
 
-def _place(engine: Evaluation, defined: Defined, name: str) -> Place | None:
+def _place(engine: Context, defined: Defined, name: str) -> Place | None:
     for one in engine.index.chain(defined):
         constant = engine.index.member(one, name)
         if constant is not None:
@@ -76,7 +76,7 @@ def _place(engine: Evaluation, defined: Defined, name: str) -> Place | None:
     return None
 
 
-def _all_set(engine: Evaluation) -> set[Place]:
+def _all_set(engine: Context) -> set[Place]:
     """Return the attributes that some function sets on a class, by the last name of that and their own."""
     lookups = engine.index.lookups
     if lookups.set_on_classes is None:

@@ -15,7 +15,7 @@ from roslens.source.extract.vocabulary import Called, outer
 from roslens.source.extract.word_list import ROS_ARGS, Words, without_ros2
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _READ = frozenset({"argv", "argc", "sys.argv", "myargv", "rospy.myargv", "parse_args", "parse_known_args",
                    "remove_ros_args"})  # fmt: skip
@@ -73,7 +73,7 @@ def without_ros(words: Sequence[Any]) -> Words:
     return Words(one for one in words if not (isinstance(one, Text) and _ASSIGNS in one.pattern))
 
 
-def given_to_ros(engine: Evaluation, called: Called) -> None:
+def given_to_ros(engine: Context, called: Called) -> None:
     """Take what is for ROS from the words that ``ros::init(argc, argv, …)`` is given, as it does."""
     words = called.argument(1)
     if isinstance(words, Words) and called.written:
@@ -82,7 +82,7 @@ def given_to_ros(engine: Evaluation, called: Called) -> None:
 
 
 @outer("ros.removeROSArgs")
-def remove_ros_args(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def remove_ros_args(engine: Context, _thing: Any, called: Called) -> Any:
     """The words that are not for ROS are put into a list."""
     words = called.argument(1)
     if isinstance(words, Words) and len(called.written) > 2:
@@ -91,7 +91,7 @@ def remove_ros_args(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.myargv", quiet=True)
-def my_words(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def my_words(engine: Context, _thing: Any, called: Called) -> Any:
     """The words that are not for ROS."""
     words = called.argument(0, "argv", default=engine.words)
     return without_ros(words) if isinstance(words, Words) else Unknown("result of rospy.myargv()")
@@ -99,7 +99,7 @@ def my_words(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 @outer("rclpy.utilities.remove_ros_args", "rclpy.remove_ros_args", "rclcpp.remove_ros_arguments",
        "rclcpp.init_and_remove_ros_arguments", quiet=True)  # fmt: skip
-def of_program(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def of_program(engine: Context, _thing: Any, called: Called) -> Any:
     """The words that are not for ROS 2."""
     words = called.argument(1 if "rclcpp" in called.name else 0, "args")
     words = engine.words if words is None else words
@@ -107,7 +107,7 @@ def of_program(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rcutils_cli_option_exist", quiet=True)
-def option_given(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def option_given(_engine: Context, _thing: Any, called: Called) -> Any:
     """Whether a word is among those of the command line."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
@@ -115,7 +115,7 @@ def option_given(_engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rcutils_cli_get_option", quiet=True)
-def option_value(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def option_value(_engine: Context, _thing: Any, called: Called) -> Any:
     """The word after an option; nothing where it is not given."""
     words, option = called.argument(0), called.argument(2)
     place = _place(words, option)
@@ -137,14 +137,14 @@ def _place(words: Any, option: Any) -> int | None:
 
 
 @outer("len", quiet=True)
-def count(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def count(_engine: Context, _thing: Any, called: Called) -> Any:
     """How many words there are; other lists may have become longer in a way that was not followed."""
     words = called.argument(0)
     return words.length if isinstance(words, Words) else Unknown("result of len()")
 
 
 @outer("strcmp", "std.strcmp", quiet=True)
-def compared(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def compared(_engine: Context, _thing: Any, called: Called) -> Any:
     """Two texts are compared: 0 where they are the same."""
     one, other = (value.known if isinstance(value, Text) else None for value in (*called.arguments, None, None)[:2])
     return Unknown("result of strcmp()") if one is None or other is None else (one > other) - (one < other)

@@ -11,10 +11,10 @@ from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.program import Call, Expression, Name
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
-def decorated(engine: Evaluation, function: Callable) -> Any:
+def decorated(engine: Context, function: Callable) -> Any:
     """Return what a call of a function calls; the function itself where nothing of the workspace decorates it.
 
     Decorators from elsewhere are taken for such as hand on what they decorate. Of a method only its result is lost: its
@@ -39,6 +39,6 @@ def decorated(engine: Evaluation, function: Callable) -> Any:
         engine.frame = outer
 
 
-def _is_known(engine: Evaluation, decorator: Expression) -> bool:
+def _is_known(engine: Context, decorator: Expression) -> bool:
     name = decorator.function if isinstance(decorator, Call) else decorator
     return isinstance(name, Name) and engine.function(name.name, 1) is not None

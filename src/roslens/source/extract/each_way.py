@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.abstract_value import Obj
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
-def each_way(engine: Evaluation, several: Obj, called: Function1[[Obj], Any]) -> Any:
+def each_way(engine: Context, several: Obj, called: Function1[[Obj], Any]) -> Any:
     """Call a method of each object that it may be, and return what the last one returns."""
     found = None
     for conditions, thing in several.ways:
@@ -23,7 +23,7 @@ def each_way(engine: Evaluation, several: Obj, called: Function1[[Obj], Any]) ->
 
 
 @contextmanager
-def _conditions(engine: Evaluation, conditions: tuple[str, ...]) -> Iterator[None]:
+def _conditions(engine: Context, conditions: tuple[str, ...]) -> Iterator[None]:
     for one in conditions:
         engine.under(one)
     try:

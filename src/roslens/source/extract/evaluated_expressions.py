@@ -39,7 +39,7 @@ from roslens.source.extract.vocabulary_streams import HELD, written_to
 from roslens.source.extract.word_list import AtLeast, Words
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
     from roslens.source.extract.workspace_index import Defined
 
 
@@ -61,13 +61,13 @@ class Expressions:
 
     def value(self, expression: Expression) -> Any:
         """Return the value of an expression."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         engine.steps += 1
         if engine.steps > engine.most_steps:
             raise SpentError
         if type(expression) is Name and expression.name in (names := engine.frame.names):
             return names[expression.name]
-        return engine.kinds[type(expression)](engine, expression)
+        return self.kinds[type(expression)](engine, expression)
 
     def literal(self, expression: Literal) -> Any:
         """Return a literal."""
@@ -78,7 +78,7 @@ class Expressions:
 
     def name(self, expression: Name) -> Any:
         """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         frame, name = engine.frame, expression.name
         if name in frame.names:
             return frame.names[name]
@@ -99,7 +99,7 @@ class Expressions:
         return self._outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
 
     def _outside(self, name: str) -> Any:
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         if name == _PACKAGE_NAME:
             # catkin and rosconsole define it as the name of the project, which is that of the package.
             return Text.of(engine.index.package(engine.frame.path))
@@ -109,7 +109,7 @@ class Expressions:
 
     def defined(self, name: str) -> Any:
         """Return what the workspace defines under a name; None where it does not."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         frame = engine.frame
         of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
         known, key = engine.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
@@ -129,7 +129,7 @@ class Expressions:
         return Callable(one, other) if kind == "function" else None
 
     def _constant(self, name: str, found: tuple[str, Expression]) -> Any:
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         path, expression = found
         if (path, name) in engine.constants:
             return engine.constants[path, name]
@@ -150,11 +150,11 @@ class Expressions:
 
     def member(self, expression: Member) -> Any:
         """Return a member of an object."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         of = self.value(expression.of)
         return self.member_of(of, expression.name, engine)
 
-    def member_of(self, of: Any, name: str, engine: Evaluation) -> Any:
+    def member_of(self, of: Any, name: str, engine: Context) -> Any:
         """Return a member of a value by name."""
         if isinstance(of, Obj):
             return self._member_of_object(of, name, engine)
@@ -171,7 +171,7 @@ class Expressions:
             return of
         return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
 
-    def _member_of_object(self, of: Obj, name: str, engine: Evaluation) -> Any:
+    def _member_of_object(self, of: Obj, name: str, engine: Context) -> Any:
         if name in of.fields:
             return of.fields[name]
         if name == "__class__" and of.defined is not None:
@@ -189,7 +189,7 @@ class Expressions:
 
     def item(self, expression: Item) -> Any:
         """Return an item."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         of = self.value(expression.of)
         if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
             return part_of(of, expression.key.text)
@@ -209,7 +209,7 @@ class Expressions:
 
     def operation(self, expression: Operation) -> Any:
         """Return the result of an operator."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         operator = expression.operator
         if operator in ("and", "or"):
             return self._boolean(expression)
@@ -240,7 +240,7 @@ class Expressions:
         return self._computed(operator, values, expression)
 
     def _either(self, expression: Operation, decides: Any) -> Any:
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         condition = engine.index.lookups.condition(expression.operands[0])
         then, otherwise = expression.operands[1:]
         one = way_of(engine, then, condition, decides) if does_something(engine, then) else self.value(then)
@@ -267,7 +267,7 @@ class Expressions:
 
     def _boolean(self, expression: Operation) -> Any:
         """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         python = engine.index.programs[engine.frame.path].language == "python"
         operator, operands = expression.operator, expression.operands
         stops = operator == "or"
@@ -293,12 +293,12 @@ class Expressions:
         return self._open(expression, test if len(tests) == len(open_) else None)
 
     def _open(self, expression: Expression, test: Asked | None = None) -> Unknown:
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         return Unknown(engine.index.lookups.text(expression), test)
 
     def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Any:
         """Return a text, or where it is empty what comes after ``or``."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         rest = self.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
         other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
         return either(value, other, engine.index.lookups.condition(operands[0]), test_of(value))
@@ -357,7 +357,7 @@ class Expressions:
 
     def closure(self, expression: Lambda) -> Any:
         """Return a function without name."""
-        engine: Evaluation = self  # type: ignore[assignment]
+        engine: Context = self  # type: ignore[assignment]
         frame = engine.frame
         program = engine.index.programs[frame.path]
         names = names_around(engine, expression) if expression.holds or frame.aliases else frame.names
@@ -388,7 +388,7 @@ class Expressions:
         return list(value) if isinstance(value, dict) else None
 
 
-def _defined(engine: Evaluation, of: Defined | None, name: str) -> tuple[str, Any, Any]:
+def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, Any]:
     """Return what the workspace defines under a name in an object of a class, or outside, and its kind."""
     frame, index = engine.frame, engine.index
     if of is not None:

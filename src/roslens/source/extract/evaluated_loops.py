@@ -32,7 +32,7 @@ from roslens.source.extract.unknown_lists import Each, each_of
 from roslens.source.extract.vocabulary_streams import words_read
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 MOST_TURNS = 64
 _RUNS = re.compile(r"ok\(|shutdown", re.IGNORECASE)
@@ -41,7 +41,7 @@ MOST_COUNTED = 16
 """So many turns of a loop that counts are followed one by one."""
 
 
-def left(engine: Evaluation, statement: Leave) -> None:
+def left(engine: Context, statement: Leave) -> None:
     """Leave a loop, or a turn of it."""
     frame = engine.frame
     if frame.ways is None:
@@ -50,7 +50,7 @@ def left(engine: Evaluation, statement: Leave) -> None:
     frame.stopped = True
 
 
-def without_ways_out(engine: Evaluation, since: int) -> None:
+def without_ways_out(engine: Context, since: int) -> None:
     """Note of what follows that no way out was taken of those that were found since."""
     ways = engine.frame.ways
     if ways is None or engine.frame.stopped:
@@ -60,7 +60,7 @@ def without_ways_out(engine: Evaluation, since: int) -> None:
         _hold_not(engine, way.conditions[here:])
 
 
-def block_of_loop(engine: Evaluation, body: tuple[Statement, ...]) -> None:
+def block_of_loop(engine: Context, body: tuple[Statement, ...]) -> None:
     """Follow statements of a turn; what comes after them has not taken a way out that is in them."""
     ways = engine.frame.ways
     known = len(ways.out) if ways is not None else 0
@@ -69,7 +69,7 @@ def block_of_loop(engine: Evaluation, body: tuple[Statement, ...]) -> None:
         without_ways_out(engine, known)
 
 
-def _hold_not(engine: Evaluation, conditions: tuple[str, ...]) -> None:
+def _hold_not(engine: Context, conditions: tuple[str, ...]) -> None:
     if not conditions:
         return
     note = negated(" and ".join(conditions))
@@ -78,7 +78,7 @@ def _hold_not(engine: Evaluation, conditions: tuple[str, ...]) -> None:
         engine.frame.passed += 1
 
 
-def looped(engine: Evaluation, statement: Loop) -> None:
+def looped(engine: Context, statement: Loop) -> None:
     """Follow a loop."""
     frame, depth = engine.frame, len(engine.conditions)
     around, frame.ways = frame.ways, Ways(depth)
@@ -94,7 +94,7 @@ def looped(engine: Evaluation, statement: Loop) -> None:
             frame.join(way.held, " and ".join(way.conditions[way.turn :]))
 
 
-def _followed(engine: Evaluation, statement: Loop) -> None:
+def _followed(engine: Context, statement: Loop) -> None:
     over = engine.value(statement.over) if statement.over is not None else None
     target, items = _gone_through(engine, statement, over)
     if target is not None and items is not None:
@@ -112,7 +112,7 @@ def _followed(engine: Evaluation, statement: Loop) -> None:
     _once_for_all(engine, statement, over)
 
 
-def _each_in_turn(engine: Evaluation, statement: Loop, target: Expression, items: list[Any]) -> None:
+def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Any]) -> None:
     for item in items[:MOST_TURNS]:
         if type(item) is Perhaps:
             _perhaps_with(engine, statement, item)
@@ -122,7 +122,7 @@ def _each_in_turn(engine: Evaluation, statement: Loop, target: Expression, items
             return
 
 
-def _once_for_all(engine: Evaluation, statement: Loop, over: Any) -> None:
+def _once_for_all(engine: Context, statement: Loop, over: Any) -> None:
     """Follow one turn that stands for all, of which nobody knows how many there are."""
     before, frame = engine.frame.snapshot(), engine.frame
     once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
@@ -138,7 +138,7 @@ def _once_for_all(engine: Evaluation, statement: Loop, over: Any) -> None:
         _keep_filled(frame.names, after[0])
 
 
-def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool) -> None:
+def _turn_for_all(engine: Context, statement: Loop, over: Any, *, once: bool) -> None:
     """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
     changes, frame = engine.changes, engine.frame
     since = changes.count
@@ -157,7 +157,7 @@ def _turn_for_all(engine: Evaluation, statement: Loop, over: Any, *, once: bool)
         changes.ended()
 
 
-def _perhaps_turned(engine: Evaluation, statement: Loop, over: Any) -> None:
+def _perhaps_turned(engine: Context, statement: Loop, over: Any) -> None:
     """Follow the one turn that stands for all, under the condition that there is one.
 
     A node that is up runs its loop; and whoever knows the list that a parameter gives knows what is made of each item.
@@ -173,7 +173,7 @@ def _perhaps_turned(engine: Evaluation, statement: Loop, over: Any) -> None:
     del engine.conditions[here]
 
 
-def _perhaps_with(engine: Evaluation, statement: Loop, item: Perhaps) -> None:
+def _perhaps_with(engine: Context, statement: Loop, item: Perhaps) -> None:
     """Follow the turn of an item that the list may have."""
     frame, here, before = engine.frame, len(engine.conditions), engine.frame.snapshot()
     engine.under(item.condition, item.test)
@@ -188,7 +188,7 @@ def _perhaps_with(engine: Evaluation, statement: Loop, item: Perhaps) -> None:
         frame.join(after, item.condition)
 
 
-def _gone_through(engine: Evaluation, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:
+def _gone_through(engine: Context, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:
     """Return what a loop sets in each turn, and the values in turn; None where they are unknown."""
     target = statement.target
     if target is None:
@@ -206,12 +206,12 @@ def _keep_filled(names: dict[str, Any], after: dict[str, Any]) -> None:
             names[name] = value
 
 
-def _written(engine: Evaluation, statement: Loop) -> str:
+def _written(engine: Context, statement: Loop) -> str:
     text = engine.index.lookups.text(statement.over).strip("`") if statement.over is not None else "a loop"
     return text if statement.target is None else f"there is any of {text}"
 
 
-def _turn(engine: Evaluation, statement: Loop) -> bool:
+def _turn(engine: Context, statement: Loop) -> bool:
     """Follow one turn; return whether another one may follow."""
     frame = engine.frame
     ways = frame.ways
@@ -237,7 +237,7 @@ def _turn(engine: Evaluation, statement: Loop) -> bool:
     return True
 
 
-def _count(engine: Evaluation, statement: Loop) -> int | None:
+def _count(engine: Context, statement: Loop) -> int | None:
     """Return how many turns a loop has that counts: ``for (i = 0; i < 3; ++i)``; None where that is unknown."""
     over, step = statement.over, _step(statement)
     if step is None or not isinstance(over, Operation) or len(over.operands) != 2 or over.operator not in _STOPS:
@@ -274,7 +274,7 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _forget_counters(engine: Evaluation, statement: Loop) -> None:
+def _forget_counters(engine: Context, statement: Loop) -> None:
     """Let be unknown what has another value in each turn: numbers that are set, texts that grow or are read before."""
     frame = engine.frame
     for place, grows in _assigned((*statement.body, *statement.update)):

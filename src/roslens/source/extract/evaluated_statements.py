@@ -56,11 +56,11 @@ from roslens.source.extract.workspace_index import type_arguments, type_name
 from roslens.source.extract.xml_rpc_values import XML_RPC, put_part
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
     from roslens.source.extract.evaluation_frame import Held
 
 
-def initialise(engine: Evaluation, statement: Statement) -> None:
+def initialise(engine: Context, statement: Statement) -> None:
     """Evaluate an initialiser of a constructor: of a member, or of a base."""
     if isinstance(statement, Evaluate) and isinstance(statement.expression, Call):
         call = statement.expression
@@ -87,7 +87,7 @@ def initialise(engine: Evaluation, statement: Statement) -> None:
             thing.fields[name] = value
 
 
-def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywords: dict[str, Any]) -> None:
+def _initialise_base(engine: Context, call: Call, arguments: list[Any], keywords: dict[str, Any]) -> None:
     """Construct a base, or delegate to another constructor of the class."""
     thing = engine.frame.self
     if not isinstance(call.function, Name) or not isinstance(thing, Obj):
@@ -112,7 +112,7 @@ def _initialise_base(engine: Evaluation, call: Call, arguments: list[Any], keywo
         engine.construct_as(thing, base, arguments, keywords)
 
 
-def _base_named(engine: Evaluation, thing: Obj, written: str) -> str:
+def _base_named(engine: Context, thing: Obj, written: str) -> str:
     """Return a base as its class writes it: its last name is known there, whatever else has that name elsewhere."""
     inside = engine.frame.scope.rpartition(".")[0]
     for one in engine.index.chain(thing.defined) if thing.defined is not None and "." not in written else ():
@@ -122,7 +122,7 @@ def _base_named(engine: Evaluation, thing: Obj, written: str) -> str:
     return written
 
 
-def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
+def block(engine: Context, body: tuple[Statement, ...]) -> None:
     """Follow statements in order."""
     frame, before = engine.frame, len(engine.conditions)
     try:
@@ -138,7 +138,7 @@ def block(engine: Evaluation, body: tuple[Statement, ...]) -> None:
         del engine.conditions[before:]
 
 
-def _assigned(engine: Evaluation, statement: Assign) -> None:
+def _assigned(engine: Context, statement: Assign) -> None:
     if statement.operator == "static" and isinstance(statement.target, Name):
         engine.frame.names[statement.target.name] = once(engine, statement)
         return
@@ -162,7 +162,7 @@ def _assigned(engine: Evaluation, statement: Assign) -> None:
         assign(engine, statement.target, value)
 
 
-def _set_from_here(engine: Evaluation, name: Name) -> Any:
+def _set_from_here(engine: Context, name: Name) -> Any:
     """Return the value of a variable of a module that a function sets; to others it is unknown from now on."""
     key, value = (engine.frame.path, name.name), engine.value(name)
     if key in engine.constants and isinstance(value, _PLAIN):
@@ -171,7 +171,7 @@ def _set_from_here(engine: Evaluation, name: Name) -> Any:
     return value
 
 
-def assign(engine: Evaluation, target: Expression, value: Any) -> None:
+def assign(engine: Context, target: Expression, value: Any) -> None:
     """Put a value where an expression says."""
     if isinstance(target, Name):
         thing = engine.frame.self
@@ -202,7 +202,7 @@ def assign(engine: Evaluation, target: Expression, value: Any) -> None:
             assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
 
 
-def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
+def _assign_item(engine: Context, target: Item, value: Any) -> None:
     of, key = engine.value(target.of), engine.value(target.key)
     if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
         # It may hold, or not: nobody knows what the name becomes.
@@ -221,7 +221,7 @@ def _assign_item(engine: Evaluation, target: Item, value: Any) -> None:
         put_part(engine, of, key, value)
 
 
-def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
+def _assign_name(engine: Context, name: str, value: Any) -> None:
     frame = engine.frame
     if name in frame.kept:
         keep(engine, name, value)
@@ -243,13 +243,13 @@ def _assign_name(engine: Evaluation, name: str, value: Any) -> None:
         engine.forget_calls()
 
 
-def _is_field(engine: Evaluation, thing: Obj, name: str) -> bool:
+def _is_field(engine: Context, thing: Obj, name: str) -> bool:
     if engine.index.programs.get(engine.frame.path) and engine.index.programs[engine.frame.path].language == "python":
         return False
     return name in thing.fields or bool(engine.index.declared_field(thing.defined, name)) or name.endswith("_")
 
 
-def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
+def _evaluated(engine: Context, statement: Evaluate) -> None:
     engine.value(statement.expression)
     called = statement.expression.function if isinstance(statement.expression, Call) else None
     if called == Name("throw") and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
@@ -257,14 +257,14 @@ def _evaluated(engine: Evaluation, statement: Evaluate) -> None:
         engine.frame.returned, engine.frame.plainly = True, False
 
 
-def _returned(engine: Evaluation, statement: Return) -> None:
+def _returned(engine: Context, statement: Return) -> None:
     value = None if statement.value is None else engine.value(statement.value)
     returned(engine, statement)
     engine.frame.give(value, engine.conditions[engine.frame.depth :])
     engine.frame.plainly = value is None or value is True or (value == 0 and value is not False)
 
 
-def _branched(engine: Evaluation, statement: Branch) -> None:
+def _branched(engine: Context, statement: Branch) -> None:
     decides = engine.value(statement.condition)
     holds = engine.truth(decides)
     if holds is not None:
@@ -316,7 +316,7 @@ def _branched(engine: Evaluation, statement: Branch) -> None:
     without_ways_out(engine, ways)
 
 
-def _handled(engine: Evaluation, tried: Branch, held: tuple[Held, Held], notes: tuple[str, str]) -> None:
+def _handled(engine: Context, tried: Branch, held: tuple[Held, Held], notes: tuple[str, str]) -> None:
     """Follow handlers of exceptions: in them may hold what was set until the exception came."""
     frame, (before, after) = engine.frame, held
     frame.join(after, notes[0])
@@ -335,7 +335,7 @@ def _handled(engine: Evaluation, tried: Branch, held: tuple[Held, Held], notes: 
                 del now[name]
 
 
-def _asks_parameter(engine: Evaluation, condition: Expression) -> bool:
+def _asks_parameter(engine: Context, condition: Expression) -> bool:
     """Whether a parameter decides a condition: other reasons to leave are mostly that all is done, or lost."""
     if isinstance(condition, Operation):
         return any(_asks_parameter(engine, one) for one in condition.operands)
@@ -343,7 +343,7 @@ def _asks_parameter(engine: Evaluation, condition: Expression) -> bool:
     return isinstance(value, Text) and any(hole.parameter for hole in value.holes)
 
 
-def _noted(engine: Evaluation, note: str, body: tuple[Statement, ...]) -> None:
+def _noted(engine: Context, note: str, body: tuple[Statement, ...]) -> None:
     """Follow statements under a condition."""
     engine.under(note, engine.frame.tests.get(note))
     try:

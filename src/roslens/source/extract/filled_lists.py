@@ -13,13 +13,13 @@ from roslens.source.extract.program import Assign, Call, Expression, Function, L
 from roslens.source.extract.text import Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _SIZES = frozenset({"size", "length"})
 _FILLS = frozenset({"push_back", "emplace_back"})
 
 
-def count_of_filled(engine: Evaluation, end: Expression) -> int:
+def count_of_filled(engine: Context, end: Expression) -> int:
     """Return the number of items where a loop counts to the size of a list of which each is known; 0 else.
 
     The list is a variable of the function that is evaluated, and nothing but ``push_back`` changes it there.

@@ -7,16 +7,14 @@ from typing import TYPE_CHECKING, Any
 from roslens.source.extract.abstract_value import Obj, Unknown
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
     from roslens.source.extract.workspace_index import Defined
 
 _WITHOUT = frozenset({"object", "NamedTuple", "Protocol", "ABC", "Generic"})
 """Bases that have no constructor of their own."""
 
 
-def set_fields(
-    engine: Evaluation, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]
-) -> bool:
+def set_fields(engine: Context, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> bool:
     """Set the fields of an object whose class has no constructor; return whether it takes them.
 
     A class that takes arguments, has no constructor and no base elsewhere that may have one, takes its annotated

@@ -10,12 +10,12 @@ from roslens.source.extract.program import Assign, Name, Return
 from roslens.source.extract.text import Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _COUNTED = (int, float)
 
 
-def once(engine: Evaluation, statement: Assign) -> Any:
+def once(engine: Context, statement: Assign) -> Any:
     """Return what a variable holds that lives on between calls: what the first call made, or a later one put there."""
     frame, touched = engine.frame, engine.touches
     key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
@@ -36,25 +36,25 @@ def once(engine: Evaluation, statement: Assign) -> Any:
     return value
 
 
-def keep(engine: Evaluation, name: str, value: Any) -> None:
+def keep(engine: Context, name: str, value: Any) -> None:
     """Put a value into a variable of the function that lives on between calls."""
     engine.frame.names[name] = value
     engine.forget_calls()
     engine.changes.put(engine.once, engine.frame.kept[name], value)
 
 
-def returned(engine: Evaluation, statement: Return) -> None:
+def returned(engine: Context, statement: Return) -> None:
     """Note where the value stands that a function returns a reference or pointer to."""
     hands = bool(engine.calls) and engine.calls[-1][1].hands
     engine.gave = (engine.frame, statement.value) if hands and statement.value is not None else None
 
 
-def no_place(engine: Evaluation) -> None:
+def no_place(engine: Context) -> None:
     """Forget where a value stands: the next call says it, if any does."""
     engine.gave = None
 
 
-def put_where_it_stands(engine: Evaluation, before: Any, after: Any) -> None:
+def put_where_it_stands(engine: Context, before: Any, after: Any) -> None:
     """Put what a returned reference was changed to where it leads; ``before`` is what the call returned."""
     if engine.gave is None:
         return
@@ -67,5 +67,5 @@ def put_where_it_stands(engine: Evaluation, before: Any, after: Any) -> None:
         engine.frame = outer
 
 
-def _is_assigned(engine: Evaluation, name: str) -> bool:
+def _is_assigned(engine: Context, name: str) -> bool:
     return bool(engine.calls) and name in assigned_names(engine.calls[-1][1].body)

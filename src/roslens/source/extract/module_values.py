@@ -26,7 +26,7 @@ from roslens.source.extract.program import (
 )
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _ADDING = frozenset({"append", "add"})
 
@@ -40,7 +40,7 @@ def changes_of(program: Program) -> dict[str, tuple[Statement, ...]]:
     return {name: tuple(all_) for name, all_ in found.items() if len(all_) > 1 or not isinstance(all_[0], Assign)}
 
 
-def module_value(engine: Evaluation, path: str, name: str, first: Expression) -> tuple[Any] | None:
+def module_value(engine: Context, path: str, name: str, first: Expression) -> tuple[Any] | None:
     """Return what a variable of a module is after all that changes it; None where one statement says it all.
 
     Args:

@@ -16,12 +16,12 @@ from roslens.source.extract.program import Call, Expression, Item, Member, Name,
 from roslens.source.extract.text import Asked, Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _KNOWN = (bool, int, float, QosValue, list, dict)
 
 
-def does_something(engine: Evaluation, operand: Expression) -> bool:
+def does_something(engine: Context, operand: Expression) -> bool:
     """Whether an operand calls a function of the workspace, by its name."""
     if type(operand) is not Call and type(operand) is not Operation:
         return False
@@ -64,7 +64,7 @@ def _called(operand: Expression) -> tuple[str, ...]:
     return tuple(sorted(found))
 
 
-def value_if(engine: Evaluation, operand: Expression, condition: str, test: Asked | None, noted: str = "") -> Any:
+def value_if(engine: Context, operand: Expression, condition: str, test: Asked | None, noted: str = "") -> Any:
     """Return the value of an operand that is evaluated where a condition holds.
 
     Args:
@@ -96,7 +96,7 @@ def value_if(engine: Evaluation, operand: Expression, condition: str, test: Aske
     return value
 
 
-def way_of(engine: Evaluation, operand: Expression, condition: str, decides: Any, *, opposite: bool = False) -> Any:
+def way_of(engine: Context, operand: Expression, condition: str, decides: Any, *, opposite: bool = False) -> Any:
     """Return the value of one of two operands of which a condition chooses; the second one with ``opposite``."""
     test = test_of(decides)
     if opposite:
@@ -105,7 +105,7 @@ def way_of(engine: Evaluation, operand: Expression, condition: str, decides: Any
 
 
 def after_others(
-    engine: Evaluation, operand: Expression, others: SequenceOf[tuple[Any, Expression]], operator: str
+    engine: Context, operand: Expression, others: SequenceOf[tuple[Any, Expression]], operator: str
 ) -> Any:
     """Return the value of an operand of ``and`` or ``or`` that comes after others of which nobody knows if they hold.
 

@@ -14,12 +14,12 @@ from roslens.source.extract.program import Assign, Call, Expression, Member, Nam
 from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _PLAIN = (Text, bool, int, float, QosValue)
 
 
-def refer(engine: Evaluation, statement: Assign) -> bool:
+def refer(engine: Context, statement: Assign) -> bool:
     """Let a declared name be another one of what it is declared to be; return whether it is one of a plain value."""
     frame, name, value = engine.frame, statement.target, statement.value
     if not isinstance(name, Name) or value is None or value == name:
@@ -36,7 +36,7 @@ def refer(engine: Evaluation, statement: Assign) -> bool:
     return True
 
 
-def _refer_to_result(engine: Evaluation, statement: Assign, name: Name, call: Call) -> bool:
+def _refer_to_result(engine: Context, statement: Assign, name: Name, call: Call) -> bool:
     """Let a name be another one of what a call returns a reference to; return True."""
     frame = engine.frame
     no_place(engine)
@@ -50,7 +50,7 @@ def _refer_to_result(engine: Evaluation, statement: Assign, name: Name, call: Ca
     return True
 
 
-def assign_referred(engine: Evaluation, name: str, value: Any) -> None:
+def assign_referred(engine: Context, name: str, value: Any) -> None:
     """Put a value where another name of it leads; a pointer may point elsewhere meanwhile."""
     expression, pointer = engine.frame.aliases[name]
     if pointer:

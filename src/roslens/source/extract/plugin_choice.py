@@ -11,7 +11,7 @@ from roslens.source.extract.unknown_lists import listed
 
 if TYPE_CHECKING:
     from roslens.source.extract.abstract_value import Building
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _OF_NODE = " of node no. "
 
@@ -37,7 +37,7 @@ def chosen_value(chosen: Chosen, node: Building, name: str, default: Text | None
     return Text((Hole(reason, default=usual),))
 
 
-def deciding_node(engine: Evaluation, text: Text) -> Building:
+def deciding_node(engine: Context, text: Text) -> Building:
     """Return the node whose parameters decide a text, else the one whose code is evaluated."""
     for hole in text.holes:
         for reason in (hole.reason, *(one.reason for named in hole.named for one in named.holes)):

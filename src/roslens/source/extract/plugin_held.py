@@ -8,7 +8,7 @@ from roslens.source.extract.abstract_value import Obj, Unknown
 from roslens.source.extract.text import Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _HELD = "what it holds"
 _EACH = None
@@ -21,7 +21,7 @@ def held_in(thing: Obj) -> dict[int | None, Any]:
     return found if isinstance(found, dict) else {}
 
 
-def hold(engine: Evaluation, thing: Obj, key: Any, value: Any) -> None:
+def hold(engine: Context, thing: Obj, key: Any, value: Any) -> None:
     """Put something at a place of a list; what is only there under a condition of its function is unknown."""
     engine.touched()
     place = key if isinstance(key, int) and not isinstance(key, bool) else _EACH
@@ -42,7 +42,7 @@ def item_held(thing: Obj, key: Any) -> Any:
     return held.get(key) if _EACH not in held and isinstance(key, int) else None
 
 
-def plugged_in(engine: Evaluation, value: Any) -> list[Any] | None:
+def plugged_in(engine: Context, value: Any) -> list[Any] | None:
     """Return the plug-ins that a list holds; None where it holds none, or others too."""
     if not isinstance(value, Obj) or value.defined is not None:
         return None

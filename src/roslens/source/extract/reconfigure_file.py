@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 import msgspec
 
 from roslens.source.extract.abstract_value import Building, Named, Obj, Unknown, as_text
+from roslens.source.extract.context import Context
 from roslens.source.extract.evaluation import Evaluation, SpentError
 from roslens.source.extract.evaluation_frame import Frame
 from roslens.source.extract.node_facts import Evidence
@@ -114,27 +115,27 @@ def read_reconfigure_file(index: Index, path: str) -> tuple[ReconfigureFile, ...
 
 
 @outer("ParameterGenerator", *(f"{module}.ParameterGenerator" for module in _MODULES))
-def generator(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
+def generator(_engine: Context, _thing: Any, _called: Called) -> Any:
     """A generator is made."""
     return Obj(_GENERATOR, None, {_ADDED: []})
 
 
 @method(_GENERATOR, "add_group")
 @method(_GROUP, "add_group")
-def group(_engine: Evaluation, thing: Obj, _called: Called) -> Any:
+def group(_engine: Context, thing: Obj, _called: Called) -> Any:
     """A group is made; it is for people who look at the parameters, their names stay without it."""
     return Obj(_GROUP, None, {_ADDED: thing.fields[_ADDED]})
 
 
 @method(_GENERATOR, "const", "enum")
-def constant(_engine: Evaluation, _thing: Obj, called: Called) -> Any:
+def constant(_engine: Context, _thing: Obj, called: Called) -> Any:
     """A constant, or values that are chosen from: they limit nothing."""
     return Unknown(f"result of {called.name}()")
 
 
 @method(_GENERATOR, "add")
 @method(_GROUP, "add")
-def add(engine: Evaluation, thing: Obj, called: Called) -> Any:
+def add(engine: Context, thing: Obj, called: Called) -> Any:
     """A parameter is declared."""
     kind = _type(called.argument(1, "paramtype"))
     ends = [_end(called.argument(place, name), kind) for place, name in ((5, "min"), (6, "max"))]
@@ -154,7 +155,7 @@ def add(engine: Evaluation, thing: Obj, called: Called) -> Any:
 
 
 @method(_GENERATOR, "generate")
-def generate(engine: Evaluation, thing: Obj, called: Called) -> Any:
+def generate(engine: Context, thing: Obj, called: Called) -> Any:
     """A class is generated of what was declared until now."""
     if isinstance(engine, _Reading):
         texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]

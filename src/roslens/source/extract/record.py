@@ -46,7 +46,7 @@ from roslens.source.extract.vocabulary import Called, below, node_of
 from roslens.source.extract.workspace_index import dotted, type_arguments, type_name
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 KINDS = {
     Role.PUBLISHER: "msg",
@@ -59,7 +59,7 @@ KINDS = {
 
 
 def endpoint(
-    engine: Evaluation,
+    engine: Context,
     receiver: Any,
     called: Called,
     role: Role,
@@ -126,7 +126,7 @@ def _beyond(overrides: Overrides | None, conditions: list[str]) -> Overrides | N
     return msgspec.structs.replace(overrides, conditions=rest)
 
 
-def origin(engine: Evaluation, called: Called, name: Any) -> tuple[Evidence, tuple[Evidence, ...]]:
+def origin(engine: Context, called: Called, name: Any) -> tuple[Evidence, tuple[Evidence, ...]]:
     """Return where an endpoint comes from: the call that says its name, and the helpers that only pass it on."""
     evidence = called.evidence
     through: list[Evidence] = []
@@ -166,7 +166,7 @@ def how(name: Text) -> str:
     return "; ".join(dict.fromkeys(hole.reason for hole in name.holes))
 
 
-def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Text:
+def type_text(engine: Context, kind: Any, generation: str, role: Role) -> Text:
     """Return the type of an endpoint as text."""
     written = kind if isinstance(kind, str) else ""
     if isinstance(kind, Named):
@@ -190,7 +190,7 @@ def type_text(engine: Evaluation, kind: Any, generation: str, role: Role) -> Tex
     return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
 
 
-def _meant(engine: Evaluation, written: str) -> str:
+def _meant(engine: Context, written: str) -> str:
     """Return what a type means that is written by an alias or without its namespace."""
     path, scope = engine.frame.path, engine.frame.scope
     inner = message_of(written)
@@ -213,7 +213,7 @@ def _as_interface(written: str, generation: str) -> str:
     return "" if generation == "ros2" and name.count("/") == 1 and "/" not in written else name
 
 
-def _adapted(engine: Evaluation, written: str) -> str:
+def _adapted(engine: Context, written: str) -> str:
     """Return the message that a type is adapted to: ``rclcpp::TypeAdapter<Custom, Message>``, or a registered class."""
     name, inside = type_name(written)
     if name == "rclcpp.TypeAdapter" and len(arguments := type_arguments(inside)) == 2:
@@ -223,7 +223,7 @@ def _adapted(engine: Evaluation, written: str) -> str:
     return engine.index.adapted(name, engine.frame.path, engine.frame.scope) or written
 
 
-def _in_scope(engine: Evaluation, written: str, kind: str) -> str:
+def _in_scope(engine: Context, written: str, kind: str) -> str:
     """Return the interface that a name without package means: of a module that is used whole, or of its namespace."""
     program = engine.index.programs[engine.frame.path]
     if not written.isidentifier():
@@ -243,7 +243,7 @@ def _in_scope(engine: Evaluation, written: str, kind: str) -> str:
     return ""
 
 
-def type_of_callback(engine: Evaluation, callback: Any, place: int = 0) -> str:
+def type_of_callback(engine: Context, callback: Any, place: int = 0) -> str:
     """Return the type that a callback takes, as its declaration says."""
     return engine.callable_type(callback, place) if isinstance(callback, Callable) else ""
 
@@ -261,7 +261,7 @@ _TAKEN = "taken to be of this node"
 
 
 def parameter(
-    engine: Evaluation, receiver: Any, called: Called, access: str, name: Any, *, default: Any = None, kind: str = "",
+    engine: Context, receiver: Any, called: Called, access: str, name: Any, *, default: Any = None, kind: str = "",
     given: bool = False, described: Described = _PLAIN, evidence: Evidence | None = None,
 ) -> Any:  # fmt: skip
     """Record a parameter and return what reading it gives: a hole with its default, or what it is known to be."""
@@ -338,7 +338,7 @@ def declared_default(node: Building, name: Text) -> Text | None:
     return None
 
 
-def timer(engine: Evaluation, receiver: Any, called: Called, period: Any, callback: Any, group: Any) -> None:
+def timer(engine: Context, receiver: Any, called: Called, period: Any, callback: Any, group: Any) -> None:
     """Record a timer."""
     node = node_of(engine, receiver)
     seconds = float(period) if isinstance(period, int | float) and not isinstance(period, bool) else None

@@ -15,11 +15,11 @@ from roslens.source.extract.vocabulary import Called, below, node_of
 from roslens.source.extract.xml_rpc_values import parts_of
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 def write_parameter(
-    engine: Evaluation, receiver: Any, called: Called, name: Any, value: Any, conditions: tuple[str, ...] = ()
+    engine: Context, receiver: Any, called: Called, name: Any, value: Any, conditions: tuple[str, ...] = ()
 ) -> None:
     """Record that a parameter is written; of a dictionary each item is a parameter of its own.
 

@@ -11,10 +11,10 @@ from roslens.source.extract.shared_values import changed_for_all
 from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
-def refine(engine: Evaluation, holder: Expression, before: Any, after: Any) -> Any:
+def refine(engine: Context, holder: Expression, before: Any, after: Any) -> Any:
     """Let what holds a quality of service hold what it was changed to; return that.
 
     Args:
@@ -58,7 +58,7 @@ def lose(thing: Any, function: Function, names: dict[str, Any] | None = None) ->
             thing.fields[name] = unknown(f"{name}, which {function.name}() sets")
 
 
-def lose_unseen(engine: Evaluation, called: Callable, written: tuple[Expression, ...]) -> None:
+def lose_unseen(engine: Context, called: Callable, written: tuple[Expression, ...]) -> None:
     """Forget what a function without a body sets: members of its object, and the numbers that it is given."""
     function = called.function
     if not function.sets:

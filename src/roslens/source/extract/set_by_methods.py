@@ -29,7 +29,7 @@ from roslens.source.extract.program import (
 from roslens.source.extract.text import Text, unknown
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
     from roslens.source.extract.workspace_index import Defined
 
 _MOST_DEPTH = 3
@@ -39,7 +39,7 @@ _PLAIN = frozenset({str, int, float, bool, type(None), Literal, Opaque, Lambda, 
 _LEAVES = frozenset({*_PLAIN, Name})
 
 
-def forget_set_by_methods(engine: Evaluation, statement: Loop) -> None:
+def forget_set_by_methods(engine: Context, statement: Loop) -> None:
     """Let texts and numbers be unknown that methods of the own object set in a turn, and that it reads before.
 
     What is true or false is left alone: it mostly tells what the first turn did.
@@ -62,7 +62,7 @@ def forget_set_by_methods(engine: Evaluation, statement: Loop) -> None:
             fields[name] = unknown(reason) if text else Unknown(reason)
 
 
-def _set_by_methods(engine: Evaluation, of: Defined, statement: Loop) -> tuple[str, ...]:
+def _set_by_methods(engine: Context, of: Defined, statement: Loop) -> tuple[str, ...]:
     """Return the members that methods of the object set which a turn calls, and variables of these methods."""
     names: set[str] = set()
     for called in _called_in(statement.body):
@@ -98,7 +98,7 @@ def _called_in(body: tuple[Statement, ...]) -> list[str]:
     return found
 
 
-def _method(engine: Evaluation, of: Defined, name: str) -> Function | None:
+def _method(engine: Context, of: Defined, name: str) -> Function | None:
     known, key = engine.index.lookups.method, (id(of.what), name)
     found = known[key] if key in known else known.setdefault(key, engine.method_of(of, name))
     return found[0] if found is not None and found[0].body else None
@@ -126,7 +126,7 @@ def _own_calls(part: Any) -> list[str]:
     return found
 
 
-def _order(engine: Evaluation, of: Defined, body: tuple[Statement, ...], name: str, depth: int) -> bool | None:
+def _order(engine: Context, of: Defined, body: tuple[Statement, ...], name: str, depth: int) -> bool | None:
     """Return whether a member is read before it is set for sure; None where it is neither."""
     for one in body:
         if isinstance(one, Assign) and one.operator == "=" and _is_place(one.target, name):
@@ -150,7 +150,7 @@ def _order(engine: Evaluation, of: Defined, body: tuple[Statement, ...], name: s
     return None
 
 
-def _says(engine: Evaluation, of: Defined, part: Any, name: str, depth: int) -> bool | None:
+def _says(engine: Context, of: Defined, part: Any, name: str, depth: int) -> bool | None:
     """Return whether an expression or statement reads a member, or calls what does; False where that sets it."""
     if _names(part, name):
         return True

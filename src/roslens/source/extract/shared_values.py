@@ -8,10 +8,10 @@ from roslens.source.extract.abstract_value import Obj, QosValue
 from roslens.source.extract.program import Member, Name
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
-def changed_for_all(engine: Evaluation, holder: Name | Member, before: Any, after: QosValue) -> None:
+def changed_for_all(engine: Context, holder: Name | Member, before: Any, after: QosValue) -> None:
     """Let a quality of service be what it was changed to under its other names too."""
     python = engine.index.programs[engine.frame.path].language == "python"
     if isinstance(before, QosValue) and before is not after and (python or _is_reference(engine, holder)):
@@ -22,14 +22,14 @@ def changed_for_all(engine: Evaluation, holder: Name | Member, before: Any, afte
             changed_by_call(engine)
 
 
-def newest(engine: Evaluation, value: Any) -> Any:
+def newest(engine: Context, value: Any) -> Any:
     """Return what an object became of which another name is known too: a name of Python, or a reference."""
     while isinstance(value, QosValue) and id(value) in engine.refined:
         value = engine.refined[id(value)][1]
     return value
 
 
-def changed_by_call(engine: Evaluation) -> None:
+def changed_by_call(engine: Context) -> None:
     """In Python names are given to an object: under each of them it is changed, by whoever changes it."""
     if engine.index.programs[engine.frame.path].language != "python":
         return
@@ -40,7 +40,7 @@ def changed_by_call(engine: Evaluation) -> None:
                 engine.changes.put(held, name, newest(engine, value))
 
 
-def _in_constants(engine: Evaluation, before: QosValue, after: QosValue) -> None:
+def _in_constants(engine: Context, before: QosValue, after: QosValue) -> None:
     """What a module or class holds is changed for all that use it; under a condition it may be."""
     for place, value in engine.constants.items():
         if value is before:
@@ -48,7 +48,7 @@ def _in_constants(engine: Evaluation, before: QosValue, after: QosValue) -> None
             engine.constants[place] = QosValue(after.qos, after.unknown or why) if why else after
 
 
-def _is_reference(engine: Evaluation, holder: Name | Member) -> bool:
+def _is_reference(engine: Context, holder: Name | Member) -> bool:
     """Whether what is changed is a member that refers to something outside of its object."""
     thing = engine.frame.self
     if not isinstance(thing, Obj) or holder.name in engine.frame.names:

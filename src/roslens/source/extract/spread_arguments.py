@@ -10,13 +10,13 @@ from roslens.source.extract.program import Call, Opaque
 from roslens.source.extract.text import Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _MOST_LEFT = 8
 """So many arguments stand for those of a list that nobody knows."""
 
 
-def spread(engine: Evaluation, call: Call) -> tuple[list[Any], dict[str, Any]]:
+def spread(engine: Context, call: Call) -> tuple[list[Any], dict[str, Any]]:
     """Return the arguments of a call by position and by name, as far as what is spread out is known.
 
     Where a table is not known, ``**`` stands among the names: any of them may be given.

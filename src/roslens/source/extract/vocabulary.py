@@ -19,7 +19,7 @@ from roslens.source.extract.program import Expression
 from roslens.source.extract.text import Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 class Called(msgspec.Struct, frozen=True):
@@ -49,7 +49,7 @@ class Called(msgspec.Struct, frozen=True):
         return self.arguments[place] if 0 <= place < len(self.arguments) else default
 
 
-Word = Function1[["Evaluation", Any, Called], Any]
+Word = Function1[["Context", Any, Called], Any]
 _OUTER: dict[str, Word] = {}
 _METHODS: dict[tuple[str, str], Word] = {}
 _ANYWHERE: dict[str, Word] = {}
@@ -146,7 +146,7 @@ def known_names() -> frozenset[str]:
     return frozenset(_OUTER)
 
 
-def find_outer(engine: Evaluation, name: str) -> Word | None:
+def find_outer(engine: Context, name: str) -> Word | None:
     """Return what calling a function or class by its whole name does."""
     _load()
     word = _OUTER.get(name)
@@ -161,7 +161,7 @@ def is_method(name: str) -> bool:
     return name in _NAMES
 
 
-def find_class(engine: Evaluation, name: str, path: str) -> tuple[str, Word] | None:
+def find_class(engine: Context, name: str, path: str) -> tuple[str, Word] | None:
     """Return whole name and word of a class that is in the workspace, and known better than what its code says."""
     known = _BETTER.get(name)
     if known is None or (known[1] and not path.endswith(known[1])):
@@ -170,13 +170,13 @@ def find_class(engine: Evaluation, name: str, path: str) -> tuple[str, Word] | N
     return None if word is None else (known[0], word)
 
 
-def _said(engine: Evaluation, word: Word | None) -> Word | None:
+def _said(engine: Context, word: Word | None) -> Word | None:
     if word is not None and word not in _QUIET:
         engine.touched()
     return word
 
 
-def find_method(engine: Evaluation, receiver: Any, called: Called) -> Word | None:
+def find_method(engine: Context, receiver: Any, called: Called) -> Word | None:
     """Return what a method of an object does; None where it is not known."""
     _load()
     name = called.name
@@ -189,7 +189,7 @@ def find_method(engine: Evaluation, receiver: Any, called: Called) -> Word | Non
     return None
 
 
-def guessed_method(engine: Evaluation, receiver: Any, called: Called) -> Word | None:
+def guessed_method(engine: Context, receiver: Any, called: Called) -> Word | None:
     """Return what a method does that an object may have of a base or a declaration outside of the workspace.
 
     None where nothing is known of it, or the object has no such base.
@@ -205,7 +205,7 @@ def guessed_method(engine: Evaluation, receiver: Any, called: Called) -> Word | 
     return _said(engine, word) if isinstance(receiver, Named) and program.language == "cpp" else None
 
 
-def kinds_of(engine: Evaluation, receiver: Any) -> tuple[str, ...]:
+def kinds_of(engine: Context, receiver: Any) -> tuple[str, ...]:
     """Return what an object is, to find its methods."""
     if isinstance(receiver, Obj):
         defined = receiver.defined
@@ -227,7 +227,7 @@ def kinds_of(engine: Evaluation, receiver: Any) -> tuple[str, ...]:
     return ("made",) if isinstance(receiver, Made) else ()
 
 
-def node_of(engine: Evaluation, value: Any) -> Building:
+def node_of(engine: Context, value: Any) -> Building:
     """Return the node that a value stands for: the one that is built where it is unknown."""
     if isinstance(value, Handle):
         return value.node

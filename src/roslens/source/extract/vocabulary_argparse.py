@@ -12,7 +12,7 @@ from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _PARSER, _SPACE = "argparse.ArgumentParser", "argparse.Namespace"
 _OPTIONS, _DEFAULTS, _LOST, _UNDER = "-options", "-defaults", "-lost", "-conditions"
@@ -50,7 +50,7 @@ class LostError(Exception):
 
 
 @outer(_PARSER)
-def parser(engine: Evaluation, thing: Any, called: Called) -> Any:
+def parser(engine: Context, thing: Any, called: Called) -> Any:
     """A parser of command lines; what parents of it know is not followed."""
     found = thing if isinstance(thing, Obj) else Obj(_PARSER)
     found.fields.update({_OPTIONS: [], _DEFAULTS: {}, _LOST: "parents" in called.keywords})
@@ -59,20 +59,20 @@ def parser(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(_PARSER, "add_argument_group", "add_mutually_exclusive_group")
-def group(_engine: Evaluation, thing: Any, _called: Called) -> Any:
+def group(_engine: Context, thing: Any, _called: Called) -> Any:
     """A group of arguments is part of its parser."""
     return thing
 
 
 @method(_PARSER, "add_subparsers")
-def commands(_engine: Evaluation, thing: Any, _called: Called) -> Any:
+def commands(_engine: Context, thing: Any, _called: Called) -> Any:
     """Commands have parsers of their own, which are not followed."""
     thing.fields[_LOST] = True
     return Unknown("parsers of commands")
 
 
 @method(_PARSER, "set_defaults", anywhere=True)
-def defaults(engine: Evaluation, thing: Any, called: Called) -> Any:
+def defaults(engine: Context, thing: Any, called: Called) -> Any:
     """Values where nothing is given; a function among them is what a command of the command line does."""
     if isinstance(thing, Obj):
         thing.fields.setdefault(_DEFAULTS, {}).update(called.keywords)
@@ -82,7 +82,7 @@ def defaults(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(_PARSER, "add_argument")
-def option(engine: Evaluation, thing: Any, called: Called) -> Any:
+def option(engine: Context, thing: Any, called: Called) -> Any:
     """An argument is made known to the parser."""
     names = [one.known if isinstance(one, Text) else None for one in called.arguments]
     known = [one for one in names if one]
@@ -115,7 +115,7 @@ def _kind(value: Any) -> str:
 
 
 @method(_PARSER, "parse_args", "parse_known_args")
-def parsed(engine: Evaluation, thing: Any, called: Called) -> Any:
+def parsed(engine: Context, thing: Any, called: Called) -> Any:
     """The words are taken apart."""
     words = called.argument(0, "args")
     if words is None and engine.words is not None:

@@ -8,10 +8,10 @@ from roslens.source.extract.abstract_value import Obj
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 @outer("rosbag.Bag", quiet=True)
-def bag(_: Evaluation, __: Any, called: Called) -> Obj:
+def bag(_: Context, __: Any, called: Called) -> Obj:
     """A file of messages: where ROS itself is in the workspace, its insides would be followed by whoever has one."""
     return Obj(called.name)

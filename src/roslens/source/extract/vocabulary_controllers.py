@@ -11,7 +11,7 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _SERVICES = (
     ("list_controllers", "ListControllers"),
@@ -25,7 +25,7 @@ _SERVICES = (
 
 
 @outer("controller_manager.ControllerManager")
-def manager(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def manager(engine: Context, _thing: Any, called: Called) -> Any:
     """A manager of controllers, in the namespace of the handle that it is given."""
     if engine.node.generation == "ros1":
         given = [one for one in called.arguments if isinstance(one, Handle)]

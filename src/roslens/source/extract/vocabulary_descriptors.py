@@ -12,7 +12,7 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _DESCRIPTOR = "rcl_interfaces.msg.ParameterDescriptor"
 _RANGES = {"integer_range": "rcl_interfaces.msg.IntegerRange",
@@ -23,7 +23,7 @@ _SET = "set__"
 
 
 @outer(_DESCRIPTOR, quiet=True)
-def descriptor(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def descriptor(_engine: Context, _thing: Any, called: Called) -> Any:
     """A descriptor: with an empty range of each kind, which C++ makes by ``resize(1)``."""
     if called.arguments and is_descriptor(called.arguments[0]):
         return called.arguments[0]
@@ -32,7 +32,7 @@ def descriptor(_engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer(*_RANGES.values(), quiet=True)
-def bounds(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def bounds(_engine: Context, _thing: Any, called: Called) -> Any:
     """The range of a number."""
     if called.arguments and isinstance(called.arguments[0], Obj):
         return called.arguments[0]
@@ -44,7 +44,7 @@ def bounds(_engine: Evaluation, _thing: Any, called: Called) -> Any:
         "read_only", "dynamic_typing", *_RANGES)))  # fmt: skip
 @method("IntegerRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
 @method("FloatingPointRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
-def set_field(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def set_field(_engine: Context, thing: Any, called: Called) -> Any:
     """A field is set: ``descriptor.set__read_only(true)``."""
     if isinstance(thing, Obj):
         thing.fields[called.name.removeprefix(_SET)] = called.argument(0)

@@ -9,7 +9,7 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _FACTORS = {"ms": 1e-3, "milliseconds": 1e-3, "us": 1e-6, "microseconds": 1e-6, "ns": 1e-9, "nanoseconds": 1e-9,
             "from_nanoseconds": 1e-9}  # fmt: skip
@@ -20,7 +20,7 @@ _NANO = 1e-9
        "std.chrono.nanoseconds", "std.chrono.duration", "rclcpp.Duration", "rclcpp.Duration.from_seconds",
        "rclcpp.Duration.from_nanoseconds", "ros.Duration", "ros.WallDuration", "rospy.Duration", "rclcpp.Rate",
        "ros.Rate", "rclcpp.WallRate", "std.chrono_literals.ms", "std.chrono_literals.s", quiet=True)  # fmt: skip
-def duration(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def duration(_engine: Context, _thing: Any, called: Called) -> Any:
     """A stretch of time in seconds; of seconds and nanoseconds where two are given."""
     value, more = called.argument(0), called.argument(1, default=0)
     if not _is_number(value) or (called.name.endswith("Duration") and not _is_number(more)):
@@ -30,7 +30,7 @@ def duration(_engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rclpy.duration.Duration", "rclpy.Duration", quiet=True)
-def of_rclpy(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def of_rclpy(_engine: Context, _thing: Any, called: Called) -> Any:
     """A stretch of time of rclpy, of what its keywords say together."""
     parts = [called.keywords.get("seconds", 0), called.keywords.get("nanoseconds", 0)]
     if called.arguments or not all(_is_number(one) for one in parts):

@@ -12,18 +12,18 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, method
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 @method("node", "create_generic_publisher", anywhere=True)
-def publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
+def publisher(engine: Context, thing: Any, called: Called) -> Any:
     """A publisher of serialized messages."""
     quality = quality_of(called.argument(2))
     return endpoint(engine, thing, called, Role.PUBLISHER, called.argument(0), _kind(called), qos=quality)
 
 
 @method("node", "create_generic_subscription", anywhere=True)
-def subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
+def subscription(engine: Context, thing: Any, called: Called) -> Any:
     """A subscription to serialized messages."""
     quality, callback = quality_of(called.argument(2)), called.argument(3)
     name = called.argument(0)
@@ -31,13 +31,13 @@ def subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("node", "create_generic_client", anywhere=True)
-def client(engine: Evaluation, thing: Any, called: Called) -> Any:
+def client(engine: Context, thing: Any, called: Called) -> Any:
     """A client of a service with any type."""
     return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), _kind(called))
 
 
 @method("node", "create_generic_service", anywhere=True)
-def service(engine: Evaluation, thing: Any, called: Called) -> Any:
+def service(engine: Context, thing: Any, called: Called) -> Any:
     """A server of a service with any type."""
     name, callback = called.argument(0), called.argument(2)
     return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, _kind(called), callback=callback)

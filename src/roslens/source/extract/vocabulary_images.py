@@ -15,24 +15,24 @@ from roslens.source.extract.vocabulary_ros2 import free_function
 from roslens.source.extract.vocabulary_shared import follow_visitors, handle_of
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _IMAGE = "sensor_msgs::msg::Image"
 _CAMERA = "sensor_msgs::msg::CameraInfo"
 
 
 @outer("image_transport.ImageTransport")
-def images(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def images(engine: Context, _thing: Any, called: Called) -> Any:
     """What images are published and subscribed to with."""
     return Obj("image_transport.ImageTransport", None, {"handle": handle_of(engine, called)})
 
 
-def _handle(thing: Any, engine: Evaluation) -> Any:
+def _handle(thing: Any, engine: Context) -> Any:
     return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.node)
 
 
 @method("image_transport.ImageTransport", "advertise", "advertiseCamera")
-def image_publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
+def image_publisher(engine: Context, thing: Any, called: Called) -> Any:
     """A publisher of images, and with a camera of what is known of it."""
     handle, queue = _handle(thing, engine), called.argument(1)
     size = queue if isinstance(queue, int) else -1
@@ -44,7 +44,7 @@ def image_publisher(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
-def image_subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
+def image_subscription(engine: Context, thing: Any, called: Called) -> Any:
     """A subscription to images, and with a camera to what is known of it."""
     handle, queue = _handle(thing, engine), called.argument(1)
     size = queue if isinstance(queue, int) else -1
@@ -58,7 +58,7 @@ def image_subscription(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
-def camera(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def camera(engine: Context, _thing: Any, called: Called) -> Any:
     """An image with what is known of its camera, in ROS 2."""
     role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
     callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
@@ -69,7 +69,7 @@ def camera(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 @outer("image_transport.CameraPublisher", "image_transport.CameraSubscriber", "image_transport.Publisher",
        "image_transport.Subscriber")  # fmt: skip
-def made_at_once(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def made_at_once(engine: Context, _thing: Any, called: Called) -> Any:
     """What ROS 2 also makes by constructors, of a node and a topic; others hold what is made later, or copy."""
     if len(called.arguments) < 2:
         return Unknown(called.name)
@@ -81,7 +81,7 @@ def made_at_once(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("camera_info_manager.CameraInfoManager")
-def camera_manager(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def camera_manager(engine: Context, _thing: Any, called: Called) -> Any:
     """What keeps what is known of a camera: it is set by a service.
 
     Where that is follows the handle in ROS 1. In ROS 2 it is below a namespace, which is that of the node in releases
@@ -98,13 +98,13 @@ def camera_manager(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("image_transport.getCameraInfoTopic")
-def camera_topic(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def camera_topic(_engine: Context, _thing: Any, called: Called) -> Any:
     """The topic of what is known of a camera, beside that of its images."""
     return _camera(called.argument(0))
 
 
 @outer("image_transport.SubscriberFilter")
-def filtered_images(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def filtered_images(engine: Context, _thing: Any, called: Called) -> Any:
     """A subscription to images that are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("image_transport.SubscriberFilter")
     if called.arguments:
@@ -113,7 +113,7 @@ def filtered_images(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method("image_transport.SubscriberFilter", "subscribe")
-def filtered_images_later(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def filtered_images_later(engine: Context, _thing: Any, called: Called) -> Any:
     """A filtered subscription to images is made: ``subscribe(node, topic, transport)``, in ROS 1 of a transport."""
     first = called.argument(0)
     given = _handle(first, engine) if isinstance(first, Obj) and first.node is None else first

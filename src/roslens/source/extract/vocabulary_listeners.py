@@ -20,13 +20,13 @@ from roslens.source.extract.unknown_lists import each_of
 from roslens.source.extract.vocabulary import LISTENER, Called, method, node_of, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _PARAMS, _ENTRIES = "ParameterStruct", "ParameterEntries"
 
 
 @outer(LISTENER)
-def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def listener(engine: Context, _thing: Any, called: Called) -> Any:
     """A listener is made: it declares the parameters of its file, below a prefix where one is given."""
     made = Obj(called.name, None, {})
     if not called.arguments:
@@ -43,14 +43,14 @@ def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method(LISTENER, "get_params", "get_stack_params")
-def params(_engine: Evaluation, thing: Any, _called: Called) -> Any:
+def params(_engine: Context, thing: Any, _called: Called) -> Any:
     """All parameters are read."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     return known if known is not None else Unknown("parameters of a listener")
 
 
 @method(LISTENER, "try_get_params", "try_update_params", "try_get_stack_params")
-def params_into(engine: Evaluation, thing: Any, called: Called) -> Any:
+def params_into(engine: Context, thing: Any, called: Called) -> Any:
     """All parameters are read into a variable."""
     known = thing.fields.get("params") if isinstance(thing, Obj) else None
     if known is not None and called.written:
@@ -59,7 +59,7 @@ def params_into(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(_ENTRIES, "at", "get_entry")
-def entry(_engine: Evaluation, thing: Any, _called: Called) -> Any:
+def entry(_engine: Context, thing: Any, _called: Called) -> Any:
     """One of the entries of a map, which stands for each."""
     return thing.fields["entry"] if isinstance(thing, Obj) else Unknown("an entry")
 
@@ -67,7 +67,7 @@ def entry(_engine: Evaluation, thing: Any, _called: Called) -> Any:
 class _Declaring:
     """Declares the parameters of a library for one listener."""
 
-    def __init__(self, engine: Evaluation, called: Called, library: ParameterLibrary) -> None:
+    def __init__(self, engine: Context, called: Called, library: ParameterLibrary) -> None:
         self._engine, self._called, self._library = engine, called, library
         self._prefix = _prefix(called)
         self._known: dict[str, Text] = {}
@@ -140,7 +140,7 @@ def _is_logger(value: Obj | Unknown) -> bool:
     return "logger" in (value.type if isinstance(value, Obj) else value.reason).lower()
 
 
-def _library(engine: Evaluation, called: Called) -> ParameterLibrary | None:
+def _library(engine: Context, called: Called) -> ParameterLibrary | None:
     """Return what the class of a listener is made of: by its namespace; of several of one package or included."""
     frame, index = engine.frame, engine.index
     python = called.evidence.path.endswith(".py")
@@ -159,7 +159,7 @@ def _library(engine: Evaluation, called: Called) -> ParameterLibrary | None:
     return unread[0] if len(unread) == 1 else None
 
 
-def _nearest(found: list[ParameterLibrary], engine: Evaluation, path: str) -> ParameterLibrary | None:
+def _nearest(found: list[ParameterLibrary], engine: Context, path: str) -> ParameterLibrary | None:
     """Return the one of several of a namespace whose header is included, or that the package makes."""
     if len(found) == 1:
         return found[0]
@@ -172,7 +172,7 @@ def _nearest(found: list[ParameterLibrary], engine: Evaluation, path: str) -> Pa
     return None
 
 
-def _included(engine: Evaluation, path: str) -> set[str]:
+def _included(engine: Context, path: str) -> set[str]:
     """Return the headers that a file includes, and those of the workspace that it includes, without their folders."""
     programs = engine.index.programs
     own = {name.strip('<>"') for name, _ in programs[path].includes}

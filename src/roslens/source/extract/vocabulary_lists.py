@@ -16,14 +16,14 @@ from roslens.source.extract.vocabulary import Called, outer
 from roslens.source.extract.word_list import Words
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _MOST = 16
 """So many turns of a loop over numbers are followed one by one."""
 
 
 @outer("enumerate", quiet=True)
-def numbered(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def numbered(engine: Context, _thing: Any, called: Called) -> Any:
     """Items with their numbers."""
     over, first = called.argument(0), called.argument(1, "start", default=0)
     items = engine.items(over)
@@ -46,7 +46,7 @@ def perhaps_numbered(items: list[Any]) -> list[Any]:
 
 
 @outer("zip", quiet=True)
-def side_by_side(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def side_by_side(engine: Context, _thing: Any, called: Called) -> Any:
     """Items of several lists, side by side."""
     lists = [engine.items(one) for one in called.arguments]
     known = [one for one in lists if one is not None]
@@ -57,7 +57,7 @@ def side_by_side(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("list", "tuple", "set", "frozenset", "reversed", "sorted", quiet=True)
-def collected(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def collected(engine: Context, _thing: Any, called: Called) -> Any:
     """A list of the items of another one."""
     if not called.arguments and not called.keywords:
         return []
@@ -81,7 +81,7 @@ def collected(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("range", quiet=True)
-def counted(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def counted(_engine: Context, _thing: Any, called: Called) -> Any:
     """Numbers in a row."""
     given = [one for one in called.arguments if isinstance(one, int) and not isinstance(one, bool)]
     if not given or len(given) != len(called.arguments) or len(given) > 3 or (len(given) == 3 and not given[2]):
@@ -91,7 +91,7 @@ def counted(_engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer(VECTOR, "vector", quiet=True)
-def vector(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def vector(_engine: Context, _thing: Any, called: Called) -> Any:
     """A list of C++; of one that is declared without items nobody knows what it is filled with."""
     item = called.templates[0] if called.templates else ""
     first = called.argument(0)

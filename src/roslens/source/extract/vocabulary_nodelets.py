@@ -16,28 +16,28 @@ from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _SERVICES = (("list", "NodeletList"), ("load_nodelet", "NodeletLoad"), ("unload_nodelet", "NodeletUnload"))
 _STRINGS = ("std::string", "std::string")
 
 
 @outer("ros.M_string", "nodelet.M_string", quiet=True)
-def remappings(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def remappings(_engine: Context, _thing: Any, called: Called) -> Any:
     """A map of remappings, empty as long as nobody puts names in it."""
     given = called.argument(0)
     return Unknown("remappings that somebody gives") if given is not None else Remappings()
 
 
 @outer("std.map", quiet=True)
-def mapping(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def mapping(_engine: Context, _thing: Any, called: Called) -> Any:
     """A map: one of texts may be one of remappings."""
     plain = tuple(one.strip() for one in called.templates) == _STRINGS and not called.arguments
     return Remappings() if plain else Obj("std.map")
 
 
 @outer("nodelet.Loader")
-def loader(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def loader(engine: Context, _thing: Any, called: Called) -> Any:
     """A loader of nodelets, with services of a manager where it is told so."""
     engine.node.generation = "ros1"
     given = called.argument(0, default=True)
@@ -52,7 +52,7 @@ def loader(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method("nodelet.Loader", "load")
-def load(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def load(engine: Context, _thing: Any, called: Called) -> Any:
     """A nodelet is loaded into this process."""
     given = called.argument(2)
     if isinstance(given, Remappings):

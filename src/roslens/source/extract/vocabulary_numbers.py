@@ -9,19 +9,19 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _MOST_SIGNS = 30
 
 
 @outer("int", "std.stoi", "std.stol", "std.stoul", "atoi", "std.atoi", quiet=True)
-def whole(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def whole(_engine: Context, _thing: Any, called: Called) -> Any:
     """A text or number is made a whole number."""
     return _number(called, int)
 
 
 @outer("float", "std.stod", "std.stof", "atof", "std.atof", quiet=True)
-def real(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def real(_engine: Context, _thing: Any, called: Called) -> Any:
     """A text or number is made a real number."""
     return _number(called, float)
 

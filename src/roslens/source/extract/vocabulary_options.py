@@ -15,7 +15,7 @@ from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 OPTIONS = "rclcpp.NodeOptions"
 OUTSIDE = Text((Hole("arguments that the node is loaded with"),))
@@ -38,7 +38,7 @@ def options_from_outside() -> Obj:
 
 
 @outer(OPTIONS)
-def options(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def options(_engine: Context, thing: Any, called: Called) -> Any:
     """Options of a node: those of a copy, or none."""
     given = called.argument(0)
     found = _copy(given) if isinstance(given, Obj) else Obj(OPTIONS, None, {"-arguments": []})
@@ -53,7 +53,7 @@ def _copy(given: Obj) -> Obj:
 
 
 @method(OPTIONS, "arguments")
-def arguments(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def arguments(_engine: Context, thing: Any, called: Called) -> Any:
     """The command line of the node is asked for, or given."""
     if not called.arguments:
         held = thing.fields.get("-arguments", [])
@@ -66,7 +66,7 @@ def arguments(_engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(OPTIONS, "use_global_arguments")
-def use_global(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def use_global(_engine: Context, thing: Any, called: Called) -> Any:
     """Whether the command line of the process is for the node too."""
     if not called.arguments:
         return thing.fields.get("-global", True)
@@ -75,7 +75,7 @@ def use_global(_engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(OPTIONS, "parameter_overrides", "append_parameter_override")
-def overrides(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def overrides(_engine: Context, thing: Any, called: Called) -> Any:
     """Values of parameters are given to the node."""
     if not called.arguments:
         return thing.fields.get("-overrides", [])
@@ -89,7 +89,7 @@ def overrides(_engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(OPTIONS, _DECLARES)
-def declares(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def declares(_engine: Context, thing: Any, called: Called) -> Any:
     """Whether the node declares each parameter that is set for it."""
     if not called.arguments:
         return thing.fields.get("-declares", False)
@@ -98,13 +98,13 @@ def declares(_engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(OPTIONS, *_SAME)
-def same(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def same(_engine: Context, thing: Any, called: Called) -> Any:
     """What says nothing of names."""
     return thing if called.arguments else Unknown(f"{called.name} of the options")
 
 
 @method("node", "get_node_options")
-def options_of(engine: Evaluation, thing: Any, _called: Called) -> Any:
+def options_of(engine: Context, thing: Any, _called: Called) -> Any:
     """The options of a node are asked for."""
     held = node_of(engine, thing).options
     return _copy(held) if isinstance(held, Obj) else Unknown("options of the node")
@@ -124,7 +124,7 @@ def given_options(called: Called) -> Any:
     return Obj(OPTIONS, None, held)
 
 
-def take_options(engine: Evaluation, building: Building, given: Obj, called: Called) -> None:
+def take_options(engine: Context, building: Building, given: Obj, called: Called) -> None:
     """Let hold for a node what its options say."""
     building.options = given
     words = given.fields.get("-arguments", [])
@@ -163,7 +163,7 @@ def _doubt(building: Building, called: Called, reason: str) -> None:
 
 
 @outer("std.replace")
-def replaced(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def replaced(engine: Context, _thing: Any, called: Called) -> Any:
     """Signs of a text are replaced by others: ``std::replace(name.begin(), name.end(), '/', '_')``."""
     of = getattr(getattr(called.written[0], "function", None), "of", None) if called.written else None
     before, after = called.argument(2), called.argument(3)

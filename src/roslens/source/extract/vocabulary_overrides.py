@@ -10,7 +10,7 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _CPP, _PYTHON = "rclcpp.QosOverridingOptions", "rclpy.qos_overriding_options.QoSOverridingOptions"
 _USUAL = ("history", "depth", "reliability")
@@ -24,7 +24,7 @@ _FIELD = "qos_overriding_options"
 
 @outer("rclcpp.PublisherOptions", "rclcpp.SubscriptionOptions", "rclcpp.PublisherOptionsWithAllocator",
        "rclcpp.SubscriptionOptionsWithAllocator", quiet=True)  # fmt: skip
-def of_endpoint(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def of_endpoint(_engine: Context, thing: Any, called: Called) -> Any:
     """Options of an endpoint: those of a copy, or none yet."""
     given = called.argument(0)
     held = dict(given.fields) if isinstance(given, Obj) and given.type == called.name else {}
@@ -35,7 +35,7 @@ def of_endpoint(_engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @outer(_CPP, _PYTHON, quiet=True)
-def chosen(engine: Evaluation, _thing: Any, called: Called) -> Overrides:
+def chosen(engine: Context, _thing: Any, called: Called) -> Overrides:
     """The policies that parameters may set, by their kinds."""
     kinds = called.argument(0, "policy_kinds")
     if isinstance(kinds, list) and kinds and isinstance(kinds[0], list):
@@ -52,12 +52,12 @@ def chosen(engine: Evaluation, _thing: Any, called: Called) -> Overrides:
 
 
 @outer(f"{_CPP}.with_default_policies", f"{_PYTHON}.with_default_policies", quiet=True)
-def usual(engine: Evaluation, _thing: Any, called: Called) -> Overrides:
+def usual(engine: Context, _thing: Any, called: Called) -> Overrides:
     """History, depth and reliability may be set by parameters."""
     return _overrides(engine, called, None, called.arguments)
 
 
-def _overrides(engine: Evaluation, called: Called, kinds: Any, rest: list[Any]) -> Overrides:
+def _overrides(engine: Context, called: Called, kinds: Any, rest: list[Any]) -> Overrides:
     """Return overrides of policies by their kinds (None means the usual ones), with an id where one is given."""
     engine.touched()
     given = called.keywords.get("entity_id", rest[1] if len(rest) > 1 else None)

@@ -15,20 +15,20 @@ from roslens.source.extract.vocabulary import Called, method, outer
 from roslens.source.extract.vocabulary_descriptors import described_by, is_descriptor
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _PYTHON = ("rclpy.parameter.Parameter", "rclpy.Parameter")
 
 
 @method("node", "declare_parameter", anywhere=True)
-def declare(engine: Evaluation, thing: Any, called: Called) -> Any:
+def declare(engine: Context, thing: Any, called: Called) -> Any:
     """A parameter is declared."""
     default = called.argument(1, "value", "default_value")
     return _declared(engine, thing, called, called.argument(0, "name"), default, _template(called))
 
 
 @method("node", "declare_or_get_parameter", anywhere=True)
-def declare_or_read(engine: Evaluation, thing: Any, called: Called) -> Any:
+def declare_or_read(engine: Context, thing: Any, called: Called) -> Any:
     """A parameter is declared, or read where it is declared already, as nodes of Nav2 do."""
     return declare(engine, thing, called)
 
@@ -37,14 +37,14 @@ def declare_or_read(engine: Evaluation, thing: Any, called: Called) -> Any:
     *(f"{space}.{name}" for space in ("nav2_util", "nav2", "nav2_ros_common")
       for name in ("declare_parameter_if_not_declared", "declare_or_get_parameter")),
 )  # fmt: skip
-def declare_of(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def declare_of(engine: Context, _thing: Any, called: Called) -> Any:
     """A parameter of the node that is given first is declared, if it is not yet."""
     named = next((place for place, one in enumerate(called.arguments) if isinstance(one, Text)), 1)
     inner = msgspec.structs.replace(called, arguments=called.arguments[named:], written=called.written[named:])
     return declare(engine, called.argument(0), inner)
 
 
-def _declared(engine: Evaluation, thing: Any, called: Called, name: Any, default: Any, kind: str) -> Any:
+def _declared(engine: Context, thing: Any, called: Called, name: Any, default: Any, kind: str) -> Any:
     if is_descriptor(default):
         default = None
     constant = type_of_constant(default)
@@ -74,7 +74,7 @@ def _fitting(default: Any, kind: str) -> Any:
 
 
 @outer("rclcpp.ParameterValue", "rclcpp.Parameter", *_PYTHON)
-def parameter_value(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def parameter_value(_engine: Context, _thing: Any, called: Called) -> Any:
     """A value of a parameter."""
     if called.name == "rclcpp.ParameterValue":
         value = called.argument(0, default=Unknown("a value that is not set"))
@@ -92,7 +92,7 @@ def _template(called: Called) -> str:
 
 
 @method("node", "declare_parameters", anywhere=True)
-def declare_all(engine: Evaluation, thing: Any, called: Called) -> Any:
+def declare_all(engine: Context, thing: Any, called: Called) -> Any:
     """Several parameters are declared at once."""
     prefix, given, kind = called.argument(0, "namespace"), called.argument(1, "parameters"), _template(called)
     items = list(given.items()) if isinstance(given, dict) else given
@@ -111,7 +111,7 @@ def declare_all(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("node", "get_parameter", "get_parameter_or", anywhere=True)
-def read(engine: Evaluation, thing: Any, called: Called) -> Any:
+def read(engine: Context, thing: Any, called: Called) -> Any:
     """A parameter is read, into a variable where one is given."""
     python = called.evidence.path.endswith(".py")
     default = called.argument(1 if python else 2, "alternative_value")
@@ -129,6 +129,6 @@ def read(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("node", "set_parameter", "set_parameters", "has_parameter", anywhere=True)
-def write(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def write(_engine: Context, _thing: Any, called: Called) -> Any:
     """A parameter is written, or asked for; by names that are not followed."""
     return Unknown(f"result of {called.name}()")

@@ -15,7 +15,7 @@ from roslens.source.extract.vocabulary import Called, method, outer
 from roslens.source.extract.workspace_index import Defined
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _LOADER = "pluginlib.ClassLoader"
 _SEPARATOR = re.compile(r"[/:]")
@@ -24,7 +24,7 @@ _MOST = 64
 
 
 @outer(_LOADER, "class_loader.ClassLoader", "class_loader.MultiLibraryClassLoader", quiet=True)
-def loader(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def loader(_engine: Context, _thing: Any, called: Called) -> Any:
     """A loader of classes."""
     written = called.argument(1)
     base = written.known if isinstance(written, Text) and called.name == _LOADER else None
@@ -33,7 +33,7 @@ def loader(_engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 @method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance",
         quiet=True)  # fmt: skip
-def instance(engine: Evaluation, thing: Any, called: Called) -> Any:
+def instance(engine: Context, thing: Any, called: Called) -> Any:
     """An object of a class is made by the name of the class: where a configuration is asked for, and it is known."""
     kind = as_text(called.argument(0))
     base = called.templates[0] if called.templates else thing.fields.get("base", "")
@@ -55,7 +55,7 @@ def instance(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method(_LOADER, "getName", quiet=True)
-def plain_name(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def plain_name(_engine: Context, _thing: Any, called: Called) -> Any:
     """The name of a class without its package (pluginlib, class_loader_imp.hpp): ``a/B`` and ``a::B`` are ``B``."""
     kind = as_text(called.argument(0))
     last = None if kind.usual is None else _SEPARATOR.split(kind.usual)[-1]
@@ -64,14 +64,14 @@ def plain_name(_engine: Evaluation, _thing: Any, called: Called) -> Any:
     return unknown(f"name of the plug-in {kind}", default=last)
 
 
-def _class(engine: Evaluation, name: str) -> Defined | None:
+def _class(engine: Context, name: str) -> Defined | None:
     """Return the class that a name of a plug-in means: as descriptions say, else the class of that name."""
     whole = type_name(engine.plugin_names.get(name, name).replace("/", "::"))[0]
     return engine.index.class_of(whole, engine.frame.path, "")
 
 
 @method("std.vector", "push_back", "emplace_back", quiet=True)
-def added(engine: Evaluation, thing: Any, called: Called) -> Any:
+def added(engine: Context, thing: Any, called: Called) -> Any:
     """Something is put at the end of a list: texts and plug-ins are remembered."""
     for one in called.arguments:
         engine.called_outer(one)
@@ -88,7 +88,7 @@ def added(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("std.vector", "back", "front", "at", quiet=True)
-def end(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def end(_engine: Context, thing: Any, called: Called) -> Any:
     """One end of a list, or what is at a place of it."""
     held = held_in(thing)
     keys = sorted(key for key in held if isinstance(key, int))

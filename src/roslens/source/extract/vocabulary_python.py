@@ -14,11 +14,11 @@ from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 @outer("copy.copy", "copy.deepcopy", quiet=True)
-def copied(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def copied(_engine: Context, _thing: Any, called: Called) -> Any:
     """A value that is another one than what it is a copy of."""
     value = called.argument(0)
     if type(value) is list:
@@ -35,7 +35,7 @@ _PLAIN = (Text, bool, int, float, QosValue)
 
 
 @outer("setattr", quiet=True)
-def member_set(engine: Evaluation, _thing: Any, called: Called) -> None:
+def member_set(engine: Context, _thing: Any, called: Called) -> None:
     """A member that is set by its name."""
     name = called.argument(1)
     if isinstance(name, Text) and name.known and len(called.written) == 3:
@@ -44,7 +44,7 @@ def member_set(engine: Evaluation, _thing: Any, called: Called) -> None:
         _forget_members(engine, thing, name)
 
 
-def _forget_members(engine: Evaluation, thing: Obj, name: Any) -> None:
+def _forget_members(engine: Context, thing: Obj, name: Any) -> None:
     """Let members be unknown of which one is set and nobody knows which: those whose names fit what is known of it."""
     pattern = name.pattern if isinstance(name, Text) else "*"
     for member, value in list(thing.fields.items()):
@@ -55,7 +55,7 @@ def _forget_members(engine: Evaluation, thing: Obj, name: Any) -> None:
 
 
 @outer("type", quiet=True)
-def kind_of(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def kind_of(_engine: Context, _thing: Any, called: Called) -> Any:
     """The class of an object."""
     value = called.argument(0)
     known = isinstance(value, Obj) and value.defined is not None and len(called.arguments) == 1

@@ -25,13 +25,13 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
 
 
 @outer("rclcpp.QoS", "rclpy.qos.QoSProfile", quiet=True)
-def qos(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def qos(_engine: Context, thing: Any, called: Called) -> Any:
     """A quality of service."""
     # What is made is an object of its own, whatever it is made of.
     value = msgspec.structs.replace(_from_words(called))
@@ -74,25 +74,25 @@ def _reason(value: Any) -> str:
 
 
 @outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")
-def by_key(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def by_key(_engine: Context, _thing: Any, called: Called) -> Any:
     """A preset by the name that command lines have for it."""
     return quality_by_key(called.argument(0, "name"))
 
 
 @outer("rmw_qos_profile_t")
-def profile(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def profile(_engine: Context, _thing: Any, called: Called) -> Any:
     """A profile of the middleware, by its members or empty."""
     return profile_of(called.arguments)
 
 
 @outer("rclcpp.QoSInitialization")
-def initialisation(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def initialisation(_engine: Context, _thing: Any, called: Called) -> Any:
     """A history and how many messages it keeps."""
     return Obj(INITIALISATION, None, {"qos": history_of(called.argument(0), called.argument(1))})
 
 
 @outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
-def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def keep(_engine: Context, _thing: Any, called: Called) -> Any:
     """How many messages are kept."""
     first = called.argument(0)
     if called.name.endswith("from_rmw"):
@@ -105,7 +105,7 @@ def keep(_engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS), quiet=True)
-def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def preset(_engine: Context, thing: Any, called: Called) -> Any:
     """A quality of service that has a name, with the history that it is given."""
     value = QosValue(PRESETS[called.name.rpartition(".")[2]])
     first = called.argument(0)
@@ -123,7 +123,7 @@ def preset(_engine: Evaluation, thing: Any, called: Called) -> Any:
         "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
         "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
         "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
-def refined(engine: Evaluation, thing: Any, called: Called) -> Any:
+def refined(engine: Context, thing: Any, called: Called) -> Any:
     """A quality of service with one policy changed."""
     base = thing.fields["qos"] if isinstance(thing, Obj) else thing
     found = _refined(base, called)

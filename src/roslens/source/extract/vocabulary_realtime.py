@@ -15,14 +15,14 @@ from roslens.source.extract.vocabulary import Called, find_method, method, outer
 from roslens.source.extract.vocabulary_shared import handle_of
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _NAME = "realtime_tools.RealtimePublisher"
 _MADE, _TYPE = "-made", "-type"
 
 
 @outer(_NAME)
-def realtime_publisher(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def realtime_publisher(engine: Context, _thing: Any, called: Called) -> Any:
     """A publisher, the one that is given, or none before ``init`` makes it."""
     given = next((one for one in called.arguments if isinstance(one, Made)), None)
     if given is not None:
@@ -35,13 +35,13 @@ def realtime_publisher(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method(_NAME, "init")
-def made_later(engine: Evaluation, thing: Any, called: Called) -> Any:
+def made_later(engine: Context, thing: Any, called: Called) -> Any:
     """The publisher is made."""
     thing.fields[_MADE] = _made(engine, thing, called)
     return None
 
 
-def _made(engine: Evaluation, thing: Obj, called: Called) -> Made:
+def _made(engine: Context, thing: Obj, called: Called) -> Made:
     queue, latched = called.argument(2), called.argument(3)
     return endpoint(
         engine, handle_of(engine, called), called, Role.PUBLISHER, called.argument(1), thing.fields[_TYPE],
@@ -50,19 +50,19 @@ def _made(engine: Evaluation, thing: Obj, called: Called) -> Made:
 
 
 @method("made", "unlockAndPublish", "tryPublish", "try_publish")
-def publish(engine: Evaluation, thing: Made, called: Called) -> Any:
+def publish(engine: Context, thing: Made, called: Called) -> Any:
     """What is in the message is published."""
     return _published(engine, thing, called)
 
 
 @method(_NAME, "unlockAndPublish")
-def publish_of_later(engine: Evaluation, thing: Any, called: Called) -> Any:
+def publish_of_later(engine: Context, thing: Any, called: Called) -> Any:
     """What is in the message is published, by what ``init`` made."""
     made = thing.fields.get(_MADE)
     return _published(engine, made, called) if isinstance(made, Made) else Unknown("nothing is made yet")
 
 
-def _published(engine: Evaluation, made: Made, called: Called) -> Any:
+def _published(engine: Context, made: Made, called: Called) -> Any:
     plain = Called("publish", [], {}, (), (), called.evidence)
     word = find_method(engine, made, plain)
     return None if word is None else word(engine, made, plain)

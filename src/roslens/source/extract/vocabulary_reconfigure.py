@@ -16,7 +16,7 @@ from roslens.source.extract.vocabulary import Called, below, method, node_of, ou
 from roslens.source.extract.workspace_index import dotted
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
     from roslens.source.extract.reconfigure_file import Declaration, ReconfigureFile
 
 _PYTHON = "dynamic_reconfigure.server.Server"
@@ -29,7 +29,7 @@ _CLASS_END = "Config"
 
 
 @outer("dynamic_reconfigure.Server", _PYTHON)
-def reconfigure(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def reconfigure(engine: Context, _thing: Any, called: Called) -> Any:
     """A server that lets parameters of a node be changed while it runs."""
     python = called.evidence.path.endswith(".py") and not called.templates
     kind: Any = called.argument(0, "type") if python else called.templates[0] if called.templates else ""
@@ -43,19 +43,19 @@ def reconfigure(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method("dynamic_reconfigure.Server", "setCallback")
-def reconfigured(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def reconfigured(engine: Context, _thing: Any, called: Called) -> Any:
     """What is called when parameters are changed."""
     engine.called_outer(called.argument(0))
     return None
 
 
-def _handle(engine: Evaluation, called: Called) -> Handle:
+def _handle(engine: Context, called: Called) -> Handle:
     """Return the namespace of a server in C++, ``~`` where none is given."""
     given = [one for one in called.arguments if isinstance(one, Handle)]
     return given[0] if given else Handle(engine.node, Text.of("~"))
 
 
-def _space(engine: Evaluation, called: Called) -> Handle:
+def _space(engine: Context, called: Called) -> Handle:
     """Return the namespace of a server in Python: private where it does not begin with ``/`` or ``~`` (server.py)."""
     engine.node.generation = "ros1"
     given = called.argument(2, "namespace")
@@ -73,7 +73,7 @@ def _without_end(name: Text) -> Text:
     return Text.of(*name.parts[:-1], last.rstrip("/") or "/") if isinstance(last, str) else name
 
 
-def _written(engine: Evaluation, kind: Any) -> str:
+def _written(engine: Context, kind: Any) -> str:
     """Return the class that a server is of, without aliases; in Python it is a module."""
     if isinstance(kind, str):
         name = dotted(engine.frame.templates.get(kind, kind))
@@ -83,7 +83,7 @@ def _written(engine: Evaluation, kind: Any) -> str:
     return kind.defined.what.qualified_name if isinstance(kind, Class) else ""
 
 
-def _declare(engine: Evaluation, handle: Handle, called: Called, kind: str) -> None:
+def _declare(engine: Context, handle: Handle, called: Called, kind: str) -> None:
     """Record the parameters that the ``.cfg`` file of a class declares; without it, that they are unknown."""
     node = node_of(engine, handle)
     conditions = tuple(dict.fromkeys(engine.conditions))
@@ -113,7 +113,7 @@ def _fact(one: Declaration, name: Text, place: Evidence, conditions: tuple[str, 
     )  # fmt: skip
 
 
-def _file_of(engine: Evaluation, kind: str) -> tuple[ReconfigureFile | None, Sure]:
+def _file_of(engine: Context, kind: str) -> tuple[ReconfigureFile | None, Sure]:
     """Return what declares the parameters of a class, and how sure that is: by its package, or what is around it."""
     from roslens.source.extract.reconfigure_file import reconfigure_files
 
@@ -133,7 +133,7 @@ def _file_of(engine: Evaluation, kind: str) -> tuple[ReconfigureFile | None, Sur
     return (found[0], Sure.LIKELY) if len(found) == 1 else (None, Sure.CERTAIN)
 
 
-def _around(engine: Evaluation, name: str) -> Iterator[str]:
+def _around(engine: Context, name: str) -> Iterator[str]:
     """Yield the packages that a class without a namespace may be of: what is around it, used whole, or included."""
     program = engine.index.programs[engine.frame.path]
     scope = engine.frame.scope

@@ -18,13 +18,13 @@ from roslens.source.extract.vocabulary import Called, below, method, node_of, ou
 from roslens.source.extract.vocabulary_shared import follow_visitors
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _OPTIONS = ("ros.SubscribeOptions", "ros.AdvertiseOptions", "ros.AdvertiseServiceOptions")
 
 
 @outer("ros.init", "rospy.init_node")
-def init(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def init(engine: Context, _thing: Any, called: Called) -> Any:
     """The process becomes a node."""
     node = engine.node
     name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
@@ -41,12 +41,12 @@ def init(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("ros.NodeHandle", "ros.NodeHandlePtr")
-def handle(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def handle(engine: Context, _thing: Any, called: Called) -> Any:
     """Something names are resolved against: a namespace of the node."""
     return _handle(engine, called)
 
 
-def _handle(engine: Evaluation, called: Called) -> Handle:
+def _handle(engine: Context, called: Called) -> Handle:
     engine.node.generation = "ros1"
     prefix = Text()
     node: Building = engine.node
@@ -72,26 +72,26 @@ def _trimmed(name: Text) -> Text:
 
 @method("nodelet.Nodelet", "getNodeHandle", "getMTNodeHandle")
 @method("node", "getNodeHandle", "getMTNodeHandle", anywhere=True)
-def public_handle(engine: Evaluation, _thing: Any, _called: Called) -> Any:
+def public_handle(engine: Context, _thing: Any, _called: Called) -> Any:
     """The namespace of the node."""
     return Handle(engine.node)
 
 
 @method("nodelet.Nodelet", "getPrivateNodeHandle", "getMTPrivateNodeHandle")
 @method("node", "getPrivateNodeHandle", "getMTPrivateNodeHandle", anywhere=True)
-def private_handle(engine: Evaluation, _thing: Any, _called: Called) -> Any:
+def private_handle(engine: Context, _thing: Any, _called: Called) -> Any:
     """The private namespace of the node."""
     return Handle(engine.node, Text.of("~"))
 
 
 @method("nodelet.Nodelet", "getName")
-def nodelet_name(engine: Evaluation, _thing: Any, _called: Called) -> Any:
+def nodelet_name(engine: Context, _thing: Any, _called: Called) -> Any:
     """The name of the nodelet."""
     return Text((Hole("name of the node", default=engine.node.name.usual),))
 
 
 @outer("nodelet.Nodelet")
-def nodelet(engine: Evaluation, thing: Any, _called: Called) -> Any:
+def nodelet(engine: Context, thing: Any, _called: Called) -> Any:
     """A nodelet is constructed."""
     engine.node.generation = "ros1"
     engine.node.kind = "nodelet"
@@ -105,7 +105,7 @@ def _queue(value: Any) -> int:
 
 
 @method("handle", "advertise", anywhere=True)
-def advertise(engine: Evaluation, thing: Any, called: Called) -> Any:
+def advertise(engine: Context, thing: Any, called: Called) -> Any:
     """A publisher."""
     if called.arguments and isinstance(called.arguments[0], Handle):
         # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
@@ -123,7 +123,7 @@ def advertise(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("handle", "subscribe", anywhere=True)
-def subscribe(engine: Evaluation, thing: Any, called: Called) -> Any:
+def subscribe(engine: Context, thing: Any, called: Called) -> Any:
     """A subscription."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(engine, thing, called, Role.SUBSCRIPTION, options)
@@ -138,7 +138,7 @@ def subscribe(engine: Evaluation, thing: Any, called: Called) -> Any:
     )  # fmt: skip
 
 
-def _callback(engine: Evaluation, called: Called, place: int, takes: int = 0) -> Any:
+def _callback(engine: Context, called: Called, place: int, takes: int = 0) -> Any:
     """Return a callback, bound to the object that is given after it; of several of its name the one that takes so many.
 
     A callback of a topic takes one message, that of a service a request and a response.
@@ -153,7 +153,7 @@ def _callback(engine: Evaluation, called: Called, place: int, takes: int = 0) ->
 
 
 @method("handle", "advertiseService", anywhere=True)
-def advertise_service(engine: Evaluation, thing: Any, called: Called) -> Any:
+def advertise_service(engine: Context, thing: Any, called: Called) -> Any:
     """A server of a service."""
     if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
         return _by_options(engine, thing, called, Role.SERVICE_SERVER, options)
@@ -164,20 +164,20 @@ def advertise_service(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("handle", "serviceClient", anywhere=True)
-def service_client(engine: Evaluation, thing: Any, called: Called) -> Any:
+def service_client(engine: Context, thing: Any, called: Called) -> Any:
     """A client of a service."""
     kind = called.templates[0] if called.templates else Unknown("its type")
     return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
 @outer("ros.service.call", "ros.service.createClient")
-def call_once(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def call_once(engine: Context, _thing: Any, called: Called) -> Any:
     """A service is called by its name."""
     kind = called.templates[0] if called.templates else _declared_type(engine, called)
     return endpoint(engine, Handle(engine.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
 
 
-def _declared_type(engine: Evaluation, called: Called) -> Any:
+def _declared_type(engine: Context, called: Called) -> Any:
     """Return the type of the request, or of what holds request and response."""
     value = called.argument(1)
     del engine
@@ -185,7 +185,7 @@ def _declared_type(engine: Evaluation, called: Called) -> Any:
 
 
 @outer("ros.topic.waitForMessage", "rospy.wait_for_message")
-def wait_for_message(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def wait_for_message(engine: Context, _thing: Any, called: Called) -> Any:
     """A topic is subscribed to for one message."""
     kind = called.templates[0] if called.templates else called.argument(1, "topic_type")
     endpoint(engine, Handle(engine.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
@@ -197,7 +197,7 @@ _TYPES = {"bool": "bool", "int": "int", "double": "double", "float": "double", "
 
 
 @method("handle", "param", "getParam", "getParamCached", "param_cached")
-def read(engine: Evaluation, thing: Any, called: Called) -> Any:
+def read(engine: Context, thing: Any, called: Called) -> Any:
     """A parameter is read, into a variable where one is given."""
     default = called.argument(2) if called.name == "param" and len(called.arguments) > 2 else None
     if called.name == "param" and len(called.arguments) == 2:
@@ -215,7 +215,7 @@ def read(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @outer("ros.param.param", "ros.param.get", "ros.param.getCached")
-def read_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def read_by_name(engine: Context, _thing: Any, called: Called) -> Any:
     """A parameter is read by its name."""
     named = "param" if called.name.endswith(".param") else "getParam"
     inner = Called(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
@@ -223,27 +223,27 @@ def read_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method("handle", "setParam")
-def write(engine: Evaluation, thing: Any, called: Called) -> Any:
+def write(engine: Context, thing: Any, called: Called) -> Any:
     """A parameter is written."""
     write_parameter(engine, thing, called, called.argument(0), called.argument(1))
     return None
 
 
 @outer("ros.param.set")
-def write_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def write_by_name(engine: Context, _thing: Any, called: Called) -> Any:
     """A parameter is written by its name."""
     return write(engine, Handle(engine.node), called)
 
 
 @outer("ros.spin", "rospy.spin", "ros.waitForShutdown")
-def spin(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def spin(engine: Context, _thing: Any, called: Called) -> Any:
     """The node runs until it is shut down; what is written after it is no part of that."""
     engine.running = True
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "searchParam")
-def search(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def search(engine: Context, _thing: Any, called: Called) -> Any:
     """A parameter is looked for in the namespaces above too."""
     name = as_text(called.argument(0))
     if len(called.written) > 1:
@@ -252,18 +252,18 @@ def search(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method("handle", "hasParam", quiet=True)
-def has(engine: Evaluation, thing: Any, called: Called) -> Any:
+def has(engine: Context, thing: Any, called: Called) -> Any:
     """Whether a parameter is set."""
     return _has(engine, thing, called)
 
 
 @outer("ros.param.has", "rospy.has_param", quiet=True)
-def has_by_name(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def has_by_name(engine: Context, _thing: Any, called: Called) -> Any:
     """Whether a parameter is set, by its name."""
     return _has(engine, Handle(engine.node), called)
 
 
-def _has(engine: Evaluation, thing: Any, called: Called) -> Unknown:
+def _has(engine: Context, thing: Any, called: Called) -> Unknown:
     name = below(thing, as_text(called.argument(0)))
     known = name.known or name.pattern
     test = is_set(Text((Hole(f"parameter {name}", known),))) if node_of(engine, thing) is engine.node else None
@@ -271,13 +271,13 @@ def _has(engine: Evaluation, thing: Any, called: Called) -> Unknown:
 
 
 @method("handle", "deleteParam", "ok", "shutdown", quiet=True)
-def ask(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def ask(_engine: Context, _thing: Any, called: Called) -> Any:
     """Something is asked that only a run can answer."""
     return Unknown(f"result of {called.name}()")
 
 
 @method("handle", "getNamespace", "resolveName", "getUnresolvedNamespace")
-def namespace(engine: Evaluation, thing: Any, called: Called) -> Any:
+def namespace(engine: Context, thing: Any, called: Called) -> Any:
     """The namespace of a handle, or a name below it."""
     if called.name == "resolveName":
         return below(thing, as_text(called.argument(0)))
@@ -288,33 +288,33 @@ def namespace(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @outer("ros.this_node.getName", "rospy.get_name")
-def own_name(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
+def own_name(_engine: Context, _thing: Any, _called: Called) -> Any:
     """The full name of the node."""
     return Text((Hole("full name of the node", default="~"),))
 
 
 @outer("ros.this_node.getNamespace", "rospy.get_namespace")
-def own_namespace(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def own_namespace(_engine: Context, _thing: Any, called: Called) -> Any:
     """The namespace of the node; that of rospy ends with ``/``."""
     space = Hole("namespace of the node", default="/")
     return Text.of(space, "/") if called.name.startswith("rospy") else Text((space,))
 
 
 @outer("ros.names.resolve", "rospy.resolve_name", "ros.names.remap")
-def resolve(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def resolve(_engine: Context, _thing: Any, called: Called) -> Any:
     """A name is resolved: it stays what it is."""
     return as_text(called.argument(len(called.arguments) - 1))
 
 
 @method("handle", "createTimer", "createWallTimer", "createSteadyTimer", anywhere=True)
-def create_timer(engine: Evaluation, thing: Any, called: Called) -> Any:
+def create_timer(engine: Context, thing: Any, called: Called) -> Any:
     """A timer."""
     timer(engine, thing, called, called.argument(0), _callback(engine, called, 1), None)
     return Obj("ros.Timer")
 
 
 @outer("rospy.Publisher")
-def py_publisher(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def py_publisher(engine: Context, _thing: Any, called: Called) -> Any:
     """A publisher of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.PUBLISHER, called.argument(0, "name"), called.argument(1, "data_class"),
@@ -323,7 +323,7 @@ def py_publisher(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.Subscriber")
-def py_subscriber(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def py_subscriber(engine: Context, _thing: Any, called: Called) -> Any:
     """A subscription of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.SUBSCRIPTION, called.argument(0, "name"), called.argument(1, "data_class"),
@@ -332,7 +332,7 @@ def py_subscriber(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.Service")
-def py_service(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def py_service(engine: Context, _thing: Any, called: Called) -> Any:
     """A server of a service of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.SERVICE_SERVER, called.argument(0, "name"),
@@ -341,7 +341,7 @@ def py_service(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.ServiceProxy")
-def py_service_proxy(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def py_service_proxy(engine: Context, _thing: Any, called: Called) -> Any:
     """A client of a service of rospy."""
     return endpoint(
         engine, _here(engine), called, Role.SERVICE_CLIENT, called.argument(0, "name"),
@@ -350,7 +350,7 @@ def py_service_proxy(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.get_param", "rospy.get_param_cached")
-def py_read(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def py_read(engine: Context, _thing: Any, called: Called) -> Any:
     """A parameter is read by rospy."""
     given = len(called.arguments) > 1 or "default" in called.keywords
     return parameter(
@@ -360,7 +360,7 @@ def py_read(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.set_param")
-def py_write(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def py_write(engine: Context, _thing: Any, called: Called) -> Any:
     """A parameter is written by rospy."""
     value = called.argument(1, "param_value")
     write_parameter(engine, _here(engine), called, called.argument(0, "param_name"), value)
@@ -368,18 +368,18 @@ def py_write(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("rospy.Timer")
-def py_timer(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def py_timer(engine: Context, _thing: Any, called: Called) -> Any:
     """A timer of rospy."""
     timer(engine, _here(engine), called, called.argument(0, "period"), called.argument(1, "callback"), None)
     return Obj("rospy.Timer")
 
 
-def _here(engine: Evaluation) -> Handle:
+def _here(engine: Context) -> Handle:
     engine.node.generation = "ros1"
     return Handle(engine.node)
 
 
-def _by_options(engine: Evaluation, thing: Any, called: Called, role: Role, options: Obj) -> Any:
+def _by_options(engine: Context, thing: Any, called: Called, role: Role, options: Obj) -> Any:
     fields = options.fields
     name = fields.get("topic", fields.get("service", Unknown("a name that is not set in the options")))
     return endpoint(
@@ -389,7 +389,7 @@ def _by_options(engine: Evaluation, thing: Any, called: Called, role: Role, opti
 
 
 @outer(*_OPTIONS, *(f"{name}.create" for name in _OPTIONS))
-def endpoint_options(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def endpoint_options(engine: Context, _thing: Any, called: Called) -> Any:
     """Options of an endpoint: name, size of the queue and callback in one; of a service it has no queue."""
     found = Obj(called.name.removesuffix(".create"))
     if called.name.endswith(".create") or called.arguments:
@@ -397,7 +397,7 @@ def endpoint_options(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return found
 
 
-def fill_options(engine: Evaluation, thing: Any, called: Called) -> Any:
+def fill_options(engine: Context, thing: Any, called: Called) -> Any:
     """Let options hold what they are made of, or what ``init`` gives them."""
     service = thing.type.endswith("ServiceOptions")
     thing.fields["service" if service else "topic"] = as_text(called.argument(0))

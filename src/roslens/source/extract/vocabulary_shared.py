@@ -14,14 +14,14 @@ from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _TF = "tf2_msgs::msg::TFMessage"
 _DYNAMIC = QosValue(Qos("reliable", "volatile", "keep_last", 100))
 _STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
 
 
-def handle_of(engine: Evaluation, called: Called) -> Any:
+def handle_of(engine: Context, called: Called) -> Any:
     """Return the first argument that stands for a node; in ROS 2 an unknown one where none is known to."""
     given = (*called.arguments, *called.keywords.values())
     for value in given:
@@ -32,14 +32,14 @@ def handle_of(engine: Evaluation, called: Called) -> Any:
     return Handle(engine.node)
 
 
-def follow_visitors(engine: Evaluation, called: Called, first: int) -> None:
+def follow_visitors(engine: Context, called: Called, first: int) -> None:
     """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
     for one in called.arguments[first:]:
         engine.called_outer(one, "somebody subscribes" if isinstance(one, Callable) else "")
 
 
 @outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
-def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def listener(engine: Context, _thing: Any, called: Called) -> Any:
     """A listener to transforms."""
     node = _listening(engine, called)
     static = msgspec.structs.replace(_STATIC.qos, depth=100)
@@ -51,7 +51,7 @@ def listener(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return Obj(called.name)
 
 
-def _listening(engine: Evaluation, called: Called) -> Any:
+def _listening(engine: Context, called: Called) -> Any:
     """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
     given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
     if given or engine.node.generation != "ros2" or called.evidence.path.endswith(".py"):
@@ -65,7 +65,7 @@ def _listening(engine: Evaluation, called: Called) -> Any:
 
 
 @outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
-def broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
     """A broadcaster of transforms."""
     node = handle_of(engine, called)
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
@@ -74,7 +74,7 @@ def broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 @outer("tf2_ros.StaticTransformBroadcaster",
        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
-def static_broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def static_broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
     """A broadcaster of transforms that stay."""
     node = handle_of(engine, called)
     endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
@@ -82,7 +82,7 @@ def static_broadcaster(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("message_filters.Subscriber")
-def filtered(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def filtered(engine: Context, _thing: Any, called: Called) -> Any:
     """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later."""
     found = Obj("message_filters.Subscriber", None, {"templates": list(called.templates)})
     if called.arguments or called.keywords:
@@ -90,7 +90,7 @@ def filtered(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return found
 
 
-def _filtered(engine: Evaluation, found: Obj, called: Called) -> None:
+def _filtered(engine: Context, found: Obj, called: Called) -> None:
     templates = found.fields.get("templates") or []
     texts = [place for place, one in enumerate(called.arguments) if isinstance(one, Text)]
     python = called.evidence.path.endswith(".py")
@@ -108,7 +108,7 @@ def _filtered(engine: Evaluation, found: Obj, called: Called) -> None:
 
 
 @method("message_filters.Subscriber", "subscribe")
-def filtered_later(engine: Evaluation, thing: Any, called: Called) -> Any:
+def filtered_later(engine: Context, thing: Any, called: Called) -> Any:
     """A filtered subscription is made."""
     _filtered(engine, thing, called)
     return None
@@ -116,19 +116,19 @@ def filtered_later(engine: Evaluation, thing: Any, called: Called) -> Any:
 
 @outer("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer",
        "actionlib.action_server.ActionServer")  # fmt: skip
-def action_server(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def action_server(engine: Context, _thing: Any, called: Called) -> Any:
     """A server of an action of actionlib."""
     return _action(engine, called, Role.ACTION_SERVER)
 
 
 @outer("actionlib.SimpleActionClient", "actionlib.ActionClient", "actionlib.simple_action_client.SimpleActionClient",
        "actionlib.action_client.ActionClient")  # fmt: skip
-def action_client(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def action_client(engine: Context, _thing: Any, called: Called) -> Any:
     """A client of an action of actionlib."""
     return _action(engine, called, Role.ACTION_CLIENT)
 
 
-def _action(engine: Evaluation, called: Called, role: Role) -> Any:
+def _action(engine: Context, called: Called, role: Role) -> Any:
     engine.node.generation = "ros1"
     name = next((one for one in called.arguments if isinstance(one, Text)), None)
     if name is None:
@@ -139,7 +139,7 @@ def _action(engine: Evaluation, called: Called, role: Role) -> Any:
 
 
 @outer("diagnostic_updater.Updater")
-def updater(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def updater(engine: Context, _thing: Any, called: Called) -> Any:
     """A publisher of diagnostics."""
     node = handle_of(engine, called)
     kind = "diagnostic_msgs::msg::DiagnosticArray"
@@ -150,7 +150,7 @@ def updater(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 @method("made", "publish", "call", "async_call", "call_async", "async_send_request", "sendGoal", "async_send_goal",
         "send_goal", "send_goal_async", "publish_feedback")  # fmt: skip
-def use(_engine: Evaluation, thing: Made, called: Called) -> Any:
+def use(_engine: Context, thing: Made, called: Called) -> Any:
     """A message is published, or a service or action called."""
     fact = thing.node.endpoints[thing.place]
     place = msgspec.structs.replace(called.evidence, how="written")
@@ -160,7 +160,7 @@ def use(_engine: Evaluation, thing: Made, called: Called) -> Any:
 
 
 @method("made", "get_topic_name", "getTopic", "get_service_name", "getService")
-def topic_of(_engine: Evaluation, thing: Made, _called: Called) -> Any:
+def topic_of(_engine: Context, thing: Made, _called: Called) -> Any:
     """The name of an endpoint."""
     return thing.node.endpoints[thing.place].name
 

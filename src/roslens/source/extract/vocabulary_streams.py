@@ -11,20 +11,20 @@ from roslens.source.extract.text import Hole, Text, unknown
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 STREAMS = ("std.stringstream", "std.ostringstream", "stringstream", "ostringstream")
 HELD = "-text"
 
 
 @outer(*STREAMS)
-def stream(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def stream(_engine: Context, _thing: Any, called: Called) -> Any:
     """A stream with a text or without."""
     return Obj("std.stringstream", None, {HELD: as_text(called.argument(0)) if called.arguments else Text()})
 
 
 @method("std.stringstream", "str")
-def text_of(_engine: Evaluation, thing: Any, called: Called) -> Any:
+def text_of(_engine: Context, thing: Any, called: Called) -> Any:
     """The text of a stream is asked for, or given."""
     if called.arguments:
         thing.fields[HELD] = as_text(called.argument(0))
@@ -33,12 +33,12 @@ def text_of(_engine: Evaluation, thing: Any, called: Called) -> Any:
 
 
 @method("std.stringstream", "clear")
-def cleared(_engine: Evaluation, _thing: Any, _called: Called) -> Any:
+def cleared(_engine: Context, _thing: Any, _called: Called) -> Any:
     """The state of a stream is cleared: its text stays."""
     return None
 
 
-def words_read(engine: Evaluation, over: Any) -> tuple[Expression, list[Any]] | None:
+def words_read(engine: Context, over: Any) -> tuple[Expression, list[Any]] | None:
     """Return what a loop reads the words of a stream into, and these: ``while (stream >> word)``.
 
     Words of a text that is unknown are one that stands for each. None where a loop does something else.

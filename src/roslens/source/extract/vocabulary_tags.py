@@ -9,20 +9,20 @@ from roslens.source.extract.abstract_value import Unknown
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _WHOLE = re.compile(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)+")
 _BUILT_IN = frozenset({"bool", "char", "double", "float", "int", "long", "short", "unsigned", "void"})
 
 
 @outer("std.true_type", "std.false_type", quiet=True)
-def tag(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def tag(_engine: Context, _thing: Any, called: Called) -> Any:
     """A tag says what it is called."""
     return called.name == "std.true_type"
 
 
 @outer("std.is_same", "boost.is_same", quiet=True)
-def same(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def same(_engine: Context, _thing: Any, called: Called) -> Any:
     """Whether two types are one, as far as both are known by their whole names."""
     if len(called.templates) != 2:
         return Unknown("whether types are the same")

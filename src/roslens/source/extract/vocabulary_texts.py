@@ -12,7 +12,7 @@ from roslens.source.extract.text import Text, unknown
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 def _names(*names: str) -> tuple[str, ...]:
@@ -37,7 +37,7 @@ _OTHERS = ("replace_last", "erase_last", "replace_nth", "erase_nth", "trim_if", 
 
 
 @outer(*_names(*_CHANGES, *_OTHERS))
-def changed(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def changed(engine: Context, _thing: Any, called: Called) -> Any:
     """A text is changed where it is."""
     of = called.argument(0)
     if isinstance(of, Text) and called.written:
@@ -46,7 +46,7 @@ def changed(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer(*_names(*_COPIES), quiet=True)
-def copied(_engine: Evaluation, _thing: Any, called: Called) -> Any:
+def copied(_engine: Context, _thing: Any, called: Called) -> Any:
     """A changed copy of a text is made."""
     return _result(called, _COPIES[_last(called.name)])
 
@@ -69,7 +69,7 @@ def _result(called: Called, change: Callable[..., str] | None) -> Text:
 
 @outer("std.transform", "std.reverse", "std.sort", "std.remove", "std.remove_if", "std.unique", "std.fill",
        "std.replace_if", "std.rotate", "std.random_shuffle", "std.shuffle")  # fmt: skip
-def rearranged(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def rearranged(engine: Context, _thing: Any, called: Called) -> Any:
     """What lies between two iterators is changed: ``std::transform(s.begin(), s.end(), s.begin(), ::tolower)``."""
     place = 2 if called.name == "std.transform" else 0
     written = called.written[place] if len(called.written) > place else None
@@ -92,7 +92,7 @@ def _sign_by_sign(written: Expression) -> Callable[[str], str] | None:
 
 
 @outer("sprintf", "std.sprintf", "snprintf", "std.snprintf", "vsprintf", "vsnprintf", quiet=True)
-def printed(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def printed(engine: Context, _thing: Any, called: Called) -> Any:
     """A text is written into a buffer: ``snprintf(name, sizeof(name), "camera%d", number)``."""
     first = 2 if "snprintf" in called.name else 1
     pattern = called.argument(first)
@@ -104,7 +104,7 @@ def printed(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @outer("strcpy", "std.strcpy", "strncpy", "std.strncpy", "strcat", "std.strcat", "strncat", "std.strncat")
-def copied_into(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def copied_into(engine: Context, _thing: Any, called: Called) -> Any:
     """A text is copied into a buffer, or behind what is in it."""
     if len(called.written) > 1:
         adds, some = "cat" in called.name, "strn" in called.name
@@ -113,7 +113,7 @@ def copied_into(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return None
 
 
-def _put(engine: Evaluation, written: Expression, value: Text) -> None:
+def _put(engine: Context, written: Expression, value: Text) -> None:
     if isinstance(written, Operation) and written.operator == "&" and written.operands:
         written = written.operands[0]
     if isinstance(written, Item):

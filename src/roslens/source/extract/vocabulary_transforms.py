@@ -12,13 +12,13 @@ from roslens.source.extract.text import Text
 from roslens.source.extract.vocabulary import Called, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _FRAMES, _TYPE = "tf2_frames", "tf2_msgs::srv::FrameGraph"
 
 
 @outer("tf2_ros.Buffer", "tf2_ros.buffer.Buffer")
-def buffer(engine: Evaluation, thing: Any, called: Called) -> Any:
+def buffer(engine: Context, thing: Any, called: Called) -> Any:
     """A buffer of transforms.
 
     In ROS 2 it serves its frames where it is given a node. In ROS 1 it does so where ``debug`` is true, once in a node:

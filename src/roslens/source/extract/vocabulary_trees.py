@@ -9,7 +9,7 @@ from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, outer
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 
 @method("BT.ThreadedAction", "getInput")
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @method("BT.ConditionNode", "getInput")
 @method("BT.DecoratorNode", "getInput")
 @method("BT.TreeNode", "getInput", anywhere=True)
-def port(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def port(engine: Context, _thing: Any, called: Called) -> Any:
     """A port of a node of a behaviour tree is read: what the tree says."""
     name = as_text(called.argument(0))
     value = Text((Hole(f"port {name} of the behaviour tree", default=_port_default(engine, name)),))
@@ -31,7 +31,7 @@ def port(engine: Evaluation, _thing: Any, called: Called) -> Any:
     return value
 
 
-def _port_default(engine: Evaluation, name: Text) -> str | None:
+def _port_default(engine: Context, name: Text) -> str | None:
     """Return the default that the class of a node of a behaviour tree gives a port."""
     thing = engine.frame.self
     if not isinstance(thing, Obj) or "ports" in thing.fields:
@@ -45,7 +45,7 @@ def _port_default(engine: Evaluation, name: Text) -> str | None:
 
 
 @outer("BT.InputPort", "BT.BidirectionalPort")
-def declared_port(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def declared_port(engine: Context, _thing: Any, called: Called) -> Any:
     """A port is declared, with a default where it has three arguments."""
     thing = engine.frame.self
     default = called.argument(1)
@@ -55,7 +55,7 @@ def declared_port(engine: Evaluation, _thing: Any, called: Called) -> Any:
 
 
 @method("BT.BehaviorTreeFactory", "createTree", "createTreeFromFile", "createTreeFromText", quiet=True)
-def tree(engine: Evaluation, _thing: Any, called: Called) -> Any:
+def tree(engine: Context, _thing: Any, called: Called) -> Any:
     """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
     given = called.argument(0)
     name = str(as_text(given)) if given is not None else "a file"

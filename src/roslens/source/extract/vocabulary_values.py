@@ -12,7 +12,7 @@ from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 _AS = {
     "as_bool": "bool", "as_int": "int", "as_double": "double", "as_string": "string", "as_byte_array": "byte_array",
@@ -22,7 +22,7 @@ _AS = {
 
 
 @method("text", *_AS, "get_value", "get", quiet=True)
-def taken(engine: Evaluation, thing: Any, called: Called) -> Any:
+def taken(engine: Context, thing: Any, called: Called) -> Any:
     """The value of a parameter is taken for one of a type."""
     kind = _AS.get(called.name) or (type_of_cpp(called.templates[0]) if called.templates else "")
     if kind:
@@ -30,7 +30,7 @@ def taken(engine: Evaluation, thing: Any, called: Called) -> Any:
     return plain_method(thing, called.name, called.arguments)
 
 
-def _note(engine: Evaluation, value: Text, kind: str) -> None:
+def _note(engine: Context, value: Text, kind: str) -> None:
     """Give a parameter that was read, and of which no type is known, the type that it is taken for."""
     hole = value.parts[0] if len(value.parts) == 1 else None
     if not isinstance(hole, Hole) or not hole.parameter:

@@ -8,7 +8,7 @@ from roslens.source.extract.abstract_value import Obj
 from roslens.source.extract.text import Text
 
 if TYPE_CHECKING:
-    from roslens.source.extract.evaluation import Evaluation
+    from roslens.source.extract.context import Context
 
 XML_RPC = frozenset({"XmlRpc.XmlRpcValue", "XmlRpcValue"})
 _PARTS = "its parts"
@@ -17,7 +17,7 @@ Parts = dict[str, tuple[Any, tuple[str, ...]]]
 """Items by name, each with the conditions under which it was put there."""
 
 
-def put_part(engine: Evaluation, of: Obj, key: Any, value: Any) -> None:
+def put_part(engine: Context, of: Obj, key: Any, value: Any) -> None:
     """Put an item into a value; what has no known name is left out."""
     if isinstance(key, Text) and key.known:
         engine.touched()

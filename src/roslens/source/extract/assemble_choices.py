@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import msgspec
 
@@ -11,9 +11,6 @@ from roslens.source.extract.condition import negated
 from roslens.source.extract.many_choices import MANY
 from roslens.source.extract.node_facts import EndpointFact, Sure
 from roslens.source.extract.text import Asked, Choice, Hole, Text
-
-if TYPE_CHECKING:
-    from roslens.source.extract.assemble_parameters import Values
 
 MOST = 8
 """So many alternatives of one text are told; of more it is a text with holes."""
@@ -36,6 +33,28 @@ class Alternative(msgspec.Struct, frozen=True):
     conditions: tuple[str, ...] = ()
     sure: Sure = Sure.CERTAIN
     how: tuple[str, ...] = ()
+
+
+class Filled(msgspec.Struct, frozen=True):
+    """A text with values in place of holes, how sure these are, and in words where they come from."""
+
+    text: Text
+    sure: Sure = Sure.CERTAIN
+    how: tuple[str, ...] = ()
+
+
+class Values(Protocol):
+    """What the parameters of a node are set to."""
+
+    @property
+    def generation(self) -> str:
+        """``ros1`` or ``ros2``."""
+
+    def value(self, name: Text) -> object | None:
+        """Return what sets a parameter; None where nothing does."""
+
+    def fill(self, text: Text) -> Filled:
+        """Return a text with the values of parameters, else their defaults, in place of holes."""
 
 
 def alternatives(text: Text, values: Values) -> tuple[Alternative, ...]:

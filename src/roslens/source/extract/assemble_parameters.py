@@ -11,7 +11,7 @@ import msgspec
 
 from roslens.model.configuration import ConfiguredParameter, Proof
 from roslens.source.extract.abstract_value import MAKER
-from roslens.source.extract.assemble_choices import decided_by, doubt
+from roslens.source.extract.assemble_choices import Filled, decided_by, doubt
 from roslens.source.extract.assemble_lists import each_of, items_among
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
 from roslens.source.extract.assemble_written import Write, after_writes
@@ -28,14 +28,6 @@ _NAMESPACE_OF_NODE = "namespace of the node"
 _NAMESPACE_ABOVE = "namespace above the node"
 _MOST_ITEMS = 100
 _ACCESS = {"declared": 0, "read": 1, "written": 2, "": 3}
-
-
-class Filled(msgspec.Struct, frozen=True):
-    """A text with values in place of holes, how sure it is now, and in words what decided it."""
-
-    text: Text
-    sure: Sure = Sure.CERTAIN
-    how: tuple[str, ...] = ()
 
 
 class Values:

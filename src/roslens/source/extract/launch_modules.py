@@ -7,15 +7,12 @@ import re
 import sys
 import warnings
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import msgspec
 
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.python_value import Dotted, Unknown
-
-if TYPE_CHECKING:
-    from roslens.source.extract.python_interpreter import Interpreter
 
 MOST_MODULES = 20
 _KNOWN = frozenset(
@@ -115,7 +112,17 @@ class Modules:
         return self._loaded[path]
 
 
-def bring(interpreter: Interpreter, statement: ast.Import) -> None:
+class Importing(Protocol):
+    """What evaluates a launch file, as imports see it."""
+
+    path: str
+    modules: Modules
+
+    def keep(self, name: str, value: Any) -> None:
+        """Keep a value under a name."""
+
+
+def bring(interpreter: Importing, statement: ast.Import) -> None:
     """Take modules by name."""
     for alias in statement.names:
         name = alias.name if alias.asname else alias.name.partition(".")[0]
@@ -123,7 +130,7 @@ def bring(interpreter: Interpreter, statement: ast.Import) -> None:
         interpreter.keep(alias.asname or name, Dotted(name) if found is None else found)
 
 
-def bring_from(interpreter: Interpreter, statement: ast.ImportFrom) -> None:
+def bring_from(interpreter: Importing, statement: ast.ImportFrom) -> None:
     """Take names of modules."""
     name = statement.module or ""
     found = interpreter.modules.module(name, interpreter.path) if not statement.level else None

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import ast
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from roslens.source.extract.python_arguments import items_of
 from roslens.source.extract.python_value import Either, Made, Unknown
 from roslens.source.extract.python_weight import TooLongError
-
-if TYPE_CHECKING:
-    from roslens.source.extract.python_interpreter import Interpreter
 
 MOST_TURNS = 1_000
 
@@ -44,7 +41,30 @@ class Ways:
         return value
 
 
-def noted(run: Interpreter, note: str, body: list[ast.stmt]) -> Left | None:
+class Followed(Protocol):
+    """What evaluates a launch file, as its branches and loops see it."""
+
+    notes: list[str]
+    ways: Ways
+
+    @property
+    def held(self) -> dict[str, Any]:
+        """The innermost names."""
+
+    def block(self, body: list[ast.stmt]) -> Left | None:
+        """Follow statements in order; return how they were left, None where they were not."""
+
+    def put(self, target: ast.expr, value: Any) -> None:
+        """Put a value where an expression says."""
+
+    def truth(self, value: Any) -> bool | None:
+        """Return whether a value is true; None where that is unknown."""
+
+    def value(self, node: ast.expr) -> Any:
+        """Return the value of an expression."""
+
+
+def noted(run: Followed, note: str, body: list[ast.stmt]) -> Left | None:
     """Follow a block under a condition; what it leaves for sure is left under that condition."""
     start, since = len(run.notes), len(run.ways.found)
     run.notes.append(note)
@@ -54,14 +74,14 @@ def noted(run: Interpreter, note: str, body: list[ast.stmt]) -> Left | None:
         _behind(run, start, since, {"break", "continue", "raise", "return"})
 
 
-def _behind(run: Interpreter, start: int, since: int, kinds: set[str]) -> None:
+def _behind(run: Followed, start: int, since: int, kinds: set[str]) -> None:
     """Note of what follows that no way out of some kinds was taken; forget the others."""
     del run.notes[start:]
     run.ways.found[since:] = [one for one in run.ways.found[since:] if one[0] in kinds]
     run.notes += [f"not ({note})" if " and " in note else f"not {note}" for _, note, _held in run.ways.found[since:]]
 
 
-def _leave(run: Interpreter, note: str, left: Left, held: dict[str, Any]) -> None:
+def _leave(run: Followed, note: str, left: Left, held: dict[str, Any]) -> None:
     """Keep that a block was left under a condition; a launch file that raises starts nothing that could be told."""
     if left.kind == "raise":
         return
@@ -71,7 +91,7 @@ def _leave(run: Interpreter, note: str, left: Left, held: dict[str, Any]) -> Non
         run.ways.returned.append((whole, left.value))
 
 
-def branch(run: Interpreter, statement: ast.If) -> Left | None:
+def branch(run: Followed, statement: ast.If) -> Left | None:
     """Follow the way that is taken, or both of them."""
     holds = run.truth(run.value(statement.test))
     if holds is not None:
@@ -101,7 +121,7 @@ def branch(run: Interpreter, statement: ast.If) -> Left | None:
     return None
 
 
-def _both(run: Interpreter, note: str, first: tuple[Left, dict[str, Any]], second: tuple[Left, dict[str, Any]]) -> Left:
+def _both(run: Followed, note: str, first: tuple[Left, dict[str, Any]], second: tuple[Left, dict[str, Any]]) -> Left:
     """Return how both ways of a condition leave a block, where each does."""
     (then, came), (other, gone) = first, second
     if then.kind == other.kind:
@@ -135,7 +155,7 @@ def _filled(one: Any, other: Any) -> Any:
     return more if begins and all(isinstance(item, Made) for item in more[len(less) :]) else None
 
 
-def _join_left(run: Interpreter, since: int, left: str) -> None:
+def _join_left(run: Followed, since: int, left: str) -> None:
     """Let names hold what they held where a turn or loop was left too."""
     for kind, note, held in run.ways.found[since:]:
         if kind == left:
@@ -143,7 +163,7 @@ def _join_left(run: Interpreter, since: int, left: str) -> None:
 
 
 def _turn(
-    run: Interpreter, statement: ast.For | ast.AsyncFor | ast.While, start: int, since: int
+    run: Followed, statement: ast.For | ast.AsyncFor | ast.While, start: int, since: int
 ) -> tuple[bool, Left | None]:
     """Follow one turn of a loop; return whether it ends the loop, and how what is around the loop is left."""
     left = run.block(statement.body)
@@ -156,7 +176,7 @@ def _turn(
     return True, None if left.kind == "break" else left
 
 
-def loop(run: Interpreter, statement: ast.For | ast.AsyncFor) -> Left | None:
+def loop(run: Followed, statement: ast.For | ast.AsyncFor) -> Left | None:
     """Go through what is known, or once through what is not."""
     items = items_of(run.value(statement.iter))
     start, since = len(run.notes), len(run.ways.found)
@@ -170,7 +190,7 @@ def loop(run: Interpreter, statement: ast.For | ast.AsyncFor) -> Left | None:
     return _else(run, statement, start, since)
 
 
-def repeat(run: Interpreter, statement: ast.While) -> Left | None:
+def repeat(run: Followed, statement: ast.While) -> Left | None:
     """Go through a loop while its condition is known to hold."""
     start, since = len(run.notes), len(run.ways.found)
     for _ in range(MOST_TURNS):
@@ -185,7 +205,7 @@ def repeat(run: Interpreter, statement: ast.While) -> Left | None:
     raise TooLongError
 
 
-def _unknown(run: Interpreter, statement: ast.For | ast.AsyncFor | ast.While, note: str) -> Left | None:
+def _unknown(run: Followed, statement: ast.For | ast.AsyncFor | ast.While, note: str) -> Left | None:
     """Follow one turn for all, of which there may be none."""
     names, start, since = run.held, len(run.notes), len(run.ways.found)
     if not isinstance(statement, ast.While):
@@ -204,7 +224,7 @@ def _unknown(run: Interpreter, statement: ast.For | ast.AsyncFor | ast.While, no
     return _else(run, statement, start, since)
 
 
-def _else(run: Interpreter, statement: ast.For | ast.AsyncFor | ast.While, start: int, since: int) -> Left | None:
+def _else(run: Followed, statement: ast.For | ast.AsyncFor | ast.While, start: int, since: int) -> Left | None:
     """Follow what stands behind ``else``: where the loop may have been left, under the condition that it was not."""
     broken = any(one[0] == "break" for one in run.ways.found[since:])
     before = run.ways.found[since:]

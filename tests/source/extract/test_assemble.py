@@ -4,9 +4,10 @@ import pytest
 from roslens.model.configuration import Origin
 from roslens.model.graph import Role
 from roslens.source.extract.assemble import assemble, targets_started
-from roslens.source.extract.assemble_units import KnownUnits, Meant
+from roslens.source.extract.assemble_units import KnownUnits
 from roslens.source.extract.catalogue import known_node
 from roslens.source.extract.launched import Argument, Launch, Launched, Remap, Setting, Unresolved
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import (
     EndpointFact,
     Evidence,

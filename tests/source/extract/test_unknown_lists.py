@@ -1,6 +1,7 @@
 from roslens.source.extract.abstract_value import Unknown
 from roslens.source.extract.text import Choice, Hole, Text
-from roslens.source.extract.unknown_lists import Each, each_of, is_list, item_of
+from roslens.source.extract.text_lists import is_list
+from roslens.source.extract.unknown_lists import Each, each_of, item_of
 
 
 def listed(default=None):

@@ -6,8 +6,8 @@ import pytest
 
 from roslens.source.extract.assemble_arguments import CommandLine
 from roslens.source.extract.assemble_node import Given, assembled
-from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.launched import Launched
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import Evidence, Inherits
 from roslens.source.extract.text import Text
 

@@ -23,10 +23,9 @@ from roslens.source.extract.node_facts import (
     with_texts,
 )
 from roslens.source.extract.program import Function
-from roslens.source.extract.text import Asked, Hole, Text
+from roslens.source.extract.text import MAKER, Asked, Hole, Text
 from roslens.source.extract.workspace_index import Defined
 
-MAKER = " that makes it"
 _OF_LIST = ("each of ", "item ")
 
 

@@ -22,12 +22,13 @@ from roslens.source.extract.assemble_parameters import Values, set_outside
 from roslens.source.extract.assemble_parts import parts_of
 from roslens.source.extract.assemble_plugins import with_plugins
 from roslens.source.extract.assemble_proof import launch_proof
-from roslens.source.extract.assemble_units import Meant, Units, as_script, meant_by
+from roslens.source.extract.assemble_units import Units, as_script, meant_by
 from roslens.source.extract.call_sites import places_of
 from roslens.source.extract.command_words import words_of
 from roslens.source.extract.environment_defaults import supposed_name, with_defaults
 from roslens.source.extract.files import Files, joined
 from roslens.source.extract.launched import Argument, Controller, Launch, Launched, Setting
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import EndpointFact, Inherits, NodeFacts, Target, TargetKind
 from roslens.source.extract.parameter_file import ros2_parameters
 from roslens.source.extract.process_commands import as_node

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 import msgspec
 
 from roslens.source.extract.text import Hole, Text
-from roslens.source.extract.unknown_lists import listed
+from roslens.source.extract.text_lists import listed
 
 Items = Callable[[Hole], "list[str | Hole] | None"]
 """Returns the items that a hole stands for; None where it stands for none, or they are unknown."""

@@ -22,7 +22,6 @@ from roslens.source.extract.assemble_choices import Alternative, alternatives, a
 from roslens.source.extract.assemble_overrides import Overriding
 from roslens.source.extract.assemble_parameters import Values, declared_as_set, parameters_of
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
-from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.catalogue_items import each_item
 from roslens.source.extract.catalogue_plugins import plugged_by_parameters
 from roslens.source.extract.condition import under_either
@@ -30,6 +29,7 @@ from roslens.source.extract.environment_defaults import supposed, supposed_name,
 from roslens.source.extract.hints import hint_of, hinted
 from roslens.source.extract.implicit_endpoints import implicit_endpoints
 from roslens.source.extract.launched import Launched, Setting
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, Sure
 from roslens.source.extract.resolve_name import (
     TOP,

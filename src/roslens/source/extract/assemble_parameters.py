@@ -10,7 +10,6 @@ from typing import Any
 import msgspec
 
 from roslens.model.configuration import ConfiguredParameter, Proof
-from roslens.source.extract.abstract_value import MAKER
 from roslens.source.extract.assemble_choices import Filled, decided_by, doubt
 from roslens.source.extract.assemble_lists import each_of, items_among
 from roslens.source.extract.assemble_proof import launch_proof, proof_of
@@ -20,7 +19,7 @@ from roslens.source.extract.launched import Setting
 from roslens.source.extract.node_facts import NodeFacts, ParameterFact, Sure, with_texts
 from roslens.source.extract.resolve_name import Place, Rule, base_name, expand, node_pattern_matches, resolve
 from roslens.source.extract.ros2_values import LIST
-from roslens.source.extract.text import Choice, Hole, Text
+from roslens.source.extract.text import MAKER, Choice, Hole, Text
 
 _NAME_OF_NODE = "name of the node"
 _FULL_NAME_OF_NODE = "full name of the node"

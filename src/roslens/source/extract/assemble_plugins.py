@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterator, Sequence
 import msgspec
 
 from roslens.source.extract.assemble_parameters import Values
-from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.chosen import Chosen, node_key
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, PluginFact, Sure
 from roslens.source.extract.text import Hole, Text
-from roslens.source.extract.unknown_lists import listed
+from roslens.source.extract.text_lists import listed
 
 MOST_TURNS = 6
 _MOST_ITEMS = 64

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Protocol
 
-import msgspec
-
-from roslens.model.configuration import Origin
 from roslens.source.extract.chosen import Chosen
 from roslens.source.extract.launched import Launched
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import NodeFacts, Target, TargetKind
 from roslens.source.extract.text import Text
 
@@ -56,16 +54,6 @@ class Units(Protocol):
 
     def checksum(self, interface: str, generation: str, path: str) -> str:
         """Return the checksum of an interface, as ``package/msg/Type``, for code in a file; empty where unknown."""
-
-
-class Meant(msgspec.Struct, frozen=True):
-    """What something that is started means: its nodes, or the reason why they are unknown."""
-
-    facts: tuple[NodeFacts, ...] = ()
-    reason: str = ""
-    origin: Origin = Origin.CODE
-    conditions: tuple[str, ...] = ()
-    kind: str = ""
 
 
 class KnownUnits:

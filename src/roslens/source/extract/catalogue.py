@@ -15,10 +15,10 @@ import msgspec
 from roslens.judge.yaml_tree import Items, Node, Table, Tree, read_tree
 from roslens.model.configuration import Origin
 from roslens.model.errors import DocumentError, UsageError
-from roslens.source.extract.assemble_units import Meant
 from roslens.source.extract.catalogue_bridge import bridged
 from roslens.source.extract.hints import ROLES, endpoint_of, text_of
 from roslens.source.extract.launched import Launched
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import EndpointFact, Evidence, NodeFacts, ParameterFact, Sure
 from roslens.source.extract.text import Hole, Text
 

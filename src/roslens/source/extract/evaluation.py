@@ -35,13 +35,13 @@ from roslens.source.extract.lookups import Found
 from roslens.source.extract.makes_endpoints import MAKE, makes_endpoints
 from roslens.source.extract.node_bases import NODE_BASES
 from roslens.source.extract.node_facts import Evidence, led_to
+from roslens.source.extract.outside_options import options_from_outside
 from roslens.source.extract.overload_choice import overload, taking
 from roslens.source.extract.program import Call, Expression, Function, Parameter, Statement
 from roslens.source.extract.reached_functions import Reached
 from roslens.source.extract.refined_values import lose, lose_unseen
 from roslens.source.extract.shared_values import changed_by_call, newest
 from roslens.source.extract.text import Asked, Text, unknown
-from roslens.source.extract.vocabulary_options import options_from_outside
 from roslens.source.extract.word_list import Words
 from roslens.source.extract.workspace_index import Defined, Index, type_name
 

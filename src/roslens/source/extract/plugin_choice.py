@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.model.errors import DocumentError
 from roslens.source.extract.chosen import Chosen
 from roslens.source.extract.text import Hole, Text
-from roslens.source.extract.unknown_lists import listed
+from roslens.source.extract.text_lists import listed
 
 if TYPE_CHECKING:
     from roslens.source.extract.abstract_value import Building

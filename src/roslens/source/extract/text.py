@@ -10,6 +10,8 @@ MOST_LENGTH = 100_000
 MOST_PARTS = 1_000
 """What is put together of more parts, or longer ones, is no name: a loop that doubles a text ends here."""
 _TOO_LONG = "a text that is too long to follow"
+MAKER = " that makes it"
+"""Ends the reason of a hole that whoever makes the node fills, not the node."""
 
 
 class Hole(msgspec.Struct, frozen=True, array_like=True, order=True, tag="hole", gc=False):

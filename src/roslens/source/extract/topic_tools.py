@@ -14,7 +14,7 @@ from roslens.model.qos import Qos
 from roslens.source.extract.assemble_parameters import Values
 from roslens.source.extract.node_facts import EndpointFact, Evidence, Sure
 from roslens.source.extract.text import Hole, Text, unknown
-from roslens.source.extract.unknown_lists import listed
+from roslens.source.extract.text_lists import listed
 
 _ROS1, _ROS2 = "ros/ros_comm: tools/topic_tools", "ros-tooling/topic_tools: topic_tools"
 _ROSTOPIC = "ros/ros_comm: tools/rostopic"

@@ -8,6 +8,7 @@ import msgspec
 
 from roslens.source.extract.abstract_value import Unknown
 from roslens.source.extract.text import Choice, Hole, Text, unknown
+from roslens.source.extract.text_lists import is_list, listed
 
 
 class Each(msgspec.Struct, frozen=True):
@@ -56,13 +57,3 @@ def item_of(value: Any, key: Any) -> Any:
     items = listed(hole.default or "")
     usual = items[key] if -len(items) <= key < len(items) else None
     return Text((Hole(f"item {key} of {hole.reason}", hole.parameter, usual, named=hole.named),))
-
-
-def listed(value: str) -> list[str]:
-    """Return the items of a list of texts as YAML in one line."""
-    return [one for part in value[1:-1].split(",") if (one := part.strip().strip("\"'"))]
-
-
-def is_list(hole: Hole) -> bool:
-    """Whether the default of a parameter is a list, as YAML in one line."""
-    return hole.default is not None and hole.default.startswith("[") and hole.default.endswith("]")

@@ -15,9 +15,10 @@ from roslens.model.unstarted import REASONS
 from roslens.source.extract.assemble import with_checksums
 from roslens.source.extract.assemble_arguments import CommandLine
 from roslens.source.extract.assemble_node import Given, assembled
-from roslens.source.extract.assemble_units import Meant, Units
+from roslens.source.extract.assemble_units import Units
 from roslens.source.extract.call_sites import places_of
 from roslens.source.extract.launched import Launched
+from roslens.source.extract.meant import Meant
 from roslens.source.extract.node_facts import Evidence, NodeFacts, Target, TargetKind
 from roslens.source.extract.text import Text
 from roslens.source.settings import NodeHint

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Building, Named, Obj, Unknown, as_text
 from roslens.source.extract.node_facts import Inherits
+from roslens.source.extract.outside_options import OPTIONS, OUTSIDE
 from roslens.source.extract.perhaps import Perhaps
 from roslens.source.extract.text import Hole, Text
 from roslens.source.extract.vocabulary import Called, method, node_of, outer
@@ -17,12 +18,6 @@ from roslens.source.extract.vocabulary import Called, method, node_of, outer
 if TYPE_CHECKING:
     from roslens.source.extract.context import Context
 
-OPTIONS = "rclcpp.NodeOptions"
-OUTSIDE = Text((Hole("arguments that the node is loaded with"),))
-"""Stands for the arguments that whoever loads a component gives it.
-
-What options hold is kept under keys that are no names: methods have the names of members of theirs.
-"""
 _DECLARES = "automatically_declare_parameters_from_overrides"
 _SAME = (
     "use_intra_process_comms", "enable_topic_statistics", "start_parameter_services",
@@ -30,11 +25,6 @@ _SAME = (
     "use_clock_thread", "parameter_event_qos", "rosout_qos", "enable_logger_service",
     "parameter_event_publisher_options", "allocator", "clock_type",
 )  # fmt: skip
-
-
-def options_from_outside() -> Obj:
-    """Return the options that whoever loads a component gives it."""
-    return Obj(OPTIONS, None, {"-arguments": [OUTSIDE], "-inherits": Inherits.ALL})
 
 
 @outer(OPTIONS)

@@ -19,6 +19,7 @@ from roslens.source.extract.abstract_value import (
 from roslens.source.extract.changed_values import is_open, put_item
 from roslens.source.extract.class_attributes import set_attribute
 from roslens.source.extract.condition import negated
+from roslens.source.extract.declared_field import declared_field
 from roslens.source.extract.earlier_values import forget_defaults
 from roslens.source.extract.evaluated_again import same
 from roslens.source.extract.evaluated_loops import block_of_loop, left, looped, without_ways_out
@@ -70,7 +71,7 @@ def initialise(engine: Context, statement: Statement) -> None:
     elif isinstance(statement, Assign) and isinstance(statement.target, Member) and statement.value is not None:
         thing = engine.frame.self
         name = statement.target.name
-        declared = engine.index.declared_field(thing.defined, name) if isinstance(thing, Obj) else ""
+        declared = declared_field(engine.index, thing.defined, name) if isinstance(thing, Obj) else ""
         value = engine.value(statement.value)
         engine.written_at(statement.line)
         if isinstance(statement.value, Sequence):
@@ -246,7 +247,7 @@ def _assign_name(engine: Context, name: str, value: Any) -> None:
 def _is_field(engine: Context, thing: Obj, name: str) -> bool:
     if engine.index.programs.get(engine.frame.path) and engine.index.programs[engine.frame.path].language == "python":
         return False
-    return name in thing.fields or bool(engine.index.declared_field(thing.defined, name)) or name.endswith("_")
+    return name in thing.fields or bool(declared_field(engine.index, thing.defined, name)) or name.endswith("_")
 
 
 def _evaluated(engine: Context, statement: Evaluate) -> None:

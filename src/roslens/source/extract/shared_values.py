@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from roslens.source.extract.abstract_value import Obj, QosValue
+from roslens.source.extract.declared_field import declared_field
 from roslens.source.extract.program import Member, Name
 
 if TYPE_CHECKING:
@@ -53,4 +54,4 @@ def _is_reference(engine: Context, holder: Name | Member) -> bool:
     thing = engine.frame.self
     if not isinstance(thing, Obj) or holder.name in engine.frame.names:
         return False
-    return engine.index.declared_field(thing.defined, holder.name).endswith("&")
+    return declared_field(engine.index, thing.defined, holder.name).endswith("&")

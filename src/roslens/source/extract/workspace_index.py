@@ -462,14 +462,6 @@ class Index:
         self._chains[first] = found
         return found
 
-    def declared_field(self, defined: Defined | None, name: str) -> str:
-        """Return the declared type of a member of a class; empty where neither it nor a base declares it."""
-        for one in self.chain(defined) if defined else ():
-            for field in getattr(one.what, "fields", ()):
-                if field.name == name:
-                    return str(field.type)
-        return ""
-
     def outer_bases(self, defined: Defined) -> list[str]:
         """Return the bases of a class and of its bases that are not in the workspace, aliases resolved."""
         key = self.key(defined)

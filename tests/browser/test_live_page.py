@@ -210,8 +210,27 @@ def test_nothing_in_the_picture_moves_when_a_node_comes(robot: ScriptedRobot, fo
     expect(item(page, "node:/recorder")).to_have_count(1)
     after = page.locator("#items .item").evaluate_all(where)
     assert {name: after[name] for name in before} == before
-    labels = page.locator("#lines text").all_text_contents()
-    assert "50 Hz" in labels
+    assert {"50 Hz", "36 kB/s"} <= {*page.locator("#lines tspan").all_text_contents()}
+
+
+def test_the_way_between_two_parts_adds_the_ages(follow: Open) -> None:
+    page = follow()
+    item(page, "node:/lidar").locator("rect").click()
+    page.locator("#way-to").fill("/ui")
+    said = page.locator("#way-said")
+    expect(said).to_have_text(
+        "4 steps from /lidar to /ui; /scan: latency 2.1 ms, /map: latency 2.1 ms; "
+        "data is 4.2 ms old there, what nodes take to answer left out"
+    )
+    near = page.locator("#items .item.near").evaluate_all("found => found.map(one => one.dataset.entity).sort()")
+    assert near == ["node:/lidar", "node:/slam", "node:/ui", "topic:/map", "topic:/scan"]
+    expect(page).to_have_url(re.compile("to=%2Fui"))
+    page.locator("#way-to").fill("/nothing")
+    expect(said).to_have_text("/nothing is not in the picture.")
+    page.locator("#way-to").fill("")
+    item(page, "node:/ui").locator("rect").click()
+    page.locator("#way-to").fill("/lidar")
+    expect(said).to_have_text("No way leads along the arrows from /ui to /lidar.")
 
 
 def test_failures_are_shown(robot: ScriptedRobot, follow: Open) -> None:

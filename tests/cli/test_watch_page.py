@@ -17,6 +17,7 @@ from roslens.cli.watch_graph import MOST_DRAWN, GraphPicture
 from roslens.cli.watch_page import PageSource
 from roslens.cli.watch_screen import value_text
 from roslens.cli.watch_serve import address_of
+from roslens.dashboard.computation.picture import MANY
 from roslens.dashboard.live.snapshot import Row
 from roslens.live.session import Step
 from roslens.model.entity import EntityId, EntityKind
@@ -172,12 +173,30 @@ def test_a_node_that_went_is_still_drawn():
     assert any(one["what"] == "vanished" and one["entity"] == "node:/camera" for one in found["happened"])
 
 
-def test_topics_of_a_large_graph_that_join_the_same_nodes_are_drawn_as_one():
-    picture = document(large_robot(200))["picture"]
-    drawn = {one["entity"]: one for one in picture["items"] if one["kind"] == "topic"}
-    together = [name for one in drawn.values() for name in (one["entity"], *one.get("also", ()))]
-    assert len(drawn) < 200
-    assert len(together) == len(set(together)) == 200
+def test_topics_of_a_large_graph_are_lines_between_nodes():
+    robot = large_robot(200)
+    picture = document(robot)["picture"]
+    assert picture["as_lines"]
+    assert {one["kind"] for one in picture["items"]} == {"node"}
+    names = [one["entity"] for one in picture["items"]]
+    drawn = {(names[one["start"]], topic, names[one["end"]]) for one in picture["links"] for topic in one["by"]}
+    wanted = {
+        (f"node:{giver}", f"topic:{topic}", f"node:{taker}")
+        for giver, topic, takers, *_ in robot.wires
+        for taker in takers
+        if taker != giver
+    }
+    assert drawn == wanted
+
+
+def test_a_bad_topic_that_no_line_stands_for_is_drawn_by_itself():
+    rows = [Row(str(place), f"node:/n{place}", f"/n{place}", "node", 1, "ok") for place in range(MANY + 1)]
+    rows += [Row("bad", "topic:/bad", "/bad", "topic", 2, "low"), Row("good", "topic:/good", "/good", "topic", 2, "ok")]
+    picture = GraphPicture(str).of(Graph("ros2"), rows)
+    assert {one.entity for one in picture.items if one.kind == "topic"} == {"topic:/bad"}
+    assert [(picture.items[one.start].entity, picture.items[one.end].entity) for one in picture.links] == [
+        (f"node:/n{MANY}", "topic:/bad")
+    ]
 
 
 def test_a_graph_beyond_looking_at_is_cut_to_what_is_bad():
@@ -186,6 +205,31 @@ def test_a_graph_beyond_looking_at_is_cut_to_what_is_bad():
     picture = GraphPicture(str).of(Graph("ros2"), rows)
     assert {one.entity for one in picture.items} == {"topic:/bad", f"node:/n{MOST_DRAWN}"}
     assert picture.left_out == "2 of 1,502 are drawn: what is bad and what it is joined to"
+
+
+def test_nodes_of_several_hosts_stand_in_boxes_of_these():
+    picture = document(ScriptedRobot())["picture"]
+    assert {box["title"] for box in picture["boxes"]} == {"host rover", "host base"}
+    around = {
+        box["title"]: {
+            one["entity"]
+            for one in picture["items"]
+            if box["x"] < one["x"] < box["x"] + box["width"] and box["y"] < one["y"] < box["y"] + box["height"]
+        }
+        for box in picture["boxes"]
+    }
+    assert around["host rover"] == {"node:/lidar", "node:/camera", "node:/odometry"}
+    assert {"node:/slam", "node:/planner", "node:/ui", "topic:/planner/status"} <= around["host base"]
+    alone = ScriptedRobot({"/a": "x", "/b": "x"}, [("/a", "/t", ("/b",), 1, 1)], OF_ALL)
+    assert "boxes" not in document(alone)["picture"]
+
+
+def test_lines_say_age_and_bandwidth():
+    picture = document(ScriptedRobot())["picture"]
+    names = [one["entity"] for one in picture["items"]]
+    lines = {(names[one["start"]], names[one["end"]]): one for one in picture["links"]}
+    assert lines["node:/camera", "topic:/image"]["bandwidth"] == "13.8 MB/s"
+    assert lines["topic:/odom", "node:/slam"]["lag"] == pytest.approx(0.0021)
 
 
 def test_plumbing_is_not_drawn_and_that_is_said():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 
-from roslens.cli.watch_graph import encodable
+from roslens.cli.page.half_lines import encodable
 from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.detail import Detail, Judgement, Value
 from roslens.judge.amount import parse_limits

@@ -2,79 +2,144 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
-import msgspec
-
-from roslens.dashboard.live.places import Places
+from roslens.cli.page.half_lines import Ends, HalfLine, encodable, half_lines, worse
+from roslens.cli.page.whole_lines import whole_lines
+from roslens.dashboard.computation.noise import DEFAULT, kinds_of_noise
+from roslens.dashboard.computation.picture import MANY, Grounds
 from roslens.dashboard.live.snapshot import UNJUDGED, Item, Link, Picture, Row
-from roslens.live.connection_name import connection_ends
-from roslens.model.entity import EntityId, EntityKind
-from roslens.model.graph import Endpoint, Graph, Role
+from roslens.dashboard.plan.ground import Part
+from roslens.dashboard.plan.mark import label_of, lane_of, namespace_of, part_of
+from roslens.dashboard.plan.sheet import NOWHERE, Sheet
+from roslens.model.entity import EntityKind
+from roslens.model.graph import Graph
 from roslens.model.verdict import State, Verdict
 
 PLUMBING = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 """Topics that join every node to every other and say nothing of the system."""
-MOST_APART = 120
-"""Topics up to which each is drawn on its own; of more, those that join the same nodes are drawn as one."""
 MOST_DRAWN = 1500
-_WORSE = {state: place for place, state in enumerate((UNJUDGED, *(state.value for state in State)))}
-_PUBLISHES, _SUBSCRIBES = Role.PUBLISHER, Role.SUBSCRIPTION
 
 
-def encodable(text: str) -> str:
-    """Return a text that can be written as UTF-8: what cannot is replaced."""
-    return text if text.isascii() else text.encode("utf-8", "replace").decode()
-
-
-@lru_cache(maxsize=65536)
-def ends_of(connection: str) -> tuple[str, str, str]:
-    """Return topic, publisher and subscriber of the text form of the id of a connection; unknown ones are empty."""
-    return connection_ends(EntityId.parse(connection))
-
-
-class _Line(msgspec.Struct):
-    state: str = UNJUDGED
-    rate: str = ""
-    latency: str = ""
+def no_grounds(nodes: Collection[str]) -> Grounds | None:  # noqa: ARG001 - the shape of what knows the source
+    """Return that nothing is known of the source of what runs."""
+    return None
 
 
 class GraphPicture:
-    """Draws one graph after the other; what stays in it stays in its place."""
+    """Draws one graph after the other; what stays in it stays in its place.
 
-    def __init__(self, short: Callable[[str], str]) -> None:
-        """``short`` makes a name that can be shown of one that came from outside."""
+    Where the source of what runs is known, everything stands where the page of that source has it.
+    """
+
+    def __init__(
+        self, short: Callable[[str], str], grounds: Callable[[Collection[str]], Grounds | None] = no_grounds
+    ) -> None:
+        """Draw on an empty sheet.
+
+        Args:
+            short: makes a name that can be shown of one that came from outside.
+            grounds: gives where the source of nodes has them, by their entities; None where it is not known.
+        """
         self._short = short
-        self._places = Places()
+        self._grounds = grounds
+        self._sheet = Sheet()
 
     def of(self, graph: Graph, rows: Sequence[Row], verdicts: Iterable[Verdict] = ()) -> Picture:
         """Return the picture of what the graph and the tree know; nodes are shown as they are judged themselves."""
         states = _states(graph, rows, verdicts)
-        lines = _lines(graph, rows)
-        topics, left_out = _topics(rows, lines)
-        nodes = _nodes(graph, rows, lines)
-        groups = _groups(topics, lines)
-        if len(nodes) + len(groups) > MOST_DRAWN:
-            nodes, groups, left_out = _only_bad(nodes, groups, lines, states)
-        items = [(node, (node,)) for node in nodes] + [(group[0], group) for group in groups]
-        place_of = {member: place for place, (_, members) in enumerate(items) for member in members}
-        links = _links(lines, place_of)
-        columns = {first: int(first.startswith("topic:")) for first, _ in items}
-        places = self._places.of(columns, ((items[one.start][0], items[one.end][0]) for one in links))
-        links = [self._led(link, items[link.start][0], items[link.end][0]) for link in links]
-        drawn = tuple(self._item(members, places[first], states) for first, members in items)
-        return Picture(self._places.version, self._places.width, self._places.height, drawn, tuple(links), left_out)
+        halves = half_lines(graph, rows)
+        topics, left_out = _topics(rows, halves)
+        nodes = _nodes(graph, rows, halves)
+        hosts = _hosts(rows)
+        grounds = None if hosts else self._grounds(nodes)
+        as_lines = grounds.many if grounds else len(nodes) + len(topics) > MANY
+        if len(nodes) + (0 if as_lines else len(topics)) > MOST_DRAWN:
+            nodes, topics, left_out = _only_bad(nodes, topics, halves, states)
+        lines: dict[Ends, tuple[HalfLine, list[str]]]
+        if as_lines:
+            whole, loose, many = whole_lines(halves, topics)
+            bad = [topic for topic in loose if _bad(states.get(topic, UNJUDGED))]
+            topics, left_out = bad, _told(left_out, many)
+            lines = {ends: (one.line, one.by) for ends, one in whole.items()}
+        else:
+            lines = {}
+        drawn = [*nodes, *topics]
+        place_of = {entity: place for place, entity in enumerate(drawn)}
+        lines |= {ends: (line, []) for ends, line in halves.items() if {*ends} <= place_of.keys()}
+        ends = sorted(pair for pair in lines if {*pair} <= place_of.keys())
+        parts = _parts(drawn, ends, hosts, self._short)
+        ground = (grounds.lines if as_lines else grounds.marks) if grounds else NOWHERE
+        plan = self._sheet.of(parts, ends, ground)
+        items = tuple(
+            self._item(entity, part, place, states)
+            for entity, part, place in zip(drawn, parts, plan.places, strict=True)
+        )
+        links = tuple(
+            _link(place_of[start], place_of[end], *lines[start, end], path, word)
+            for (start, end), path, word in zip(ends, plan.paths, plan.words, strict=True)
+        )
+        return Picture(
+            self._sheet.version, plan.width, plan.height, items, links, left_out, boxes=plan.boxes, as_lines=as_lines
+        )
 
-    def _led(self, link: Link, start: str, end: str) -> Link:
-        via = self._places.ways.get((start, end))
-        return msgspec.structs.replace(link, via=via) if via else link
+    def _item(self, entity: str, part: Part, place: tuple[float, float], states: Mapping[str, str]) -> Item:
+        kind, _, name = entity.partition(":")
+        lane = "/" + "/".join(one for one in part.lane.split("/") if one and not one.startswith("@"))
+        state, short = states.get(entity, UNJUDGED), self._short(name)
+        return Item(entity, short, kind, *place, state, label_of(short, lane), part.width, part.height)
 
-    def _item(self, members: Sequence[str], place: tuple[float, float], states: dict[str, str]) -> Item:
-        first = members[0]
-        kind, _, name = first.partition(":")
-        state = max((states.get(one, UNJUDGED) for one in members), key=_WORSE.__getitem__)
-        return Item(first, self._short(name), kind, *place, state, tuple(members[1:]))
+
+def _parts(
+    drawn: Sequence[str], ends: Sequence[Ends], hosts: Mapping[str, str], short: Callable[[str], str]
+) -> list[Part]:
+    lanes = {namespace_of(entity.partition(":")[2]) for entity in drawn if entity.startswith("node:")}
+    users: dict[str, set[str]] = {}
+    for start, end in ends:
+        users.setdefault(start, set()).add(hosts.get(end, ""))
+        users.setdefault(end, set()).add(hosts.get(start, ""))
+    found = []
+    for entity in drawn:
+        node = entity.startswith("node:")
+        name = entity.partition(":")[2]
+        lane = lane_of(name, lanes)
+        own = {hosts.get(entity, "")} if node else users.get(entity, set())
+        host = next(iter(own)) if len(own) == 1 else ""
+        quiet = not node and bool(DEFAULT.intersection(kinds_of_noise(name)))
+        part = part_of(entity, short(name), lane, host=host.replace("/", "-"), quiet=quiet)
+        found.append(part)
+    return found
+
+
+def _hosts(rows: Iterable[Row]) -> dict[str, str]:
+    """Return on which host each node runs; empty where all are on one."""
+    found: dict[str, str] = {}
+    host = ""
+    for row in rows:
+        if row.kind == "host":
+            host = row.name
+        elif row.kind == "node" and host:
+            found[row.entity] = host
+    return found if len(set(found.values())) > 1 else {}
+
+
+def _link(start: int, end: int, line: HalfLine, by: Sequence[str], path: str, word: tuple[float, float]) -> Link:
+    return Link(
+        start, end, line.state, line.rate, line.latency, line.bandwidth, line.age, line.lag, tuple(by), path, word
+    )
+
+
+def _told(left_out: str, many: Sequence[str]) -> str:
+    """Return what is not drawn, with topics that would make too many lines."""
+    if not many:
+        return left_out
+    names = ", ".join(topic.removeprefix("topic:") for topic in many[:5])
+    more = f" and {len(many) - 5} more" if len(many) > 5 else ""
+    return "; ".join(part for part in (left_out, f"join too many nodes to be drawn: {names}{more}") if part)
+
+
+def _bad(state: str) -> bool:
+    return state != UNJUDGED and State(state).bad
 
 
 def _states(graph: Graph, rows: Iterable[Row], verdicts: Iterable[Verdict]) -> dict[str, str]:
@@ -84,53 +149,23 @@ def _states(graph: Graph, rows: Iterable[Row], verdicts: Iterable[Verdict]) -> d
         state = row.state
         if row.kind == "node" and there and row.entity not in there:
             # Of a node that was there nothing is known but that.
-            state = max("unknown", state, key=_WORSE.__getitem__)
-        found[row.entity] = max(found.get(row.entity, UNJUDGED), state, key=_WORSE.__getitem__)
+            state = worse("unknown", state)
+        found[row.entity] = worse(found.get(row.entity, UNJUDGED), state)
     for one in verdicts:
         if one.entity.kind is EntityKind.NODE and one.state.bad:
             entity = encodable(str(one.entity))
-            found[entity] = max(found.get(entity, UNJUDGED), one.state.value, key=_WORSE.__getitem__)
+            found[entity] = worse(found.get(entity, UNJUDGED), one.state.value)
     return found
 
 
-def _lines(graph: Graph, rows: Iterable[Row]) -> dict[tuple[str, str], _Line]:
-    """Return every line from a node to a topic and from a topic to a node."""
-    lines: dict[tuple[str, str], _Line] = {}
-    for one in graph.endpoints:
-        ends = _ends(one)
-        if ends is not None:
-            lines.setdefault(ends, _Line())
-    node = ""
-    for row in rows:
-        if row.kind == "node":
-            node = row.entity
-        elif row.kind == "topic" and node and node != "node:":
-            line = lines.setdefault((node, row.entity), _Line())
-            line.state, line.rate, line.latency = row.state, row.shown.get("rate", ""), ""
-        elif row.kind == "connection":
-            topic, _, subscriber = ends_of(row.entity)
-            if subscriber:
-                line = lines.setdefault((f"topic:{topic}", f"node:{subscriber}"), _Line(row.state))
-                line.state = max(line.state, row.state, key=_WORSE.__getitem__)
-                line.rate, line.latency = row.shown.get("rate", ""), row.shown.get("latency", "")
-    return lines
-
-
-def _ends(endpoint: Endpoint) -> tuple[str, str] | None:
-    node, topic = encodable(f"node:{endpoint.node}"), encodable(f"topic:{endpoint.name}")
-    if endpoint.role is _PUBLISHES:
-        return node, topic
-    return (topic, node) if endpoint.role is _SUBSCRIBES else None
-
-
-def _nodes(graph: Graph, rows: Iterable[Row], lines: Iterable[tuple[str, str]]) -> list[str]:
+def _nodes(graph: Graph, rows: Iterable[Row], lines: Iterable[Ends]) -> list[str]:
     found = {one.entity for one in rows if one.kind == "node"}
     found |= {encodable(f"node:{one.name}") for one in graph.nodes}
     found |= {end for line in lines for end in line if end.startswith("node:")}
     return sorted(found - {"node:"})
 
 
-def _topics(rows: Iterable[Row], lines: Iterable[tuple[str, str]]) -> tuple[list[str], str]:
+def _topics(rows: Iterable[Row], lines: Iterable[Ends]) -> tuple[list[str], str]:
     everything = {row.entity for row in rows if row.kind == "topic"}
     everything |= {end for line in lines for end in line if end.startswith("topic:")}
     shown = sorted(one for one in everything if one.removeprefix("topic:") not in PLUMBING)
@@ -138,45 +173,13 @@ def _topics(rows: Iterable[Row], lines: Iterable[tuple[str, str]]) -> tuple[list
     return shown, f"Not drawn: {', '.join(hidden)}" if hidden else ""
 
 
-def _groups(topics: Sequence[str], lines: Iterable[tuple[str, str]]) -> list[tuple[str, ...]]:
-    if len(topics) <= MOST_APART:
-        return [(topic,) for topic in topics]
-    joined: dict[str, list[tuple[str, str]]] = {topic: [] for topic in topics}
-    for line in sorted(lines):
-        for end in line:
-            if end in joined:
-                joined[end].append(("", line[1]) if end == line[0] else (line[0], ""))
-    groups: dict[tuple[tuple[str, str], ...], list[str]] = {}
-    for topic in topics:
-        groups.setdefault(tuple(joined[topic]), []).append(topic)
-    return [tuple(group) for group in groups.values()]
-
-
 def _only_bad(
-    nodes: Sequence[str],
-    groups: Sequence[tuple[str, ...]],
-    lines: Iterable[tuple[str, str]],
-    states: dict[str, str],
-) -> tuple[list[str], list[tuple[str, ...]], str]:
+    nodes: Sequence[str], topics: Sequence[str], lines: Iterable[Ends], states: Mapping[str, str]
+) -> tuple[list[str], list[str], str]:
     """Return what is bad and what it hangs together with, for graphs that nobody could look at."""
-    bad = {entity for entity, state in states.items() if state != UNJUDGED and State(state).bad}
+    bad = {entity for entity, state in states.items() if _bad(state)}
     near = bad | {end for line in lines if bad.intersection(line) for end in line}
     kept_nodes = [node for node in nodes if node in near][: MOST_DRAWN // 2]
-    kept = [group for group in groups if near.intersection(group)][: MOST_DRAWN // 2]
-    total, drawn = len(nodes) + len(groups), len(kept_nodes) + len(kept)
+    kept = [topic for topic in topics if topic in near][: MOST_DRAWN // 2]
+    total, drawn = len(nodes) + len(topics), len(kept_nodes) + len(kept)
     return kept_nodes, kept, f"{drawn:,} of {total:,} are drawn: what is bad and what it is joined to"
-
-
-def _links(lines: dict[tuple[str, str], _Line], place_of: dict[str, int]) -> list[Link]:
-    found: dict[tuple[int, int], Link] = {}
-    for (start, end), line in sorted(lines.items(), key=lambda pair: pair[0]):
-        if start not in place_of or end not in place_of:
-            continue
-        key = place_of[start], place_of[end]
-        known = found.get(key)
-        if known is None:
-            found[key] = Link(*key, line.state, line.rate, line.latency)
-        else:
-            # Lines of topics that are drawn as one have no rate of their own.
-            found[key] = Link(*key, max(known.state, line.state, key=_WORSE.__getitem__))
-    return list(found.values())

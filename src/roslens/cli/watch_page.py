@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import lru_cache
 from hashlib import blake2b
 from typing import TYPE_CHECKING
@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.cli.page.board_page import MOST_ALERTS, BoardPage, Looked
+from roslens.cli.page.half_lines import encodable, ends_of
 from roslens.cli.watch_causes import causes_of
 from roslens.cli.watch_detail import detail_of
-from roslens.cli.watch_graph import GraphPicture, encodable, ends_of
+from roslens.cli.watch_graph import GraphPicture
 from roslens.cli.watch_screen import nameless, urgency, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
 from roslens.judge.expectation import Reference
@@ -30,6 +31,7 @@ from roslens.store.handled import HandledAlerts
 
 if TYPE_CHECKING:
     from roslens.cli.page.past_page import PastPage
+    from roslens.dashboard.computation.picture import Grounds
     from roslens.live.session import Session, Step
     from roslens.live.tree import SystemView
     from roslens.model.reaction import Reaction
@@ -92,6 +94,10 @@ class PageSource:
         self._recall: Recall | None = None
         self.past: PastPage | None = None
         self.board = BoardPage(lambda: self._looked, lambda: self._recall, handled or HandledAlerts(None), clock)
+
+    def draw_on(self, grounds: Callable[[Collection[str]], Grounds | None]) -> None:
+        """Draw everything where its source has it, as far as ``grounds`` knows that."""
+        self._picture = GraphPicture(shown_name, grounds)
 
     def remember(self, recall: Recall) -> None:
         """Show the past from a history, too."""

@@ -7,7 +7,7 @@ from types import ModuleType
 import msgspec
 import pytest
 
-from roslens.dashboard.computation.system import Kind, System, namespace_of, systems_of
+from roslens.dashboard.computation.system import Kind, System, systems_of
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode, Proof
 from roslens.model.finding import Finding, Severity
 from roslens.model.graph import Endpoint, Role
@@ -80,11 +80,6 @@ def test_slugs_fit_an_address_and_differ() -> None:
     empty = Configuration("", "ros2")
     found = systems_of({"a b/c": empty, "a-b-c": empty, "\N{SNOWMAN}": empty})
     assert list(found) == ["a-b-c", "a-b-c-2", "system"]
-
-
-def test_names() -> None:
-    assert namespace_of("/a/b") == "/a"
-    assert namespace_of("/a") == "/"
 
 
 def test_of_a_node_without_any_name_it_is_told_what_it_runs() -> None:

@@ -90,9 +90,11 @@ def _alerts(draw: Random) -> tuple[Alert, ...]:
 
 
 def _item(draw: Random, place: int) -> Item:
-    also = draw.choice([(), ("topic:/b",)])
-    return Item(f"node:/{place}", f"/{place}", "node", draw.random(), 0.0, draw.choice(STATES), also)
+    label = draw.choice(["a", "b"])
+    return Item(f"node:/{place}", f"/{place}", "node", draw.random(), 0.0, draw.choice(STATES), label, 48.0, 26.0)
 
 
 def _link(draw: Random, items: int) -> Link:
-    return Link(draw.randrange(items), draw.randrange(items), draw.choice(STATES), draw.choice(["", "1 Hz"]))
+    return Link(draw.randrange(items), draw.randrange(items), draw.choice(STATES), draw.choice(["", "1 Hz"]),
+        age=draw.choice([None, 0.1]), path=draw.choice(["M0 0", "M1 1"]),
+    )  # fmt: skip

@@ -11,6 +11,8 @@ from dashboard.live.made_up_snapshots import walk
 from roslens.dashboard.live.changes import Change, change, held
 from roslens.dashboard.live.snapshot import Picture, Row, Snapshot
 
+_LINK_TOLD = ("state", "rate", "latency", "bandwidth", "age", "lag")
+
 
 def applied(before: Snapshot, found: Change) -> Snapshot:
     """Return what a page makes of a snapshot and a change, as web/live/changes.js does it."""
@@ -24,8 +26,8 @@ def applied(before: Snapshot, found: Change) -> Snapshot:
     items, links = list(after.picture.items), list(after.picture.links)
     for place, state in found.items:
         items[place] = msgspec.structs.replace(items[place], state=state)
-    for place, state, rate, latency in found.links:
-        links[place] = msgspec.structs.replace(links[place], state=state, rate=rate, latency=latency)
+    for place, *told in found.links:
+        links[place] = msgspec.structs.replace(links[place], **dict(zip(_LINK_TOLD, told, strict=True)))
     picture = msgspec.structs.replace(after.picture, items=tuple(items), links=tuple(links))
     return msgspec.structs.replace(after, rows=tuple(rows[key] for key in order), picture=picture)
 

@@ -78,6 +78,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.kept_new import shown_new
     from roslens.cli.served.last_change import last_change_in
     from roslens.cli.served.reviewing import reviewing_of
+    from roslens.cli.served.source_grounds import source_grounds
     from roslens.cli.served.standing import gate_of, kept_runs
     from roslens.cli.shown_graphs import site_at_once
     from roslens.cli.shown_past import shown_past
@@ -105,6 +106,8 @@ def run(options: argparse.Namespace) -> int:
             read_graphs()
 
         with _beside(options) as page:
+            if page:
+                page.draw_on(source_grounds(site))
             sides = shown_sides(options.against, (lambda: page.whole) if page else None, recorded=of_bag)
             site.against = against(site, sides) if sides else None
             serve(

@@ -8,7 +8,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from roslens.cli.watch_graph import PLUMBING, encodable
+from roslens.cli.page.half_lines import encodable
+from roslens.cli.watch_graph import PLUMBING
 from roslens.dashboard.live.board import Proposal, References, Sentence, Twice
 from roslens.judge.amount import amount_text
 from roslens.judge.merge_references import sentences_of

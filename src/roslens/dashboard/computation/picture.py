@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import msgspec
 
@@ -122,15 +123,24 @@ def computation_graph(system: System, left: Left | None = None) -> ComputationGr
     return ComputationGraph(lanes, marks, wires, kept, topics, lines, many=len(visible) > MANY)
 
 
-def grounds_of(system: System) -> tuple[Ground, Ground]:
-    """Return where the elements stand until a reader chooses otherwise: topics as marks, and as lines between nodes."""
+class Grounds(NamedTuple):
+    """Where elements stand with topics as marks and as lines between nodes; ``many`` where lines are shown first."""
+
+    marks: Ground
+    lines: Ground
+    many: bool
+
+
+def grounds_of(system: System) -> Grounds:
+    """Return where the elements stand until a reader chooses otherwise."""
     left = Left()
     parts = parts_in(system)
     visible = visible_of(system, left)
     flows = [flow for flow in _flows(system, parts) if any(one in visible for one in flow.by)]
     nodes = {number for number in visible if parts[number].node}
     tiers = tiers_of(parts, _keys(parts, system.wires))
-    return _marks_ground(parts, visible, system.wires, left), _lines_ground(parts, nodes, flows, tiers)
+    marks = _marks_ground(parts, visible, system.wires, left)
+    return Grounds(marks, _lines_ground(parts, nodes, flows, tiers), many=len(visible) > MANY)
 
 
 def parts_in(system: System) -> tuple[Part, ...]:
@@ -143,8 +153,7 @@ def parts_in(system: System) -> tuple[Part, ...]:
         taken[name] = taken.get(name, 0) + 1
         key = name if taken[name] == 1 else f"{name}~{taken[name]}"
         quiet = bool(DEFAULT.intersection(element.noise))
-        part = part_of(key, element.name, element.lane, element.program, host=host)
-        found.append(msgspec.structs.replace(part, quiet=quiet))
+        found.append(part_of(key, element.name, element.lane, element.program, host=host, quiet=quiet))
     return tuple(found)
 
 

@@ -9,6 +9,7 @@ from enum import Enum
 import msgspec
 
 from roslens.dashboard.computation.noise import IMPLICIT, kinds_of_noise
+from roslens.dashboard.plan.mark import lane_of, namespace_of
 from roslens.model.configuration import Configuration, ConfiguredEndpoint, ConfiguredNode
 from roslens.model.finding import Finding
 from roslens.model.graph import Role
@@ -170,7 +171,7 @@ class System:
                 kind,
                 name,
                 key if taken[key] == 1 else f"{key}~{taken[key]}",
-                self._lane(name),
+                lane_of(name, self._lanes),
                 sure=_least_sure([one for _, one in users]),
                 conditional=all(one.conditions or self.nodes[node].conditions for node, one in users),
                 resolved=any(one.resolved for _, one in users),
@@ -183,13 +184,6 @@ class System:
     def _severity(self, element: Element) -> str:
         found = [finding.severity for finding in self.findings_on(element)]
         return max(found, key=lambda severity: severity.rank).value if found else ""
-
-    def _lane(self, name: str) -> str:
-        """Return the innermost namespace that holds nodes and this name."""
-        lane = namespace_of(name)
-        while lane != "/" and lane not in self._lanes:
-            lane = namespace_of(lane)
-        return lane
 
     def _wires(self) -> tuple[Wire, ...]:
         found: dict[tuple[int, int], list[tuple[int, ConfiguredEndpoint]]] = {}
@@ -224,11 +218,6 @@ def _owner(entity: str) -> str:
 def _least_sure(endpoints: Sequence[ConfiguredEndpoint]) -> str:
     ranks = [_SURENESS.index(one.proof.sure) if one.proof.sure in _SURENESS else 2 for one in endpoints]
     return _SURENESS[max(ranks, default=0)]
-
-
-def namespace_of(name: str) -> str:
-    """Return the namespace of a resolved name: ``/a/b`` is in ``/a``, ``/a`` in ``/``."""
-    return name.rpartition("/")[0] or "/"
 
 
 def systems_of(

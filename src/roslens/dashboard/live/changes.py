@@ -15,10 +15,12 @@ from roslens.dashboard.live.snapshot import Picture, Row, Snapshot
 _LARGE = ("rows", "picture")
 _WHOLE = tuple(name for name in Snapshot.__struct_fields__ if name not in _LARGE)
 _BESIDES_VALUES = attrgetter("entity", "name", "kind", "depth", "state", "observer", "worst", "below")
-_PLACE_OF_ITEM = attrgetter("entity", "name", "kind", "x", "y", "also")
-_PLACE_OF_LINK = attrgetter("start", "end", "via")
-_OF_LINK = attrgetter("state", "rate", "latency")
-_OF_PICTURE = attrgetter("version", "width", "height", "left_out")
+_PLACE_OF_ITEM = attrgetter("entity", "name", "kind", "x", "y", "label", "w", "h")
+_PLACE_OF_LINK = attrgetter("start", "end", "path", "by")
+_OF_LINK = attrgetter("state", "rate", "latency", "bandwidth", "age", "lag")
+_OF_PICTURE = attrgetter("version", "width", "height", "left_out", "boxes", "as_lines")
+
+LinkTold = tuple[int, str, str, str, str, float | None, float | None]
 
 
 class Change(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -30,7 +32,7 @@ class Change(msgspec.Struct, frozen=True, omit_defaults=True):
         rows: those that came, or of which more than the values changed, whole.
         cells: of the others that changed, the place in the order and the value in each column; None where it has none.
         items: place in the picture and state of what has another one.
-        links: place in the picture, state, rate and latency of lines that have others.
+        links: place in the picture, state, rate, latency, bandwidth, age and lag of lines that have others.
     """
 
     parts: dict[str, Any] = {}
@@ -38,7 +40,7 @@ class Change(msgspec.Struct, frozen=True, omit_defaults=True):
     rows: tuple[Row, ...] = ()
     cells: tuple[tuple[int | str | None, ...], ...] = ()
     items: tuple[tuple[int, str], ...] = ()
-    links: tuple[tuple[int, str, str, str], ...] = ()
+    links: tuple[LinkTold, ...] = ()
 
 
 def held(snapshot: Snapshot) -> Snapshot:
@@ -75,9 +77,7 @@ def _held(row: Row) -> Row:
     return msgspec.structs.replace(row, values={}, counts={}) if row.values or row.counts else row
 
 
-def _in_picture(
-    before: Picture, after: Picture
-) -> tuple[tuple[tuple[int, str], ...], tuple[tuple[int, str, str, str], ...]] | None:
+def _in_picture(before: Picture, after: Picture) -> tuple[tuple[tuple[int, str], ...], tuple[LinkTold, ...]] | None:
     """Return what changed of what stays in its place; None where something does not."""
     if before is after:
         return (), ()

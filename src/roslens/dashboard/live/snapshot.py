@@ -8,6 +8,7 @@ from __future__ import annotations
 import msgspec
 
 from roslens.dashboard.live.causes import CausePicture
+from roslens.dashboard.plan.ground import Box
 
 VERSION = 2
 """Of the document; it rises when something in it changes its meaning or goes away."""
@@ -112,7 +113,7 @@ class Alert(msgspec.Struct, frozen=True, omit_defaults=True):
 class Item(msgspec.Struct, frozen=True, omit_defaults=True):
     """A node or a topic in the picture of the graph; ``x`` and ``y`` are its middle, in pixels.
 
-    ``also`` are ids of further topics that stand here because they join the same nodes.
+    ``label`` is its name as it stands in its box, ``w`` and ``h`` the size of that.
     """
 
     entity: str
@@ -121,13 +122,26 @@ class Item(msgspec.Struct, frozen=True, omit_defaults=True):
     x: float
     y: float
     state: str = UNJUDGED
-    also: tuple[str, ...] = ()
+    label: str = ""
+    w: float = 0.0
+    h: float = 0.0
 
 
 class Link(msgspec.Struct, frozen=True, omit_defaults=True):
     """A line of the picture, from one item to another, both by their place in the list of items.
 
-    ``via`` are points that it goes through, around what stands between.
+    Attributes:
+        start: where it begins.
+        end: where it ends.
+        state: the worst of what it stands for.
+        rate: as people read it, as are latency and bandwidth; empty of several topics.
+        latency: mean time from publishing to receipt.
+        bandwidth: of the topic or connection.
+        age: mean seconds from the stamp in the header to receipt, of the oldest where it stands for several.
+        lag: mean seconds from publishing to receipt, likewise.
+        by: ids of the topics that a line between two nodes stands for.
+        path: of the line, as SVG has it.
+        word: where a word about it stands.
     """
 
     start: int
@@ -135,13 +149,18 @@ class Link(msgspec.Struct, frozen=True, omit_defaults=True):
     state: str = UNJUDGED
     rate: str = ""
     latency: str = ""
-    via: tuple[tuple[float, float], ...] = ()
+    bandwidth: str = ""
+    age: float | None = None
+    lag: float | None = None
+    by: tuple[str, ...] = ()
+    path: str = ""
+    word: tuple[float, float] = (0.0, 0.0)
 
 
 class Picture(msgspec.Struct, frozen=True, omit_defaults=True):
-    """The graph with the places of its parts; ``version`` changes when a place does.
+    """The graph with the places of its parts; ``version`` changes when a place or a line does.
 
-    ``left_out`` says what is not in it.
+    ``left_out`` says what is not in it; ``as_lines`` that topics are lines between nodes.
     """
 
     version: int = 0
@@ -150,6 +169,8 @@ class Picture(msgspec.Struct, frozen=True, omit_defaults=True):
     items: tuple[Item, ...] = ()
     links: tuple[Link, ...] = ()
     left_out: str = ""
+    boxes: tuple[Box, ...] = ()
+    as_lines: bool = False
 
 
 class Happening(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -33,6 +33,8 @@ def ends_of(
     taking: dict[int, list[int]] = {}
     for start, end in wires:
         source, target = number[start], number[end]
+        if parts[source].node and parts[target].node:
+            continue
         if parts[source].node:
             giving.setdefault(target, []).append(source)
         else:
@@ -46,7 +48,8 @@ def tiers_of(parts: Sequence[Part], wires: Sequence[Wire]) -> dict[int, int]:
     place_of = {node: place for place, node in enumerate(nodes)}
     number = {part.key: place for place, part in enumerate(parts)}
     giving, taking = ends_of(parts, number, wires)
-    flows: dict[Flow, int] = {}
+    direct = [pair for start, end in wires if (pair := (number[start], number[end])) if _joined(parts, pair)]
+    flows: dict[Flow, int] = {(place_of[source], place_of[target]): 1 for source, target in direct}
     for channel, sources in sorted(giving.items()):
         targets = taking.get(channel, ())
         if parts[channel].quiet or len(sources) * len(targets) > MOST_PAIRS:
@@ -56,13 +59,18 @@ def tiers_of(parts: Sequence[Part], wires: Sequence[Wire]) -> dict[int, int]:
                 if source != target:
                     pair = (place_of[source], place_of[target])
                     flows[pair] = flows.get(pair, 0) + 1
-    told = sum(not part.quiet for part in parts)
+    told = sum(not part.quiet for part in parts) + len(direct)
     found = tiers(len(nodes), flows, max(3, round((told / 4) ** 0.5 * _ASPECT / 2)))
     linked = {end for pair in flows for end in pair}
     wide = 1 + max((found[node] for node in linked), default=0)
     for place, node in enumerate(node for node in range(len(nodes)) if node not in linked):
         found[node] = place % wide
     return {node: found[place] for place, node in enumerate(nodes)}
+
+
+def _joined(parts: Sequence[Part], pair: Flow) -> bool:
+    """Whether a wire leads from one node right to another, as where topics are drawn as lines."""
+    return pair[0] != pair[1] and parts[pair[0]].node and parts[pair[1]].node
 
 
 def columns_of(parts: Sequence[Part], wires: Sequence[Wire]) -> list[int]:

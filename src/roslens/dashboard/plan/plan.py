@@ -12,7 +12,7 @@ from roslens.dashboard.plan.gaps import Gaps
 from roslens.dashboard.plan.ground import EDGE, PAD, Box, Ground, Part, Stand, Wire
 from roslens.dashboard.plan.grow import grow
 from roslens.dashboard.plan.survey import survey
-from roslens.dashboard.plan.trace import Place, Tracks, trace
+from roslens.dashboard.plan.trace import TIP, Place, Tracks, trace
 
 
 class Plan(msgspec.Struct, frozen=True):
@@ -24,7 +24,7 @@ class Plan(msgspec.Struct, frozen=True):
         places: the middle of each part.
         boxes: of hosts and namespaces, outer ones first.
         paths: a line for each wire.
-        words: where a word about each wire may stand.
+        words: where a word about each wire may stand; of one to a topic where it ends, before that.
     """
 
     width: float
@@ -47,6 +47,8 @@ def plan(ground: Ground, parts: Sequence[Part], wires: Sequence[Wire]) -> Plan:
     stands = ground.stands
     gaps, tracks = Gaps(ground), Tracks(ground.spans)
     lines = [trace(stands[start], stands[end], _way(ground, gaps, start, end), tracks) for start, end in wires]
+    nodes = {part.key for part in parts if part.node}
+    words = [word if end in nodes else _before(stands[end]) for (_, end), (_, word) in zip(wires, lines, strict=True)]
     boxes = boxes_of(ground)
     right = max((end for _, end in ground.spans), default=0.0) + PAD
     bottom = max(ground.bottom, max((box.y + box.height for box in boxes), default=0.0))
@@ -56,7 +58,7 @@ def plan(ground: Ground, parts: Sequence[Part], wires: Sequence[Wire]) -> Plan:
         places=tuple((stands[part.key].x, stands[part.key].y) for part in parts),
         boxes=boxes,
         paths=tuple(path for path, _ in lines),
-        words=tuple(word for _, word in lines),
+        words=tuple(words),
     )
 
 
@@ -75,6 +77,11 @@ def _way(ground: Ground, gaps: Gaps, start: str, end: str) -> tuple[float, ...]:
         return ()
     known = ground.ways.get((start, end))
     return known if known is not None and len(known) == between else gaps.way(first, last)
+
+
+def _before(stand: Stand) -> Place:
+    """Return where a word about what arrives at a topic ends: before its mark, where no other line arrives."""
+    return round(stand.x - stand.width / 2 - TIP - 2, 1), stand.y
 
 
 def _column(stand: Stand) -> int:

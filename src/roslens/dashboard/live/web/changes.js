@@ -11,7 +11,7 @@ export function apply(snapshot, { parts = {}, order = null, rows = [], cells = [
     snapshot.rows[place].shown = shown;
   }
   for (const [place, state] of items) snapshot.picture.items[place].state = state;
-  for (const [place, state, rate, latency] of links) Object.assign(snapshot.picture.links[place], { state, rate, latency });
+  for (const [place, state, rate, latency, bandwidth, age, lag] of links) Object.assign(snapshot.picture.links[place], { state, rate, latency, bandwidth, age, lag });
   return snapshot;
 }
 

@@ -16,14 +16,16 @@ import { Sparks } from "./sparks.js";
 import { sign, word } from "./states.js";
 import { listen } from "./stream.js";
 import { Tree } from "./tree.js";
+import { Way } from "./way.js";
 
 const by = (id) => document.getElementById(id);
 const search = by("q");
 const worse = by("worse");
 
 const tree = new Tree(by("tree"), { count: by("tree-count"), empty: by("empty") }, (entity) => choose(entity, "tree"));
-const picture = new Picture(by("canvas"), { svg: by("picture"), scene: by("scene"), layers: { lines: by("lines"), items: by("items") }, leftOut: by("left-out") },
+const picture = new Picture(by("canvas"), { svg: by("picture"), scene: by("scene"), layers: { boxes: by("boxes"), lines: by("lines"), items: by("items") }, leftOut: by("left-out") },
   (entity) => choose(entity, "picture"));
+const way = new Way({ input: by("way-to"), said: by("way-said"), names: by("way-names") }, picture);
 const alerts = new Alerts(by("alerts"), by("muted"), by("said"), (entity) => choose(entity, "alerts"));
 const causes = new Causes(by("causes"));
 const happened = new Happened(by("happened"), by("failures"), [by("happened-none"), by("failures-none")]);
@@ -45,6 +47,7 @@ function choose(entity, from) {
     } else if (!entity) tree.choose("", false);
   }
   picture.select(entity, from !== "picture");
+  way.show();
   detail.show(entity);
   if (from !== "address") enterParameters({ select: entity });
 }
@@ -107,6 +110,7 @@ function drawn() {
   const begun = performance.now();
   tree.update(snapshot);
   picture.update(snapshot);
+  way.show();
   causes.update(snapshot);
   happened.update(snapshot);
   detail.update(snapshot);

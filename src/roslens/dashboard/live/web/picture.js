@@ -1,14 +1,18 @@
-// The graph: nodes as boxes, topics as diamonds. Places come from the server; only what has changed is drawn again.
+// The graph: nodes as boxes, topics as diamonds, or as lines between nodes. Places and lines come from the server, which
+// has them from where the pages of the source have them; only what has changed is drawn again.
 
 import { draw } from "../dom.js";
 import { Camera } from "../graph/camera.js";
-import { sign, word } from "./states.js";
+import { sign, span, word } from "./states.js";
 
-const BOX = { width: 156, height: 32 };
-const DIAMOND = 8;
+/** Below this zoom lines have no words; below the other one they say the rate alone. */
 const FAR = 0.55;
+const NEAR = 0.85;
 const MANY = 60;
-const LETTERS = { node: 21, topic: 25 };
+/** The mark of a topic stands at the left end of its room. */
+const MARK = 20;
+const DIAMOND = 8;
+const NAMED = 40;
 
 export class Picture {
   /** `chose` is called with the id of an entity that was clicked, or with "". */
@@ -19,7 +23,7 @@ export class Picture {
     this.version = -1;
     this.selected = "";
     this.left = false;
-    this.camera = new Camera(canvas, this.svg, this.scene, () => this.svg.classList.toggle("far", this.camera.k < FAR));
+    this.camera = new Camera(canvas, this.svg, this.scene, () => this.zoomed());
     for (const name of ["wheel", "pointerdown"]) canvas.addEventListener(name, () => { this.left = true; });
     canvas.addEventListener("click", (event) => this.click(event));
     canvas.addEventListener("keydown", (event) => this.key(event));
@@ -34,6 +38,11 @@ export class Picture {
     const height = Math.round(Math.max(this.items.size > MANY ? 280 : 150, Math.min(innerHeight * 0.5, this.size.height * scale + 52)));
     if (Math.abs(this.canvas.clientHeight - height) > 2) this.canvas.style.height = `${height}px`;
     this.camera.fit({ x: 0, y: 0, ...this.size });
+  }
+
+  zoomed() {
+    this.svg.classList.toggle("far", this.camera.k < FAR);
+    this.svg.classList.toggle("near-by", this.camera.k >= NEAR);
   }
 
   zoom(factor) {
@@ -59,6 +68,7 @@ export class Picture {
     }
     sweep(this.items, there);
     this.links = links.map((link) => [items[link.start], items[link.end], link]);
+    if (moved) this.frame(picture.boxes || []);
     this.trace(moved);
     this.leftOut.textContent = picture.left_out || "";
     if (moved) {
@@ -68,39 +78,47 @@ export class Picture {
     if (this.selected) this.light();
   }
 
+  /** Boxes of hosts and namespaces, behind everything. */
+  frame(boxes) {
+    this.layers.boxes.replaceChildren(
+      ...boxes.map((box) =>
+        draw("g", { class: `d${Math.min(box.depth, 2)}` },
+          draw("rect", { x: box.x, y: box.y, width: box.width, height: box.height, rx: 8 }),
+          draw("text", { x: box.x + 7, y: box.y + 14, text: box.title })),
+      ),
+    );
+  }
+
   box(item) {
     const element = draw("g", { class: "item", tabindex: "-1", role: "button", "data-entity": item.entity });
-    const name = item.also ? `${item.name} + ${item.also.length}` : item.name;
-    const text = draw("text", { "dominant-baseline": "central" });
     const title = draw("title", {});
-    const most = LETTERS[item.kind];
-    text.textContent = name.length > most ? `…${name.slice(1 - most)}` : name;
+    const text = draw("text", { "dominant-baseline": "central", text: item.label });
+    const room = draw("rect", { x: -item.w / 2, y: -item.h / 2, width: item.w, height: item.h, rx: item.kind === "node" ? 6 : 0 });
+    element.append(title, room);
     if (item.kind === "node") {
-      element.append(title, draw("rect", { x: -BOX.width / 2, y: -BOX.height / 2, width: BOX.width, height: BOX.height, rx: 5 }), text);
+      element.append(text);
     } else {
-      text.setAttribute("y", -18);
-      element.append(title, draw("path", { class: "diamond", d: `M0 ${-DIAMOND}L${DIAMOND} 0L0 ${DIAMOND}L${-DIAMOND} 0Z` }), text);
+      const x = DIAMOND + 1 - item.w / 2;
+      text.setAttribute("x", MARK - item.w / 2);
+      element.append(draw("path", { class: "diamond", d: `M${x} ${-DIAMOND}l${DIAMOND} ${DIAMOND}l${-DIAMOND} ${DIAMOND}l${-DIAMOND} ${-DIAMOND}Z` }), text);
     }
-    return { element, title, is: "", glyph: null, also: "" };
+    return { element, title, is: "", glyph: null };
   }
 
   write(shown, item, moved) {
     const { element } = shown;
     if (moved) element.setAttribute("transform", `translate(${item.x} ${item.y})`);
     const state = item.state || "unjudged";
-    const also = (item.also || []).join("\n");
-    if (shown.is === state && shown.also === also) return;
+    if (shown.is === state) return;
     shown.is = state;
-    shown.also = also;
     element.classList.remove("unjudged", "ok", "suspended", "unknown", "low", "high", "absent");
     element.classList.add(`is-${item.kind}`, state);
     element.setAttribute("aria-label", `${item.kind} ${item.name}, ${word(state)}`);
-    shown.title.textContent = [`${item.name}: ${word(state)}`, also].filter(Boolean).join("\n").slice(0, 2000);
+    shown.title.textContent = `${item.name}: ${word(state)}`;
     shown.glyph?.remove();
     shown.glyph = null;
     if (state === "ok" || state === "unjudged") return;
-    const place = item.kind === "node" ? { x: -BOX.width / 2 - 6, y: -BOX.height / 2 - 6 } : { x: DIAMOND + 3, y: -6 };
-    shown.glyph = sign(state, "", { ...place, width: 12, height: 12 });
+    shown.glyph = sign(state, "", { x: -item.w / 2 - 7, y: -item.h / 2 - 7, width: 13, height: 13 });
     element.append(shown.glyph);
   }
 
@@ -113,77 +131,83 @@ export class Picture {
       there.add(key);
       let shown = this.lines.get(key);
       if (!shown) {
-        const path = draw("path", {});
-        const text = draw("text", {});
-        const title = draw("title", {});
-        shown = { element: draw("g", {}, title, path, text), title, path, text, about: "", is: "", label: "", start: start.entity, end: end.entity };
+        shown = line(start.entity, end.entity);
         this.lines.set(key, shown);
         this.layers.lines.append(shown.element);
-        place(shown, start, end, link);
-      } else if (moved) place(shown, start, end, link);
+        place(shown, link, end);
+      } else if (moved) place(shown, link, end);
+      shown.by = link.by || [];
       const state = link.state || "unjudged";
-      if (shown.is === state && shown.rate === link.rate && shown.latency === link.latency && shown.sent === rates.get(start.entity)) continue;
-      shown.rate = link.rate;
-      shown.latency = link.latency;
-      shown.sent = rates.get(start.entity);
+      const now = [state, link.rate, link.latency, link.bandwidth, link.age, link.lag, rates.get(start.entity), shown.by.length].join("\t");
+      if (shown.now === now) continue;
+      shown.now = now;
       if (shown.is !== state) {
         if (shown.is) shown.element.classList.remove(shown.is);
         shown.element.classList.add(state);
         shown.is = state;
       }
       // What arrives as fast as it is sent needs no second label.
-      const rate = end.kind === "node" && rates.get(start.entity) === link.rate ? "" : link.rate || "";
-      if (shown.label !== rate) {
-        shown.label = rate;
-        shown.text.textContent = rate;
-      }
-      const about = [`${start.name} → ${end.name}: ${word(state)}`, link.rate, link.latency && `latency ${link.latency}`].filter(Boolean).join(", ");
-      if (shown.about !== about) {
-        shown.about = about;
-        shown.title.textContent = about;
-      }
+      const rate = start.kind === "topic" && rates.get(start.entity) === link.rate ? "" : link.rate || "";
+      const named = shown.by.length > 1 ? `${shown.by.length} topics` : shown.by.length ? `${nameOf(shown.by[0])} ${rate}` : rate;
+      const more = [link.age !== undefined && link.age !== null && `age ${span(link.age)}`, start.kind === "topic" ? "" : link.bandwidth].filter(Boolean).join(" · ");
+      say(shown, named.trim(), more);
+      const told = [link.rate, link.latency && `latency ${link.latency}`, link.age !== undefined && link.age !== null && `age ${span(link.age)}`, link.bandwidth];
+      const topics = shown.by.slice(0, NAMED).map((one) => one.slice("topic:".length));
+      shown.title.textContent = [[`${start.name} → ${end.name}: ${word(state)}`, ...told].filter(Boolean).join(", "), ...topics].join("\n");
     }
     sweep(this.lines, there);
   }
 
   select(entity, reveal) {
-    this.selected = this.items.has(entity) ? entity : this.groupOf(entity);
+    this.selected = this.drawnAs(entity);
     for (const [key, shown] of this.items) shown.element.classList.toggle("selected", key === this.selected);
     this.svg.classList.toggle("dimmed", Boolean(this.selected));
     if (!this.selected) return;
     this.light();
-    const place = this.items.get(this.selected).element.getAttribute("transform").match(/-?[\d.]+/g).map(Number);
-    if (reveal) this.camera.reveal(place[0], place[1]);
+    const place = this.placeOf(this.selected) || this.placeOf([...this.lines.values()].find((one) => one.by.includes(this.selected))?.start);
+    if (reveal && place) this.camera.reveal(place[0], place[1]);
   }
 
-  /** A connection is shown by its topic, a topic that is drawn with others by those. */
-  groupOf(entity) {
+  placeOf(entity) {
+    return this.items.get(entity)?.element.getAttribute("transform").match(/-?[\d.]+/g).map(Number);
+  }
+
+  /** A connection is shown by its topic; a topic that is no item, by the lines that stand for it. */
+  drawnAs(entity) {
     if (!entity) return "";
-    const topic = entity.startsWith("connection:") ? `topic:${entity.split(" > ")[1] || ""}` : entity;
-    if (this.items.has(topic)) return topic;
-    for (const [key, shown] of this.items) if (shown.also.split("\n").includes(topic)) return key;
-    return "";
+    const shown = entity.startsWith("connection:") ? `topic:${entity.split(" > ")[1] || ""}` : entity;
+    return this.items.has(shown) || [...this.lines.values()].some((one) => one.by.includes(shown)) ? shown : "";
   }
 
   /** Keep bright what the selected part hears from and speaks to: its topics and who is at their other ends. */
   light() {
     const near = new Set([this.selected]);
     const lit = new Set();
+    for (const one of this.lines.values()) {
+      if (!one.by.includes(this.selected)) continue;
+      lit.add(one);
+      near.add(one.start).add(one.end);
+    }
     for (const [from, to] of [["start", "end"], ["end", "start"]]) {
       let edge = new Set([this.selected]);
       for (let step = 0; step < (this.selected.startsWith("node:") ? 2 : 1); step += 1) {
         const next = new Set();
-        for (const line of this.lines.values()) {
-          if (!edge.has(line[from])) continue;
-          lit.add(line);
-          near.add(line[to]);
-          next.add(line[to]);
+        for (const one of this.lines.values()) {
+          if (!edge.has(one[from])) continue;
+          lit.add(one);
+          near.add(one[to]);
+          if (one[to].startsWith("topic:")) next.add(one[to]);
         }
         edge = next;
       }
     }
+    this.bright(near, lit);
+  }
+
+  /** Keep only these items and lines bright. */
+  bright(near, lit) {
     for (const [key, shown] of this.items) shown.element.classList.toggle("near", near.has(key));
-    for (const line of this.lines.values()) line.element.classList.toggle("near", lit.has(line));
+    for (const one of this.lines.values()) one.element.classList.toggle("near", lit.has(one));
   }
 
   click(event) {
@@ -214,27 +238,26 @@ function sweep(shown, there) {
   }
 }
 
-function half(item) {
-  return item.kind === "node" ? BOX.width / 2 : DIAMOND;
+const nameOf = (topic) => topic.slice("topic:".length);
+
+function line(start, end) {
+  const [path, text, title] = [draw("path", {}), draw("text", {}, draw("tspan", {}), draw("tspan", { class: "more" })), draw("title", {})];
+  return { element: draw("g", {}, title, path, text), title, path, text, now: "", is: "", by: [], start, end };
 }
 
-function place(shown, start, end, link) {
-  const points = [[start.x + half(start), start.y], ...(link.via || []), [end.x - half(end), end.y]];
-  const back = points[0][0] >= points[points.length - 1][0];
-  let d = `M${points[0][0]} ${points[0][1]}`;
-  const pieces = [];
-  for (let at = 1; at < points.length; at += 1) {
-    const [[x1, y1], [x2, y2]] = [points[at - 1], points[at]];
-    const bend = back ? 70 : (x2 - x1) / 2;
-    const sag = back ? 56 : 0;
-    const piece = [x1, y1, x1 + bend, y1 + sag, x2 - bend, y2 + sag, x2, y2];
-    d += `C${piece.slice(2).map((one) => one.toFixed(1)).join(" ")}`;
-    pieces.push(piece);
-  }
-  shown.path.setAttribute("d", d);
-  // Labels stand close to the topic, below the line, where its name is not.
-  const [piece, t] = end.kind === "topic" ? [pieces[pieces.length - 1], 0.7] : [pieces[0], 0.34];
-  const mix = (a, b, c, d2) => (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t ** 2 * c + t ** 3 * d2;
-  shown.text.setAttribute("x", mix(piece[0], piece[2], piece[4], piece[6]).toFixed(1));
-  shown.text.setAttribute("y", (mix(piece[1], piece[3], piece[5], piece[7]) + 14).toFixed(1));
+/** Words about a line to a topic end before its mark, the others stand on the line. */
+function place(shown, link, end) {
+  shown.path.setAttribute("d", link.path);
+  shown.element.classList.toggle("to-topic", end.kind === "topic");
+  const [x, y] = link.word || [0, 0];
+  [...shown.text.children].forEach((part, at) => {
+    part.setAttribute("x", x);
+    part.setAttribute("y", y - 4 + 16 * at);
+  });
+}
+
+function say(shown, text, more) {
+  const [first, second] = shown.text.children;
+  if (first.textContent !== text) first.textContent = text;
+  if (second.textContent !== more) second.textContent = more;
 }

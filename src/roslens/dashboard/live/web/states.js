@@ -18,6 +18,13 @@ export function mark(element, state, severity) {
   element.replaceChildren(sign(state, severity), word(state));
 }
 
+/** 0.0123 -> "12.3 ms". */
+export function span(seconds) {
+  const size = Math.abs(seconds);
+  const [value, unit] = size < 0.001 ? [seconds * 1e6, "µs"] : size < 1 ? [seconds * 1e3, "ms"] : [seconds, "s"];
+  return `${Number(value.toPrecision(3))} ${unit}`;
+}
+
 /** 75 -> "1 min 15 s". */
 export function duration(seconds) {
   const whole = Math.max(0, Math.floor(seconds));

@@ -27,6 +27,7 @@ from roslens.model.tags import TagFilter
 
 if TYPE_CHECKING:
     from roslens.compare.conformance.disparity import Conformance
+    from roslens.compare.conformance.side import Side
     from roslens.dashboard.computation.book import Book
     from roslens.dashboard.computation.code_marks import CodeMarks
     from roslens.dashboard.gate_line import GateLine
@@ -115,7 +116,7 @@ class Site:
         """Whether it passes; None where nobody asked."""
         self.running: Callable[[], Sequence[Named]] = tuple
         """Tells what is watched now, or was recorded."""
-        self.against: Callable[[str], tuple[str, Conformance]] | None = None
+        self.against: Callable[[str], tuple[str, Conformance, list[Side]]] | None = None
         """Compares a configuration by its slug with what runs or was recorded; None where nothing is given."""
         self.review: Review | None = None
         """What the team decided about findings; None where that is not known."""

@@ -78,18 +78,18 @@ def _live(live: Callable[[], Graph | None] | None, *, recorded: bool) -> list[Si
     return [recorded_side(graph, "the recording") if recorded else running_side(graph, "what runs")]
 
 
-def against(site: Site, sides: Callable[[], list[Side]]) -> Callable[[str], tuple[str, Conformance]]:
+def against(site: Site, sides: Callable[[], list[Side]]) -> Callable[[str], tuple[str, Conformance, list[Side]]]:
     """Return what compares a configuration of a site, by its slug, with these sides; without one that fits best."""
     from roslens.cli.conformance.source_side import beside, best
     from roslens.compare.conformance.configured import source_side
     from roslens.compare.conformance.join import conformance
 
-    def compare(slug: str) -> tuple[str, Conformance]:
+    def compare(slug: str) -> tuple[str, Conformance, list[Side]]:
         others = sides()
         kept = {name: system.configuration for name, system in site.book.systems.items()}
         name = slug or best(kept, others, argparse.Namespace(quiet=True))
         rest = {other: one for other, one in kept.items() if other != name}
         source = source_side(kept[name], name, beside(kept[name], rest, (), site.book.unstarted))
-        return name, conformance([source, *others])
+        return name, conformance([source, *others]), others
 
     return compare

@@ -9,6 +9,7 @@ from roslens.compare.conformance.claim import NODE, PARAMETER
 from roslens.compare.conformance.disparity import Conformance, Disparity
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.computation.book import ref_of
+from roslens.dashboard.computation.difference_picture import SIGNS, WORDS, Standing, difference_picture
 from roslens.dashboard.computation.system import System
 from roslens.dashboard.finding_list import file_ref
 from roslens.dashboard.site import Site
@@ -33,7 +34,7 @@ def build(site: Site, request: Request) -> View:
     chosen = request.query.get("configuration")
     chosen = chosen if chosen in names else ""
     try:
-        name, found = against(chosen)
+        name, found, others = against(chosen)
     except RoslensError as error:
         shown = {"found": None, "problem": str(error), "names": names}
         return View(ref, "Expected against actual", {"problem": str(error)}, shown=shown)
@@ -61,6 +62,11 @@ def build(site: Site, request: Request) -> View:
             "names": names,
             "chosen": name,
             "counts": counts,
+            "picture": difference_picture(system, found.disparities, others) if system else None,
+            "words": WORDS,
+            "signs_of": SIGNS,
+            "standings": {one.value: one for one in Standing},
+            "signs": [(one.value, SIGNS[one], WORDS[one]) for one in Standing if one is not Standing.ALIKE],
             "sides": list(zip(found.titles, (KIND_WORDS[kind] for kind in found.kinds), strict=True)),
         },
     )

@@ -1,8 +1,11 @@
 // Pages of computation graphs load this beside the script of every page.
 
 import { startComputation } from "./graph/computation.js";
+import { startDifference } from "./graph/difference.js";
 import { alsoImprove } from "./improvements.js";
 
 alsoImprove((root) => {
-  if (root.querySelector("[data-graph]")?.dataset.graph === "computation") startComputation(root);
+  const graph = root.querySelector("[data-graph]")?.dataset.graph;
+  if (graph === "computation") startComputation(root);
+  if (graph === "difference") startDifference(root);
 });

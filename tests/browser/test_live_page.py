@@ -219,11 +219,11 @@ def test_the_way_between_two_parts_adds_the_ages(follow: Open) -> None:
     page.locator("#way-to").fill("/ui")
     said = page.locator("#way-said")
     expect(said).to_have_text(
-        "4 steps from /lidar to /ui; /scan: latency 2.1 ms, /map: latency 2.1 ms; "
+        "4 steps from /lidar to /ui; /scan: latency 2.1 ms, /planner/status: latency 2.1 ms; "
         "data is 4.2 ms old there, what nodes take to answer left out"
     )
     near = page.locator("#items .item.near").evaluate_all("found => found.map(one => one.dataset.entity).sort()")
-    assert near == ["node:/lidar", "node:/slam", "node:/ui", "topic:/map", "topic:/scan"]
+    assert near == ["node:/lidar", "node:/planner", "node:/ui", "topic:/planner/status", "topic:/scan"]
     expect(page).to_have_url(re.compile("to=%2Fui"))
     page.locator("#way-to").fill("/nothing")
     expect(said).to_have_text("/nothing is not in the picture.")

@@ -3,7 +3,7 @@
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
-from roslens.report.fix_first import first_to_fix
+from roslens.report.fix_first import first_to_fix, is_listed
 
 ALL = TagFilter()
 
@@ -71,3 +71,10 @@ def test_what_belongs_to_no_package_takes_part():
     finding = Finding("graph.qos", Severity.ERROR, "never connected", "a.launch", 3)
     (one,) = first_to_fix([], [finding], {}, ALL)
     assert one.example == "a.launch:3: never connected"
+
+
+def test_a_row_tells_of_a_mistake_or_of_a_limit_that_is_far_exceeded():
+    assert is_listed(count("cpp.a"))
+    assert is_listed(count("function_limits", excess=16.0, tags=("metrics",)))
+    assert not is_listed(count("cbo.max", excess=15.9, tags=("metrics",)))
+    assert not is_listed(count("comment_ratio.min", excess=99.0, tags=("metrics",)))

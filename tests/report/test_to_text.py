@@ -46,7 +46,9 @@ def package(number, name, *rules, **values):
 def complexity(count, gated, place):
     function = "drive::Drive::update(const std::shared_ptr<Message> &)"
     text = f"{place}: cyclomatic complexity of {function} is 31; at most 15 (ros)"
-    return RuleCount("ros.cyclomatic_complexity.max", WARNING, count, gated, text, ("metrics", "ros", "complexity"))
+    return RuleCount(
+        "ros.cyclomatic_complexity.max", WARNING, count, gated, text, ("metrics", "ros", "complexity"), 20.0
+    )
 
 
 def missing(count, place):
@@ -151,6 +153,33 @@ def test_what_is_cut_is_said():
     assert "10 of 14 rules, most severe first; 34 findings of the others. All: roslens report\n" in shown
     failures = [Failure("t", f"f{number}", advice=f"a{number % 8}") for number in range(20)]
     assert "4 more. All: roslens report\n" in text(failures=failures)
+
+
+def limit(rule, excess, count=4):
+    return RuleCount(rule, WARNING, count, count, f"{excess} x", ("metrics", "ros"), excess)
+
+
+def test_limits_that_are_little_exceeded_are_a_line_where_there_are_mistakes():
+    limits = [limit("ros.cbo.max", 8.6, 9), limit("ros.comment_ratio.min", 99.0), limit("ros.function_limits", 40.0)]
+    shown = text(packages=[package(1, "arm", missing(3, "a.xml:2"), *limits)])
+    findings = shown[shown.index("Findings: 3 errors, 17 warnings\n") :]
+    assert "ros.function_limits" in findings
+    assert "comment_ratio" not in findings
+    assert (
+        "  13 limits of metrics of 2 rules, none far exceeded, most of ros.cbo.max (9). All: roslens report\n" in shown
+    )
+    shown = text(packages=[package(1, "arm", *limits[:2])])
+    assert "ros.cbo.max" in shown
+    assert "limits of metrics of" not in shown
+
+
+def test_what_is_surest_stands_first_among_rules_of_a_severity():
+    unsure = RuleCount("package.b", WARNING, 90, 90, "b.xml:1: b", ())
+    sure = RuleCount("package.a", WARNING, 1, 1, "a.xml:1: a", ())
+    rules = (RuleInfo("package.a", "A", "", precision=0.98), RuleInfo("package.b", "B", "", precision=0.3))
+    shown = to_text(HEADER, [package(1, "arm", unsure, sure)], [], rules)
+    findings = shown[shown.index("Findings:") :]
+    assert findings.index("package.a") < findings.index("package.b")
 
 
 def test_failures_that_ask_for_the_same_stand_together():

@@ -17,7 +17,8 @@ UNMEASURED = 0.75
 LIMIT = 0.4
 """The same of a limit of a quality model: it is exceeded, but what to mend is for the reader to see."""
 FURTHEST = 16.0
-"""How far beyond a limit still counts: what is a thousand times beyond is no more urgent than that."""
+"""How far beyond a limit still counts: what is a thousand times beyond is no more urgent than that. A limit of which
+nothing is that far beyond is for whoever looks at the metrics, not for whoever mends."""
 _REACH = {"node": 1.2, "graph": 1.2, "cpp": 1.1, "python": 1.1, "launch": 1.1}
 """What happens on the robot goes before what happens where it is built, by the family of the rule."""
 _WEIGHTS = {Severity.ERROR: 100.0, Severity.WARNING: 10.0, Severity.NOTE: 1.0}
@@ -47,7 +48,7 @@ def first_to_fix(
     for one in counts:
         if one.severity is Severity.NOTE or not one.example:
             continue
-        score = _score(one, rules.get(one.rule))
+        score = urgency(one, rules.get(one.rule))
         if one.rule not in best or score > best[one.rule][0]:
             best[one.rule] = (score, one)
     ordered = [one for _, one in sorted(best.values(), key=lambda pair: (-pair[0], pair[1].rule))]
@@ -63,7 +64,16 @@ def new_before_others(new: Sequence[RuleCount], others: Sequence[RuleCount]) -> 
     return (*new, *(one for one in others if (one.rule, one.example) not in known))[:MOST]
 
 
-def _score(one: RuleCount, rule: RuleInfo | None) -> float:
+def is_listed(one: RuleCount) -> bool:
+    """Return whether a row of a list tells what to mend: a mistake, or a limit that is exceeded by far.
+
+    What is too little is told of no row: it cannot be less than nothing.
+    """
+    return METRICS not in one.tags or (one.excess >= FURTHEST and not one.rule.endswith(".min"))
+
+
+def urgency(one: RuleCount, rule: RuleInfo | None) -> float:
+    """Return how soon a finding is to be mended: severity times precision times where it shows times excess."""
     precision = LIMIT if METRICS in one.tags else UNMEASURED
     if rule is not None and rule.precision:
         precision = rule.precision

@@ -16,7 +16,7 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount, RunHeader
 from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
 from roslens.model.tags import TagFilter
-from roslens.report.fix_first import METRICS, first_to_fix, new_before_others
+from roslens.report.fix_first import METRICS, first_to_fix, is_listed, new_before_others, urgency
 from roslens.report.package_table import PackageCounts, count_packages, package_table
 from roslens.report.terminal import Terminal, columns, left, right
 
@@ -38,7 +38,11 @@ class _Group(msgspec.Struct):
     packages: int = 0
     example: str = ""
     excess: float = 0.0
-    is_limit: bool = False
+    tags: tuple[str, ...] = ()
+
+    def counted(self) -> RuleCount:
+        """Return the group as the count of a rule."""
+        return RuleCount(self.rule, self.severity, self.count, self.count, self.example, self.tags, self.excess)
 
 
 def to_text(
@@ -76,9 +80,9 @@ def to_text(
     wanted = tags or TagFilter()
     counted = count_packages(packages, wanted)
     of_workspace = [finding for finding in findings if wanted.matches(finding.tags)]
-    groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted)
-    aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
     about = {rule.id: rule for rule in rules}
+    groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted, about)
+    aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
     hushed = _set_aside(terminal, set_aside or {})
     sections = [
         list(_head(terminal, header, packages)),
@@ -160,6 +164,10 @@ def _findings(
     notes = [group for group in groups if group.severity is Severity.NOTE]
     # Notes say where to look, not what to mend: they are listed where there is nothing else.
     groups = [group for group in groups if group.severity is not Severity.NOTE] or groups
+    # Limits that are little exceeded say where to look as well, where there are mistakes to mend.
+    worth = [group for group in groups if is_listed(group.counted())]
+    limits = [group for group in groups if group not in worth] if len(worth) < len(groups) and worth else []
+    groups = worth or groups
     shown = groups[:RULES]
     count_width = max((len(f"{group.count:,}") for group in shown), default=0)
     rule_width = max((columns(terminal.clean(group.rule)) for group in shown), default=0)
@@ -170,6 +178,8 @@ def _findings(
         others = _plural(rest, "finding")
         text = f"{len(shown)} of {_plural(len(groups), 'rule')}, most severe first; {others} of the others"
         yield from _quiet(terminal, f"{text}. {ALL}")
+    if limits:
+        yield from _quiet(terminal, terminal.clean(f"{_limits_text(limits)}. {ALL}"))
     if notes and groups[0].severity is not Severity.NOTE:
         yield from _quiet(terminal, terminal.clean(f"{_notes_text(notes)}. {ALL}"))
     if aside:
@@ -192,6 +202,13 @@ _STATES = {
     "accepted": "accepted",
     "false_positive": "false positives",
 }
+
+
+def _limits_text(limits: Sequence[_Group]) -> str:
+    count = sum(group.count for group in limits)
+    most = max(limits, key=lambda group: group.count)
+    rules = _plural(len({group.rule for group in limits}), "rule")
+    return f"{_plural(count, 'limit')} of metrics of {rules}, none far exceeded, most of {most.rule} ({most.count:,})"
 
 
 def _notes_text(notes: Sequence[_Group]) -> str:
@@ -294,8 +311,10 @@ def _next(
         yield f"  {left(command, width)}  {terminal.paint(why, 'quiet') if fits else ''}".rstrip()
 
 
-def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tags: TagFilter) -> list[_Group]:
-    """Return the findings that count, by rule and severity: most severe first, then mistakes before limits."""
+def _groups(
+    packages: Iterable[PackageSummary], findings: Iterable[Finding], tags: TagFilter, rules: Mapping[str, RuleInfo]
+) -> list[_Group]:
+    """Return the findings that count, by rule and severity: most severe first, mistakes before limits, most urgent."""
     groups: dict[tuple[str, Severity], _Group] = {}
     for package in packages:
         seen: set[tuple[str, Severity]] = set()
@@ -305,7 +324,7 @@ def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tag
             key = (rule.rule, rule.severity)
             group = groups.setdefault(key, _Group(*key))
             group.count += rule.gated
-            group.is_limit = METRICS in rule.tags
+            group.tags = rule.tags
             group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
             if not group.example or rule.excess > group.excess:
                 group.example, group.excess = rule.example, rule.excess
@@ -316,7 +335,12 @@ def _groups(packages: Iterable[PackageSummary], findings: Iterable[Finding], tag
         group.count += 1
         place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
         group.example = group.example or (f"{place}: {finding.message}" if place else finding.message)
-    return sorted(groups.values(), key=lambda group: (-group.severity.rank, group.is_limit, -group.count, group.rule))
+
+    def order(group: _Group) -> tuple[int, bool, float, int, str]:
+        soon = urgency(group.counted(), rules.get(group.rule))
+        return -group.severity.rank, METRICS in group.tags, -soon, -group.count, group.rule
+
+    return sorted(groups.values(), key=order)
 
 
 def _fixable(terminal: Terminal, packages: Iterable[PackageSummary], tags: TagFilter) -> Iterator[str]:

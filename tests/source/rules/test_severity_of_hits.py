@@ -24,6 +24,8 @@ PYTHON = "import rclpy\ndef f(self):\n    m = {0}()\n    m.{1} = 1\n    self.pub
         ("cpp.swallowed", Language.CPP, "void f() { try { g(); } catch (...) { } }\n", None),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); } catch (...) { } }\n", Severity.NOTE),
         ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); h(a); } catch (...) { } }\n", None),
+        ("cpp.swallowed", Language.CPP, "void f() { try { a = g(); ROS_WARN(a); } catch (...) { } }\n", Severity.NOTE),
+        ("cpp.swallowed", Language.CPP, "void f() { try { ROS_WARN(a); } catch (...) { } }\n", None),
     ],
 )
 def test_it_is_a_note(rule, language, text, severity):

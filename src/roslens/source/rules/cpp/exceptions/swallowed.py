@@ -42,11 +42,16 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 
 def _is_one_value(body: Node) -> bool:
-    """Return whether all that is tried is to give one variable its value, which may be missing."""
-    if body.named_child_count != 1 or body.named_children[0].type != "expression_statement":
-        return False
-    inner = body.named_children[0].named_children
-    return len(inner) == 1 and inner[0].type == "assignment_expression"
+    """Return whether all that is tried is to give one variable its value, which may be missing, and to log it."""
+    inner = [one.named_children[0] if one.named_child_count == 1 else one for one in body.named_children]
+    values = [one for one in inner if one.type == "assignment_expression"]
+    others = [one for one in inner if one.type not in ("assignment_expression", "comment")]
+    return len(values) == 1 and all(_is_log(one) for one in others)
+
+
+def _is_log(node: Node) -> bool:
+    function = node.child_by_field_name("function") if node.type == "call_expression" else None
+    return function is not None and function.text is not None and function.text.startswith((b"ROS_", b"RCLCPP_"))
 
 
 RULE = FileRule(

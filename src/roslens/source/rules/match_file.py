@@ -50,7 +50,6 @@ class _Plan:
         self.anchor_words = frozenset(self.by_word) - {b""}
         self.quoted = tuple((rule, tuple(part.encode() for part in rule.quoted)) for rule in rules if rule.quoted)
         self.mentions = {one: frozenset(part.encode() for part in one) for one in {rule.mentions for rule in rules}}
-        self.mentioned = frozenset(part for parts in self.mentions.values() for part in parts)
         self.concerns = {(rule.mentions, rule.spares_tests) for rule in rules}
         self.by_kind: Mapping[str, list[FileRule]] = defaultdict(list)
         for rule in rules:
@@ -119,8 +118,16 @@ def _once(hits: Iterable[Hit]) -> Iterator[Hit]:
 def _concerns(plan: _Plan, view: FileView) -> set[tuple[tuple[str, ...], bool]]:
     """Return which pairs of what rules want mentioned and whether they spare tests a file satisfies."""
     content = view.content
-    present = {part for part in plan.mentioned if part in content}
-    mentioned = {one for one, parts in plan.mentions.items() if not parts or not present.isdisjoint(parts)}
+    # One part is asked for by many rules, and the first that is there will do.
+    present: dict[bytes, bool] = {}
+
+    def has(part: bytes) -> bool:
+        known = present.get(part)
+        if known is None:
+            known = present[part] = part in content
+        return known
+
+    mentioned = {one for one, parts in plan.mentions.items() if not parts or any(map(has, parts))}
     is_test = any(one in content for one in TESTS)
     return {one for one in plan.concerns if one[0] in mentioned and not (one[1] and is_test)}
 
@@ -169,12 +176,14 @@ class _Asked:
 
     def ask(self, rule: FileRule, nodes: Iterator[Node] | Sequence[Node]) -> None:
         """Ask a rule about nodes until it has found :data:`MOST_HITS`."""
-        room = len(self._found) + MOST_HITS
+        # Most nodes lead to nothing: what is done for each of them is most of what rules cost.
+        kept, found, view = self._found, rule.found, self._view
+        extend, room = kept.extend, len(kept) + MOST_HITS
         try:
             for node in nodes:
-                self._found.extend(rule.found(node, self._view))
-                if len(self._found) >= room:
-                    del self._found[room:]
+                extend(found(node, view))
+                if len(kept) >= room:
+                    del kept[room:]
                     return
         except Exception as error:  # noqa: BLE001 - a rule that breaks must not lose what the others find
             self._broken.setdefault(rule.id, _broken(rule, error))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-_OFF = re.compile(rb"^[ \t]*#[ \t]*if[ \t]+(?:0|false)\b", re.MULTILINE)
+_OFF = re.compile(rb"#[ \t]*if[ \t]+(?:0|false)\b")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b([^\n]*)", re.MULTILINE)
 _NEVER = re.compile(rb"[ \t]*(?:0|false)[ \t]*(?:$|//|/\*)")
 

@@ -27,6 +27,7 @@ _SECOND_STEP = re.compile(
 )
 """Functions that others call before the members are read, hooks of a framework among them."""
 _NEAR = 40
+_BEFORE_BASE = 200
 _GIVEN = re.compile(rb"\s*(?:(?:[-+*/|&^%]|<<|>>)?=(?!=)|\+\+|--|\[|\{)")
 _TAKEN = re.compile(rb"(?:>>|\+\+|--|(?<!&)&|(?<!if )(?<!while )(?<!return )[(,])\s*$")
 
@@ -77,7 +78,11 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
 
 def _is_base(name: str, view: FileView) -> bool:
     """Return whether another class of the file is derived from it: its constructor may give the values."""
-    return re.search(rb"(?:public|protected|private|:)\s+%s\b" % re.escape(name.encode()), view.code) is not None
+    for at in word_places(name.encode(), view):
+        before = view.code[max(at - _BEFORE_BASE, 0) : at]
+        if before[-1:].isspace() and before.rstrip().endswith((b"public", b"protected", b"private", b":")):
+            return True
+    return False
 
 
 def _is_only_read(field: str, functions: list[Node], view: FileView) -> bool:

@@ -14,6 +14,8 @@ from roslens.source.rules.file_view import FileView, above
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
 
+_CALLED = re.compile(rb"(?<![\w.>:])(?:this\s*->\s*)?\b(\w+)\s*\(")
+
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
     """Yield each call of a virtual member in the body of a constructor or destructor."""
@@ -31,14 +33,14 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if not virtual or has_token(node, "virtual_specifier") or not name:
         return
     bodies.extend(_outside(name, view))
-    words = re.compile(
-        rb"(?<![\w.>:])(?:this\s*->\s*)?\b(%s)\s*\(" % b"|".join(re.escape(one.encode()) for one in sorted(virtual))
-    )
+    names = {one.encode() for one in virtual}
     for function in bodies:
         body = function.child_by_field_name("body")
         if body is None:
             continue
-        for match in words.finditer(view.code, body.start_byte, body.end_byte):
+        for match in _CALLED.finditer(view.code, body.start_byte, body.end_byte):
+            if match[1] not in names:
+                continue
             at = view.node_at(match.start(1), match.end(1))
             call = above(at, "call_expression", "lambda_expression", "function_definition") if at is not None else None
             callee = (

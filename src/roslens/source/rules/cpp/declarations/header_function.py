@@ -66,6 +66,8 @@ def _behind_macro(node: Node, function: Node, view: FileView) -> bool:
 
 def _is_inline_inside(name: str, view: FileView) -> bool:
     """Return whether the class, in this file, declares a member function ``inline`` or ``constexpr``."""
+    if view.words.isdisjoint((b"inline", b"constexpr")):
+        return False
     last = re.escape(name.rpartition("::")[2].encode())
     return re.search(rb"\b(?:inline|constexpr)\b[^;{}()]*\b" + last + rb"\s*\([^;{}]*;", view.code) is not None
 

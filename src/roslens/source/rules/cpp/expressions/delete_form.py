@@ -7,10 +7,13 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from roslens.source.rules.code_pattern import word_places
 from roslens.source.rules.cpp_class import has_token
 from roslens.source.rules.file_view import FileView
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.rule import FileRule
+
+_NEW = re.compile(rb"\s*(?:=|\()\s*new\b([^;]*)")
 
 
 def found(node: Node, view: FileView) -> Iterator[Hit]:
@@ -19,9 +22,9 @@ def found(node: Node, view: FileView) -> Iterator[Hit]:
     if operand is None or operand.type not in ("identifier", "field_expression"):
         return
     name = view.text(operand)
-    word = re.escape(re.split(r"->|\.|::", name)[-1].encode())
-    one = re.compile(rb"\b%s\s*(?:=|\()\s*new\b([^;]*)" % word)
-    forms = {b"[" in _made(match[1]) for match in one.finditer(view.code)}
+    word = re.split(r"->|\.|::", name)[-1].encode()
+    gets = (_NEW.match(view.code, at + len(word)) for at in word_places(word, view)) if b"new" in view.words else ()
+    forms = {b"[" in _made(match[1]) for match in gets if match is not None}
     is_array = has_token(node, "[")
     if forms == {not is_array}:
         form = "delete" if is_array else "delete[]"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -51,6 +52,37 @@ def test_print_leaves_the_chrome_out(visit: Visit) -> None:
     page.goto(page.url.replace("/graph", "/findings"))
     expect(page.locator("form.filters")).to_be_hidden()
     expect(page.locator(".finding").first).to_be_visible()
+
+
+ON_SHEET = """svg => {
+    const room = svg.getBoundingClientRect();
+    return [...svg.querySelectorAll(".nodes > .node:not([hidden])")].map((one) => {
+      const box = one.getBoundingClientRect();
+      const across = box.left >= room.left - 1 && box.right <= room.right + 1;
+      const down = box.top >= room.top - 1 && box.bottom <= room.bottom + 1;
+      return across && down && getComputedStyle(one.querySelector("text")).display !== "none";
+    });
+}"""
+
+
+def test_a_computation_graph_is_printed_whole_on_one_page(visit: Visit) -> None:
+    page = visit("/computation/rover")
+    scene = page.locator("#graph-svg .scene")
+    page.locator('[data-do="zoom-in"]').click(click_count=3)
+    # The picture is drawn anew when the zoom has come to rest.
+    expect(scene).to_have_attribute("transform", re.compile(r"scale\(2"))
+    before = scene.get_attribute("transform")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    found = page.locator("#graph-svg").evaluate(ON_SHEET)
+    assert len(found) > 10
+    assert all(found)
+    page.emulate_media(media="screen")
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert scene.get_attribute("transform") == before
+    page.emulate_media(media="null")
+    sheets = re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", page.pdf(prefer_css_page_size=True))
+    assert any(float(width) > float(height) for width, height in sheets), "the graph is on a wide sheet"
 
 
 def test_pages_are_complete_without_scripts(visit: Visit, fetch: Callable[[str], str]) -> None:

@@ -46,7 +46,7 @@ class ComputationView extends TellingStage {
     this.scene = Object.fromEntries(["boxes", "wires", "titles"].map((name) => [name, this.svg.querySelector(`.${name}`)]));
     this.lineNames = new LineNames(this);
     this.minimap = new Minimap(this);
-    startPictureFiles(root);
+    startPictureFiles(root, this);
     this.shown = [];
     this.drawnAs = null;
     this.start();
@@ -294,6 +294,11 @@ class ComputationView extends TellingStage {
     const rest = this.selected < 0 ? [...this.visible].sort((a, b) => weight(b) - weight(a)) : [];
     const order = [...new Set([...near, ...(this.found || []).filter((number) => this.visible.has(number)), ...rest])];
     showNames(this.svg, this.elements, this.graph.nodes, order, this.places, this.camera, SHAPE, this.titles);
+  }
+
+  /** Give every box its name, as where the picture has the size in which it was laid out. */
+  nameAll() {
+    showNames(this.svg, this.elements, this.graph.nodes, [], this.places, { k: 1 }, SHAPE, this.titles);
   }
 
   find(text, remember = true) {

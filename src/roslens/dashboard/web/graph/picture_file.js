@@ -5,10 +5,27 @@ import { make } from "../dom.js";
 const SCALE = 2;
 const LARGEST = 8000;
 
-export function startPictureFiles(root) {
+export function startPictureFiles(root, view) {
+  onPaper(root, view);
   root.querySelector('[data-do="print"]')?.addEventListener("click", () => print());
   const png = root.querySelector('[data-do="png"]');
   png?.addEventListener("click", () => savePng(png.dataset.svg, png.dataset.name));
+}
+
+/** On paper all of the picture is on one page, with every name, whatever part of it the screen shows. */
+function onPaper(root, view) {
+  addEventListener("beforeprint", () => {
+    if (!root.checkVisibility()) return;
+    const { x, y, width, height } = view.box();
+    view.svg.setAttribute("viewBox", `${x} ${y} ${width} ${height}`);
+    view.svg.querySelector(".scene").removeAttribute("transform");
+    view.nameAll();
+  });
+  addEventListener("afterprint", () => {
+    if (!view.svg.hasAttribute("viewBox")) return;
+    view.svg.removeAttribute("viewBox");
+    view.camera.redraw();
+  });
 }
 
 async function savePng(address, name) {

@@ -426,3 +426,17 @@ def test_a_small_map_says_where_the_reader_is_while_not_all_is_in_sight(visit: V
     before = page.locator("#graph-svg .scene").get_attribute("transform")
     small.click(position={"x": 5, "y": 5})
     expect(page.locator("#graph-svg .scene")).not_to_have_attribute("transform", before or "")
+
+
+def test_the_title_of_a_box_stays_in_sight(visit: Visit) -> None:
+    page = visit("/computation/rover", viewport={"width": 1280, "height": 800})
+    title = page.locator("#graph-svg .titles text", has_text="/navigation")
+    box = "one => { const {top, bottom} = one.getBoundingClientRect(); return [top, bottom]; }"
+    canvas = page.locator("#graph-canvas").evaluate(box)
+    element(page, "/navigation/planner").locator("rect").click()
+    for _ in range(4):
+        page.keyboard.press("+")
+    expect(page.locator("#graph-svg .scene")).to_have_attribute("transform", re.compile(r"scale\(3"))
+    top, bottom = title.evaluate(box)
+    assert canvas[0] <= top
+    assert bottom <= canvas[1]

@@ -4,7 +4,7 @@ import { draw, figure } from "../dom.js";
 import { READABLE } from "./names.js";
 
 /** With more lines than this only those at the selection have their names. */
-const MOST = 60;
+const MOST = 240;
 const WIDTH = 6.2;
 const HEIGHT = 13;
 const PLACES = [0.5, 0.38, 0.62, 0.28, 0.72];

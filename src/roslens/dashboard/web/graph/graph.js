@@ -60,11 +60,11 @@ class GraphView extends Stage {
     const counts = new Map();
     this.elements.forEach((element, place) => {
       const step = stepOf(ramp, this.colour.values[place]);
-      element.setAttribute("class", element.getAttribute("class").replace(/\bs[0-5n]\b/, `s${step}`));
+      write(element, "class", element.getAttribute("class").replace(/\bs[0-5n]\b/, `s${step}`));
       const disc = element.firstElementChild;
       if (step === "n") disc.setAttribute("fill", "url(#hatch)");
-      else disc.removeAttribute("fill");
-      element.setAttribute("aria-label", `${this.graph.nodes[place].id}: ${this.textOf(place)} ${this.colour.title.toLocaleLowerCase()}`);
+      else if (disc.hasAttribute("fill")) disc.removeAttribute("fill");
+      write(element, "aria-label", `${this.graph.nodes[place].id}: ${this.textOf(place)} ${this.colour.title.toLocaleLowerCase()}`);
       if (this.visible.has(place)) counts.set(step, (counts.get(step) || 0) + 1);
     });
     this.showLegend(ramp, counts);
@@ -106,9 +106,17 @@ class GraphView extends Stage {
     );
   }
 
+  showTable(shown, remember = true) {
+    super.showTable(shown, remember);
+    if (this.tableIsOld) this.fillTable();
+  }
+
+  /** Thousands of rows are written when somebody looks at them. */
   fillTable() {
     const table = this.root.querySelector("#graph-table table");
     if (!table) return;
+    this.tableIsOld = !this.root.classList.contains("as-table");
+    if (this.tableIsOld) return;
     const most = Math.max(0, ...[...this.visible].map((place) => this.colour.values[place] ?? 0));
     const head = table.tHead.rows[0].cells[1];
     head.querySelector("a").textContent = this.colour.title;
@@ -135,7 +143,7 @@ class GraphView extends Stage {
     this.elements.forEach((element, number) => {
       const place = this.places.get(number);
       element.toggleAttribute("hidden", !place);
-      if (place) element.setAttribute("transform", `translate(${place.x.toFixed(1)} ${place.y.toFixed(1)})`);
+      if (place) write(element, "transform", `translate(${place.x.toFixed(1)} ${place.y.toFixed(1)})`);
     });
     this.svg.querySelector(".heads").toggleAttribute("hidden", this.focus >= 0);
     if (this.focus < 0) this.edges.forEach((edge, place) => edge.setAttribute("d", this.drawnEdges[place]));
@@ -185,6 +193,11 @@ class GraphView extends Stage {
     const order = [...new Set([...near, ...(this.selected < 0 ? rest : [])])];
     showNames(this.svg, this.elements, this.graph.nodes, order, this.places, this.camera);
   }
+}
+
+/** What stands there already costs nothing, as most of thousands does when a page is opened. */
+function write(element, name, value) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
 export function startGraph(root, chips) {

@@ -28,7 +28,7 @@ PER_PACKAGE = 3
 
 def work(what: str, root: Path) -> None:
     """Do one piece of work in this process."""
-    from roslens.source.extract.extraction import extract
+    from roslens.source.extract.workspace.extraction import extract
     from roslens.source.pipeline import Clock, analyse
     from roslens.source.settings import SourceSettings
     from roslens.store.cache import Cache
@@ -112,11 +112,11 @@ int main(int argc, char ** argv) {
 
 def assembling(root: Path, launch: str, rounds: int) -> tuple[list[float], int, int]:
     """Return the CPU seconds of each time, and how many nodes and endpoints there are."""
-    from roslens.source.extract.assemble import assemble
-    from roslens.source.extract.assemble_units import KnownUnits
-    from roslens.source.extract.extraction import extract
-    from roslens.source.extract.files import FolderFiles
-    from roslens.source.extract.launch_ros2 import evaluate_ros2
+    from roslens.source.extract.configuration.assemble import assemble
+    from roslens.source.extract.configuration.assemble_units import KnownUnits
+    from roslens.source.extract.facts.files import FolderFiles
+    from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
+    from roslens.source.extract.workspace.extraction import extract
     from roslens.source.settings import SourceSettings
     from roslens.store.cache import Cache
 

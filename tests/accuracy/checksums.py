@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from roslens.source.extract.interface import Interface
-from roslens.source.extract.interface_file import read_interface
-from roslens.source.extract.message_md5 import md5_of
-from roslens.source.extract.type_hash import type_hash
+from roslens.source.extract.interfaces.interface import Interface
+from roslens.source.extract.interfaces.interface_file import read_interface
+from roslens.source.extract.interfaces.message_md5 import md5_of
+from roslens.source.extract.interfaces.type_hash import type_hash
 
 
 class Checksums:

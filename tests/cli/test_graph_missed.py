@@ -6,8 +6,8 @@ import pytest
 
 from roslens.cli.graph_missed import told_by_file, told_once
 from roslens.cli.main import main
-from roslens.source.extract.launched import Unresolved
-from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.facts.launched import Unresolved
+from roslens.source.extract.facts.node_facts import Evidence
 
 PACKAGE = """<package format="3"><name>p</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@example.org">a</maintainer><license>MIT</license><depend>rclcpp</depend>

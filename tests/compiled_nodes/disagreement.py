@@ -9,11 +9,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from roslens.model.graph import Role
-from roslens.source.extract.cpp_program import program_of_cpp
-from roslens.source.extract.node_facts import EndpointFact, NodeFacts, Sure
-from roslens.source.extract.text import Hole, Text
-from roslens.source.extract.vocabulary_index import indexed
-from roslens.source.extract.workspace_units import facts_of_workspace
+from roslens.source.extract.facts.node_facts import EndpointFact, NodeFacts, Sure
+from roslens.source.extract.interpreter.vocabulary_index import indexed
+from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
+from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.units.workspace_units import facts_of_workspace
 from roslens.source.syntax.macros import load_macros
 
 HEADER = Path(__file__).with_name("recording_rclcpp.hpp")

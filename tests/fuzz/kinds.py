@@ -91,9 +91,9 @@ def _macros():
 def _cpp(content: bytes) -> None:
     from roslens.model.source import Language
     from roslens.source.analyse_file import analyse_file
-    from roslens.source.extract.cpp_program import program_of_cpp
-    from roslens.source.extract.vocabulary_index import indexed
-    from roslens.source.extract.workspace_units import facts_of_workspace
+    from roslens.source.extract.interpreter.vocabulary_index import indexed
+    from roslens.source.extract.lowering.cpp.cpp_program import program_of_cpp
+    from roslens.source.extract.units.workspace_units import facts_of_workspace
     from roslens.source.settings import MacroSettings
 
     analyse_file(content, Language.CPP, MacroSettings())
@@ -103,9 +103,9 @@ def _cpp(content: bytes) -> None:
 def _python(content: bytes) -> None:
     from roslens.model.source import Language
     from roslens.source.analyse_file import analyse_file
-    from roslens.source.extract.python_program import program_of_python
-    from roslens.source.extract.vocabulary_index import indexed
-    from roslens.source.extract.workspace_units import facts_of_workspace
+    from roslens.source.extract.interpreter.vocabulary_index import indexed
+    from roslens.source.extract.lowering.python.python_program import program_of_python
+    from roslens.source.extract.units.workspace_units import facts_of_workspace
     from roslens.source.settings import MacroSettings
 
     analyse_file(content, Language.PYTHON, MacroSettings())
@@ -126,8 +126,8 @@ class _Given:
 
 
 def _launch(content: bytes) -> None:
-    from roslens.source.extract.launch_ros1 import evaluate_ros1
-    from roslens.source.extract.launch_ros2 import evaluate_ros2
+    from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
+    from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
 
     files = _Given(content)
     evaluate_ros1("pkg/launch/a.launch", files)
@@ -136,7 +136,7 @@ def _launch(content: bytes) -> None:
 
 
 def _cmake(content: bytes) -> None:
-    from roslens.source.extract.targets import build_of
+    from roslens.source.extract.builds.targets import build_of
 
     for kind in ("catkin", "ament_cmake"):
         build_of("pkg", "pkg", kind, _Given(content), ["pkg/CMakeLists.txt", "pkg/src/a.cpp", "pkg/package.xml"])
@@ -148,7 +148,7 @@ def _yaml(content: bytes) -> None:
     from roslens.judge.read_time_line import parse_time_lines
     from roslens.live.signals import BY_KEY
     from roslens.model.errors import RoslensError
-    from roslens.source.extract.parameter_file import ros1_parameters, ros2_parameters
+    from roslens.source.extract.parameters.parameter_file import ros1_parameters, ros2_parameters
 
     for read, refusal in (
         (load_yaml, UnsafeYamlError),

@@ -43,14 +43,14 @@ PARTS = (
         (
             "src/roslens/dashboard/guard.py", "src/roslens/dashboard/listener.py", "src/roslens/dashboard/server.py",
             "src/roslens/intake/*.py", "src/roslens/live/publish/endpoint.py", "src/roslens/children/git.py",
-            "src/roslens/cli/site.py", "src/roslens/source/extract/files.py", "src/roslens/source/inventory.py",
+            "src/roslens/cli/site.py", "src/roslens/source/extract/facts/files.py", "src/roslens/source/inventory.py",
             "src/roslens/live/adapters/bag/decompress.py",
         ),
         (
             "tests/intake", "tests/dashboard/test_guard.py", "tests/dashboard/test_server.py",
             "tests/dashboard/test_listener.py", "tests/dashboard/test_serve.py",
             "tests/live/publish/test_endpoint.py", "tests/children/test_git.py",
-            "tests/cli/test_site.py", "tests/source/extract/test_files.py", "tests/source/test_inventory.py",
+            "tests/cli/test_site.py", "tests/source/extract/facts/test_files.py", "tests/source/test_inventory.py",
             "tests/live/adapters/bag/test_decompress.py",
         ),
     ),

@@ -9,11 +9,11 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from roslens.source.extract.cmake_commands import COMMANDS
-from roslens.source.extract.cmake_evaluation import BUILD, SOURCE
-from roslens.source.extract.cmake_linking import INSTALL
-from roslens.source.extract.cmake_value import is_unknown
-from roslens.source.extract.targets import _Reading
+from roslens.source.extract.builds.cmake_commands import COMMANDS
+from roslens.source.extract.builds.cmake_evaluation import BUILD, SOURCE
+from roslens.source.extract.builds.cmake_linking import INSTALL
+from roslens.source.extract.builds.cmake_value import is_unknown
+from roslens.source.extract.builds.targets import _Reading
 
 TELL = """\
 function(tell label)

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 import msgspec
 
 from python_truth.node_stubs import Made, Run
-from roslens.source.extract.node_facts import EndpointFact, NodeFacts, ParameterFact, Sure
-from roslens.source.extract.python_program import program_of_python
-from roslens.source.extract.text import Text
-from roslens.source.extract.vocabulary_index import indexed
-from roslens.source.extract.workspace_units import facts_of_workspace
+from roslens.source.extract.facts.node_facts import EndpointFact, NodeFacts, ParameterFact, Sure
+from roslens.source.extract.interpreter.vocabulary_index import indexed
+from roslens.source.extract.lowering.python.python_program import program_of_python
+from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.units.workspace_units import facts_of_workspace
 
 Fact = EndpointFact | ParameterFact
 

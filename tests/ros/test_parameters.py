@@ -8,11 +8,11 @@ import pytest
 
 from roslens.judge.yaml_tree import read_tree
 from roslens.live.adapters.child import clean_environment
-from roslens.source.extract.python_program import program_of_python
-from roslens.source.extract.resolve_name import node_pattern_matches
-from roslens.source.extract.ros2_values import is_mixed, type_in_file
-from roslens.source.extract.vocabulary_index import indexed
-from roslens.source.extract.workspace_units import facts_of_workspace
+from roslens.source.extract.facts.resolve_name import node_pattern_matches
+from roslens.source.extract.interpreter.vocabulary_index import indexed
+from roslens.source.extract.lowering.python.python_program import program_of_python
+from roslens.source.extract.parameters.ros2_values import is_mixed, type_in_file
+from roslens.source.extract.units.workspace_units import facts_of_workspace
 
 pytestmark = pytest.mark.real
 

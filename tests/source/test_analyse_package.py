@@ -10,7 +10,7 @@ import pytest
 from roslens.model.source import Language, Location, Package, SourceFile
 from roslens.source import parsed_file
 from roslens.source.analyse_package import PackageTask, measure_task
-from roslens.source.extract.kept_program import program_keys, unpack
+from roslens.source.extract.ir.kept_program import program_keys, unpack
 from roslens.source.keys import content_hash
 from roslens.source.parsed_file import parse_file
 from roslens.source.settings import CountingSettings, MacroSettings
@@ -88,7 +88,7 @@ def test_what_cannot_be_lowered_is_measured_all_the_same(tmp_path: Path, monkeyp
         raise RuntimeError("a fault of the lowering")
 
     plain = measure_task(task(tmp_path, programs=False))
-    monkeypatch.setattr("roslens.source.extract.cpp_program.lower_cpp", broken)
+    monkeypatch.setattr("roslens.source.extract.lowering.cpp.cpp_program.lower_cpp", broken)
     both = measure_task(task(tmp_path, programs=True))
     assert both.entities == plain.entities
     assert len(both.analyses) == 3

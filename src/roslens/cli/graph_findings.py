@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from roslens.cli.graph_source import GraphSource
     from roslens.model.configuration import Configuration
     from roslens.model.finding import Finding
-    from roslens.source.extract.program import Program
+    from roslens.source.extract.ir.program import Program
 
 _CODE = {".py": "python", ".cpp": "cpp", ".cc": "cpp", ".cxx": "cpp", ".hpp": "cpp", ".h": "cpp", ".hh": "cpp"}
 

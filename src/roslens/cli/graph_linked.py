@@ -9,8 +9,8 @@ import msgspec
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration, ConfiguredNode, Proof
-    from roslens.source.extract.node_facts import Target
-    from roslens.source.extract.workspace_facts import WorkspaceFacts
+    from roslens.source.extract.facts.node_facts import Target
+    from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
 
 
 def with_linked(

@@ -9,7 +9,7 @@ import msgspec
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration, ConfiguredNode
-    from roslens.source.extract.launched import Unresolved
+    from roslens.source.extract.facts.launched import Unresolved
 
 
 def told_once(missed: Iterable[Unresolved]) -> tuple[Unresolved, ...]:

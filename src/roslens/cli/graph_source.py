@@ -11,8 +11,8 @@ from roslens.model.source import Role
 
 if TYPE_CHECKING:
     from roslens.model.configuration import Configuration, Unresolved
-    from roslens.source.extract.launched import Launch
-    from roslens.source.extract.workspace_facts import WorkspaceFacts
+    from roslens.source.extract.facts.launched import Launch
+    from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
     from roslens.source.progress import Progress
     from roslens.source.settings import SourceSettings
 
@@ -49,7 +49,7 @@ class GraphSource:
         """
         import time
 
-        from roslens.source.extract.workspace_facts import WorkspaceFacts
+        from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
         from roslens.source.known_manifests import KnownManifests
         from roslens.source.workspace.find import find_workspace
         from roslens.store.cache import Cache
@@ -88,8 +88,8 @@ class GraphSource:
         import msgspec
 
         from roslens.cli.graph_missed import told_by_file
-        from roslens.source.extract.assemble import assemble
-        from roslens.source.extract.catalogue import known_node
+        from roslens.source.extract.catalogue.catalogue import known_node
+        from roslens.source.extract.configuration.assemble import assemble
 
         path, result = self.evaluated(launch, arguments)
         started = sorted({one.package.known for one in result.nodes if one.package.known})
@@ -110,9 +110,9 @@ class GraphSource:
         Raises:
             UsageError: there is no such file.
         """
-        from roslens.source.extract.launch_ros1 import evaluate_ros1
-        from roslens.source.extract.launch_ros2 import evaluate_ros2
-        from roslens.source.extract.launch_version import launch_version
+        from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
+        from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
+        from roslens.source.extract.launch.launch_version import launch_version
 
         launch, arguments = self.meant(launch, arguments)
         path = self._launch_file(launch)
@@ -131,8 +131,8 @@ class GraphSource:
             UsageError: the workspace has no package of that name.
         """
         from roslens.cli.graph_missed import told_once, with_roles
-        from roslens.source.extract.assemble import assemble, targets_started
-        from roslens.source.extract.catalogue import known_node
+        from roslens.source.extract.catalogue.catalogue import known_node
+        from roslens.source.extract.configuration.assemble import assemble, targets_started
 
         known = [package.name for package in self.facts.packages]
         for name in names:
@@ -149,7 +149,7 @@ class GraphSource:
             nodes = [node for name in chosen for node in targets_started(name, facts, generation).nodes]
             if not nodes:
                 continue
-            from roslens.source.extract.launched import Launch
+            from roslens.source.extract.facts.launched import Launch
 
             missed = [
                 *told_once(one for name in chosen for one in facts.missed(name)),
@@ -182,7 +182,7 @@ class GraphSource:
             names: of packages; none means all.
             started: what is shown elsewhere; by default what the builds of all packages make.
         """
-        from roslens.source.extract.unstarted import places_shown, unstarted, unstarted_configuration
+        from roslens.source.extract.configuration.unstarted import places_shown, unstarted, unstarted_configuration
 
         started = started or self.packages(())
         wanted = set(names) or {*self.facts.package_names.values()}
@@ -211,7 +211,7 @@ class GraphSource:
         """Return what was not understood of packages whose builds make no node of a version of ROS."""
         from roslens.cli.graph_missed import told_once
         from roslens.model.configuration import Unresolved
-        from roslens.source.extract.assemble_proof import launch_proof
+        from roslens.source.extract.parameters.assemble_proof import launch_proof
 
         facts = self.facts.of(generation)
         files = facts.file_versions

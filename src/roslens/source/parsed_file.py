@@ -14,7 +14,7 @@ from roslens.source.syntax.macros import MacroPreset, load_macros
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-    from roslens.source.extract.program import Program
+    from roslens.source.extract.ir.program import Program
     from roslens.source.rules.file_view import FileView
 
 _preset = cache(load_macros)
@@ -66,7 +66,7 @@ class _ParsedCpp:
         return facts_of_cpp(self._parsed, captures)
 
     def program(self) -> Program:
-        from roslens.source.extract.cpp_program import lower_cpp
+        from roslens.source.extract.lowering.cpp.cpp_program import lower_cpp
 
         return lower_cpp(self._parsed.source, self._parsed.tree, self._parsed.content)
 
@@ -100,7 +100,7 @@ class _ParsedPython:
         return facts_of_python(self._content, self._parsed, self._code)
 
     def program(self) -> Program:
-        from roslens.source.extract.python_program import lower_python
+        from roslens.source.extract.lowering.python.python_program import lower_python
 
         return lower_python(self._parsed)
 

@@ -408,7 +408,7 @@ def _task(run: _Run, found: FoundPackage, cache: Cache) -> PackageTask:
 
 
 def _program_keys(run: _Run, files: tuple[SourceFile, ...]) -> dict[str, str]:
-    from roslens.source.extract.kept_program import program_keys
+    from roslens.source.extract.ir.kept_program import program_keys
 
     return program_keys(files, run.settings.macros)
 

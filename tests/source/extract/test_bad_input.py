@@ -108,9 +108,9 @@ def limited():
 PROBE = """
 import json, sys
 from pathlib import Path
-from roslens.source.extract.files import FolderFiles
-from roslens.source.extract.launch_ros1 import evaluate_ros1
-from roslens.source.extract.launch_ros2 import evaluate_ros2
+from roslens.source.extract.facts.files import FolderFiles
+from roslens.source.extract.launch.launch_ros1 import evaluate_ros1
+from roslens.source.extract.launch.launch_ros2 import evaluate_ros2
 files = FolderFiles(Path(sys.argv[1]), {"bad": "bad"})
 for path in sys.argv[2:]:
     launch = (evaluate_ros2 if path.endswith(".py") else evaluate_ros1)(path, files)

@@ -2,9 +2,9 @@
 
 import pytest
 
-from roslens.source.extract.assemble import assemble, targets_started
-from roslens.source.extract.launched import Launch
-from roslens.source.extract.workspace_facts import WorkspaceFacts
+from roslens.source.extract.configuration.assemble import assemble, targets_started
+from roslens.source.extract.facts.launched import Launch
+from roslens.source.extract.workspace.workspace_facts import WorkspaceFacts
 from roslens.source.rules.graph.definition import found
 from roslens.source.rules.graph.surroundings import Surroundings
 from roslens.source.settings import SourceSettings

@@ -18,7 +18,7 @@ import msgspec
 from roslens.source.rules.hit import Hit
 
 if TYPE_CHECKING:
-    from roslens.source.extract.cmake_syntax import Body, Command
+    from roslens.source.extract.builds.cmake_syntax import Body, Command
     from roslens.source.rules.package_view import PackageView
 
 MOST_VALUES = 400
@@ -142,7 +142,7 @@ class CmakeView:
     def _file(
         self, path: str, folder: str, conditions: tuple[str, ...], inside: tuple[str, ...], depth: int
     ) -> Iterator[Written]:
-        from roslens.source.extract.cmake_syntax import parse_cmake
+        from roslens.source.extract.builds.cmake_syntax import parse_cmake
 
         if path in self._read or depth > _MOST_DEPTH:
             return
@@ -153,7 +153,7 @@ class CmakeView:
     def _body(
         self, body: Body, at: tuple[str, str], conditions: tuple[str, ...], inside: tuple[str, ...], depth: int
     ) -> Iterator[Written]:
-        from roslens.source.extract.cmake_syntax import Command
+        from roslens.source.extract.builds.cmake_syntax import Command
 
         for one in body:
             if isinstance(one, Command):

@@ -16,7 +16,7 @@ from roslens.model.source import Language, Package, Role, SourceFile
 from roslens.source.syntax.facts import FileFacts
 
 if TYPE_CHECKING:
-    from roslens.source.extract.python_setup import Setup
+    from roslens.source.extract.builds.python_setup import Setup
     from roslens.source.rules.cmake_view import CmakeView
     from roslens.source.rules.dependency_uses import Use
     from roslens.source.rules.launch_view import LaunchXml
@@ -69,9 +69,9 @@ class PackageView(msgspec.Struct, frozen=True, dict=True):
     @cached_property
     def setup(self) -> Setup:
         """What setup.py, setup.cfg and pyproject.toml install."""
-        from roslens.source.extract.files import FolderFiles
-        from roslens.source.extract.python_setup import Setup
-        from roslens.source.extract.python_setup_targets import read_setup
+        from roslens.source.extract.builds.python_setup import Setup
+        from roslens.source.extract.builds.python_setup_targets import read_setup
+        from roslens.source.extract.facts.files import FolderFiles
 
         if not {"setup.py", "setup.cfg", "pyproject.toml"} & self.listing:
             return Setup()

@@ -1,6 +1,6 @@
 from roslens.model.source import Location, Package
-from roslens.source.extract.launched import Launch, Unresolved
-from roslens.source.extract.node_facts import Evidence, Target, TargetKind
+from roslens.source.extract.facts.launched import Launch, Unresolved
+from roslens.source.extract.facts.node_facts import Evidence, Target, TargetKind
 from roslens.source.rules.graph.gather import surroundings_of
 from roslens.source.rules.graph.surroundings import Surroundings
 from testbed.configured import configuration, node

@@ -1,8 +1,8 @@
 import pytest
 
-from roslens.source.extract.launched import Launch, Launched
-from roslens.source.extract.node_facts import Evidence
-from roslens.source.extract.text import Text, unknown
+from roslens.source.extract.facts.launched import Launch, Launched
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.symbolic.text import Text, unknown
 from roslens.source.rules.graph.static_transforms import frames_of, static_transforms
 from roslens.source.rules.graph.surroundings import Transform
 from testbed.configured import configuration, launched, node

@@ -9,9 +9,9 @@ import msgspec
 
 from roslens.model.configuration import Configuration
 from roslens.model.source import Package
-from roslens.source.extract.launched import Launch, Unresolved
-from roslens.source.extract.node_facts import Target
-from roslens.source.extract.program import Program
+from roslens.source.extract.facts.launched import Launch, Unresolved
+from roslens.source.extract.facts.node_facts import Target
+from roslens.source.extract.ir.program import Program
 from roslens.source.rules.graph.ignored_files import ignored_files
 from roslens.source.rules.graph.private_data import Content, mentioned
 from roslens.source.rules.graph.static_transforms import static_transforms

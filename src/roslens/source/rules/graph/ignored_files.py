@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from roslens.model.configuration import Configuration, ConfiguredNode
-from roslens.source.extract.assemble_proof import launch_proof
-from roslens.source.extract.launched import Launch, Launched, Setting
-from roslens.source.extract.resolve_name import node_pattern_matches
+from roslens.source.extract.facts.launched import Launch, Launched, Setting
+from roslens.source.extract.facts.resolve_name import node_pattern_matches
+from roslens.source.extract.parameters.assemble_proof import launch_proof
 from roslens.source.rules.graph.surroundings import Ignored
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from roslens.model.configuration import Configuration
-from roslens.source.extract.assemble_proof import launch_proof
-from roslens.source.extract.launched import Launch
+from roslens.source.extract.facts.launched import Launch
+from roslens.source.extract.parameters.assemble_proof import launch_proof
 from roslens.source.rules.graph.surroundings import Transform
 
 _PROGRAM = "static_transform_publisher"

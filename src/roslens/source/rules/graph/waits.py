@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import msgspec
 
 from roslens.model.configuration import Proof
-from roslens.source.extract.program import Call, Function, Member, Name, Program
+from roslens.source.extract.ir.program import Call, Function, Member, Name, Program
 from roslens.source.rules.graph.surroundings import Wait
 
 _SENT = frozenset({"async_send_request", "call_async"})

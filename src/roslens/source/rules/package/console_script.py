@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.finding import Severity
-from roslens.source.extract.node_facts import Evidence
+from roslens.source.extract.facts.node_facts import Evidence
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.rule import PackageRule
@@ -15,7 +15,7 @@ def found(view: PackageView) -> Iterator[Hit]:
     """Yield each console script whose module or function is not there."""
     if not view.setup.programs:
         return
-    from roslens.source.extract.python_setup_targets import module_file
+    from roslens.source.extract.builds.python_setup_targets import module_file
 
     folders = dict(view.setup.folders)
     for program in view.setup.programs:

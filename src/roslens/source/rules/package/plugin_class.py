@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from roslens.model.source import Language, Role
-from roslens.source.extract.plugin_xml import PluginClass
+from roslens.source.extract.builds.plugin_xml import PluginClass
 from roslens.source.rules.hit import Hit
 from roslens.source.rules.package_view import PackageView
 from roslens.source.rules.registered_classes import same_class
@@ -50,7 +50,7 @@ def _manifest(view: PackageView) -> bytes:
 
 
 def _described(view: PackageView) -> Iterator[PluginClass]:
-    from roslens.source.extract.plugin_xml import read_plugins
+    from roslens.source.extract.builds.plugin_xml import read_plugins
 
     for file in view.of_language(Language.XML, roles=(Role.OWN,)):
         content = view.read(file.path)

@@ -1,0 +1,230 @@
+"""Blocks of CMake: conditions, of which all branches are evaluated that may be taken, loops, functions and macros."""
+
+from __future__ import annotations
+
+from roslens.source.extract.builds.cmake_condition import Answer, answer
+from roslens.source.extract.builds.cmake_evaluation import MOST_ROUNDS, BlockHandler, Defined, Evaluation
+from roslens.source.extract.builds.cmake_scope import Scope
+from roslens.source.extract.builds.cmake_signals import ReturnedError
+from roslens.source.extract.builds.cmake_syntax import Block, Body
+from roslens.source.extract.builds.cmake_value import hole, is_unknown, items_of, reason_of
+
+
+def _if(run: Evaluation, block: Block) -> None:
+    branches: list[dict[str, str | None]] = []
+    denied: list[str] = []
+    left: list[tuple[str, str]] = []
+    first = ""
+    usual: int | None = None
+    undecided = False
+    complete = False
+    for opened, body in block.branches:
+        found = Answer(True) if opened.name == "else" else answer(opened.arguments, run)
+        if found.value is False:
+            continue
+        if found.value and not denied:
+            run.run(body)
+            return
+        if not undecided and usual is None and found.likely is not False:
+            usual = len(branches) if found.likely else None
+            undecided = found.likely is None
+        written = " ".join(argument.written for argument in opened.arguments)
+        changes = run.perhaps(body, [*denied, *([written] if found.value is None else [])])
+        if found.likely is not False:
+            left.append((run.branch_left, " AND ".join([*denied, written])))
+        if changes is not None:
+            branches.append(changes)
+        elif usual == len(branches):
+            usual, undecided = None, True
+        if found.value:
+            complete = True
+            break
+        first = first or written
+        denied.append(f"NOT ({written})")
+    if not denied:
+        return
+    if not complete:
+        if usual is None and not undecided:
+            usual = len(branches)
+        branches.append({})
+    run.scope.merge(branches, usual if len(branches) > 1 else 0, run.either(first))
+    _leave(run, left)
+
+
+def _leave(run: Evaluation, left: list[tuple[str, str]]) -> None:
+    for way, reason in left:
+        if way:
+            run.leave(reason, way)
+
+
+def _foreach(run: Evaluation, block: Block) -> None:
+    opened, body = block.branches[0]
+    arguments = run.expanded(opened.arguments)
+    if not arguments:
+        return
+    if "IN" in arguments and arguments[arguments.index("IN") + 1 :][:1] == ["ZIP_LISTS"]:
+        at = arguments.index("IN")
+        _zipped(run, block, arguments[:at], arguments[at + 2 :])
+        return
+    name, items = arguments[0], _items(run, arguments[1:])
+    if items is None or len(items) > MOST_ROUNDS:
+        _unknown_rounds(run, block, [name])
+        return
+    _, before = run.scope.get(name)
+    outer = len(run.conditions), run.left
+    for item in items:
+        if not _round(run, body, name, item, run.alternatives.get(item)):
+            break
+    run.rejoin(outer, "break")
+    run.set(name, before)
+
+
+def _round(run: Evaluation, body: Body, name: str, item: str, perhaps: tuple[str, ...] | None) -> bool:
+    """Run a round of a loop, or one for each of what an item may be; return whether the loop goes on."""
+    run.step()
+    outer = len(run.conditions), run.left
+    try:
+        if perhaps is None:
+            run.set(name, item)
+            run.run(body)
+        for value in perhaps or ():
+            run.conditions.append(reason_of(item))
+            run.set(name, value)
+            run.run(body)
+            del run.conditions[outer[0] :]
+    except ReturnedError as signal:
+        if signal.what not in ("break", "continue"):
+            raise
+        return signal.what == "continue"
+    finally:
+        run.rejoin(outer, "continue")
+    return True
+
+
+def _zipped(run: Evaluation, block: Block, names: list[str], lists: list[str]) -> None:
+    """Go over several lists at once: what the shorter have not is not set."""
+    values = [run.get(one) or "" for one in lists]
+    several = names if len(names) > 1 else [f"{name}_{at}" for name in names for at in range(len(lists))]
+    columns = [items_of(value, empty=True) for value in values]
+    rounds = max(map(len, columns), default=0)
+    if len(several) != len(lists) or rounds > MOST_ROUNDS or any(map(is_unknown, values)):
+        _unknown_rounds(run, block, several)
+        return
+    before = [run.scope.get(name)[1] for name in several]
+    outer = len(run.conditions), run.left
+    for at in range(rounds):
+        for name, column in zip(several[1:], columns[1:], strict=True):
+            run.set(name, column[at] if at < len(column) else None)
+        first = columns[0]
+        if not _round(run, block.branches[0][1], several[0], first[at] if at < len(first) else "", None):
+            break
+    run.rejoin(outer, "break")
+    for name, value in zip(several, before, strict=True):
+        run.set(name, value)
+
+
+def _unknown_rounds(run: Evaluation, block: Block, names: list[str]) -> None:
+    """Run a loop once as one that may not be run: what it sets is no longer known."""
+    opened, body = block.branches[0]
+    shown = " ".join(names)
+    run.fail(f"foreach({shown})", run.evidence(opened), "a loop of too many rounds, or over what is unknown")
+    before = [run.scope.get(name)[1] for name in names]
+    for name in names:
+        run.set(name, hole(f"{name} of foreach()"))
+    unsure = f"the rounds of foreach({shown})"
+    try:
+        changes = run.perhaps(body, [unsure])
+        run.scope.merge([changes or {}, {}], None, run.either(unsure))
+    finally:
+        for name, value in zip(names, before, strict=True):
+            run.set(name, value)
+
+
+def _items(run: Evaluation, arguments: list[str]) -> list[str] | None:
+    if arguments and arguments[0] == "RANGE":
+        numbers = [int(value) for value in arguments[1:4] if value.lstrip("-").isdecimal() and len(value) < 12]
+        if len(numbers) != len(arguments) - 1 or not numbers:
+            return None
+        first, last = (0, numbers[0]) if len(numbers) == 1 else numbers[:2]
+        step = abs(numbers[2]) if len(numbers) > 2 else 1
+        if step == 0 or abs(last - first) // step > MOST_ROUNDS:
+            return None
+        return [str(one) for one in range(first, last + (1 if last >= first else -1), step if last >= first else -step)]
+    if not arguments or arguments[0] != "IN":
+        return arguments
+    found: list[str] = []
+    mode = ""
+    for value in arguments[1:]:
+        if value in ("LISTS", "ITEMS", "ZIP_LISTS"):
+            mode = value
+        elif mode == "LISTS":
+            found.extend(items_of(run.get(value) or "", empty=True))
+        elif mode == "ITEMS":
+            found.append(value)
+        else:
+            return None
+    return found
+
+
+def _while(run: Evaluation, block: Block) -> None:
+    outer = len(run.conditions), run.left
+    try:
+        _rounds(run, block)
+    finally:
+        run.rejoin(outer, "break")
+
+
+def _rounds(run: Evaluation, block: Block) -> None:
+    opened, body = block.branches[0]
+    for _ in range(MOST_ROUNDS):
+        run.step()
+        found = answer(opened.arguments, run)
+        if found.value is None:
+            changes = run.perhaps(body, [" ".join(argument.written for argument in opened.arguments)])
+            run.scope.merge([changes or {}, {}], None, run.either("the rounds of a loop"))
+            return
+        if not found.value:
+            return
+        try:
+            run.run(body)
+        except ReturnedError as signal:
+            if signal.what == "break":
+                return
+            if signal.what != "continue":
+                raise
+    run.fail("while()", run.evidence(opened), "a loop of too many rounds, or over what is unknown")
+
+
+def _define(run: Evaluation, block: Block) -> None:
+    opened, body = block.branches[0]
+    arguments = run.expanded(opened.arguments)
+    if arguments:
+        name = arguments[0].lower()
+        run.functions[name] = Defined(name, opened.name == "macro", tuple(arguments[1:]), body, run.path)
+
+
+def _block(run: Evaluation, block: Block) -> None:
+    opened, body = block.branches[0]
+    arguments = run.expanded(opened.arguments)
+    at = arguments.index("PROPAGATE") if "PROPAGATE" in arguments else len(arguments)
+    if "SCOPE_FOR" in arguments[:at] and "VARIABLES" not in arguments[:at]:
+        run.run(body)
+        return
+    outer = run.scope
+    run.scope = inner = Scope(outer, block=True)
+    try:
+        run.run(body)
+    finally:
+        run.scope = outer
+        for name in arguments[at + 1 :]:
+            outer.set(name, inner.get(name)[1])
+
+
+BLOCKS: dict[str, BlockHandler] = {
+    "if": _if,
+    "foreach": _foreach,
+    "while": _while,
+    "function": _define,
+    "macro": _define,
+    "block": _block,
+}

@@ -1,0 +1,215 @@
+"""Values while source is evaluated: texts that may have holes, objects with members, and what ROS gives out.
+
+Numbers, truth values and None are themselves; texts are :class:`~roslens.source.extract.symbolic.text.Text`.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import msgspec
+
+from roslens.model.qos import Qos
+from roslens.source.extract.facts.node_facts import (
+    EndpointFact,
+    Evidence,
+    Inherits,
+    LoadFact,
+    NodeFacts,
+    ParameterFact,
+    PluginFact,
+    TimerFact,
+    with_texts,
+)
+from roslens.source.extract.ir.program import Function
+from roslens.source.extract.symbolic.text import MAKER, Asked, Hole, Text
+from roslens.source.extract.symbols.workspace_index import Defined
+
+_OF_LIST = ("each of ", "item ")
+
+
+class Unknown(msgspec.Struct, frozen=True):
+    """A value of which nothing is known but why; ``test`` is what decides whether it is true, where that is known."""
+
+    reason: str
+    test: Asked | None = None
+
+
+_OF_NODE = re.compile(r"(.* (?:of|above) the node)(?: no\. (\d+))?|(parameter .*?)(?: of node no\. (\d+))?", re.DOTALL)
+
+
+class Building(msgspec.Struct, eq=False):
+    """The facts of a node while they are collected.
+
+    ``number`` counts the nodes that one evaluation makes; 0 is the first one.
+    """
+
+    unit: str
+    path: str
+    line: int
+    generation: str
+    kind: str = "node"
+    name: Text = Text()
+    namespace: Text = Text()
+    endpoints: list[EndpointFact] = []
+    parameters: list[ParameterFact] = []
+    timers: list[TimerFact] = []
+    arguments: list[Text] = []
+    settings: list[tuple[Text, Text]] = []
+    global_arguments: bool = True
+    inherits: Inherits = Inherits.NOTHING
+    conditions: tuple[str, ...] = ()
+    options: Any = None
+    number: int = 0
+    uses: list[str] = []
+    unresolved: list[tuple[Evidence, str]] = []
+    loads: list[LoadFact] = []
+    named: bool = False
+    declares_set: bool = False
+    doubt: str = ""
+    plugins: list[PluginFact] = []
+    asks: list[Text] = []
+
+    def facts(self) -> NodeFacts:
+        """Return what was collected."""
+        facts = NodeFacts(
+            self.unit, self.path, self.line, self.generation, self.kind, self.name, self.namespace,
+            tuple(self.endpoints), tuple(self.parameters), tuple(self.timers), tuple(self.arguments),
+            tuple(self.settings), self.global_arguments, self.inherits, self.conditions, self.number,
+            tuple(dict.fromkeys(self.uses)), tuple(dict.fromkeys(self.unresolved)), tuple(self.loads),
+            self.declares_set, self.doubt, tuple(self.plugins), tuple(self.asks),
+        )  # fmt: skip
+        return with_texts(facts, self._seen_from_here) if self.number else facts
+
+    def said(self, what: str) -> str:
+        """Return what a hole says that this node fills: ``name of the node``, ``parameter topic``."""
+        if not self.number:
+            return what
+        return f"{what} of node no. {self.number}" if what.startswith("parameter ") else f"{what} no. {self.number}"
+
+    def _seen_from_here(self, text: Text) -> Text:
+        """Return a text with holes that this node fills as such, and those of the first one as of another."""
+        return text.mapped(self._hole)
+
+    def _hole(self, hole: Hole) -> Hole:
+        if hole.reason.startswith(_OF_LIST):
+            own = f" of node no. {self.number}"
+            return msgspec.structs.replace(
+                hole, reason=hole.reason.removesuffix(own), parameter=hole.parameter * hole.reason.endswith(own)
+            )
+        found = _OF_NODE.fullmatch(hole.reason)
+        if found is None or hole.reason.endswith(MAKER):
+            return hole
+        what, number = (found[1], found[2]) if found[1] else (found[3], found[4])
+        if number == str(self.number):
+            return msgspec.structs.replace(hole, reason=what)
+        of_first = what + MAKER if found[1] else f"{what} of the node{MAKER}"
+        return hole if number else msgspec.structs.replace(hole, reason=of_first)
+
+
+class Obj(msgspec.Struct, eq=False):
+    """An object: of a class of the workspace, or of one that is known by name only.
+
+    Attributes:
+        type: qualified name of its class, joined by ``.``.
+        defined: the class, where it is in the workspace.
+        fields: its members.
+        node: of the node that it is, where it is one.
+        templates: what the template parameters of its class stand for.
+        base_templates: those of its bases, by the qualified name of the base.
+        ways: the objects of which it is one, each with its conditions; empty of one object.
+    """
+
+    type: str
+    defined: Defined | None = None
+    fields: dict[str, Any] = {}
+    node: Building | None = None
+    templates: dict[str, str] = {}
+    base_templates: dict[str, dict[str, str]] = {}
+    ways: tuple[tuple[tuple[str, ...], Obj], ...] = ()
+
+    def templates_of(self, class_name: str) -> dict[str, str]:
+        """Return what the template parameters stand for in its class, or in a base of it."""
+        return self.base_templates.get(class_name, self.templates)
+
+
+class Handle(msgspec.Struct, frozen=True, eq=False):
+    """Something names are resolved against: a NodeHandle of ROS 1, a node interface or sub-node of ROS 2."""
+
+    node: Building
+    prefix: Text = Text()
+
+
+class Made(msgspec.Struct, frozen=True, eq=False):
+    """An endpoint that was made: its node and its place in the node's list, and whether it was made for sure."""
+
+    node: Building
+    place: int
+    certain: bool = True
+
+
+class QosValue(msgspec.Struct, frozen=True):
+    """A quality of service, and the reason where a part of it is unknown."""
+
+    qos: Qos = Qos()
+    unknown: str = ""
+
+
+class Group(msgspec.Struct, frozen=True):
+    """A callback group by the name of what holds it."""
+
+    name: str
+
+
+class Callable(msgspec.Struct, frozen=True, eq=False):
+    """A function of the workspace, with the object and the names it is bound to."""
+
+    function: Function
+    path: str
+    self: Any = None
+    names: dict[str, Any] | None = None
+    arguments: tuple[Any, ...] = ()
+
+
+class Named(msgspec.Struct, frozen=True):
+    """Something outside of the workspace by its whole name: a class, function or constant."""
+
+    name: str
+    templates: tuple[str, ...] = ()
+
+
+class Remappings(dict[Any, Any]):
+    """A map of names to names, as node handles take remappings."""
+
+
+class Class(msgspec.Struct, frozen=True, eq=False):
+    """A class of the workspace as a value."""
+
+    defined: Defined
+
+
+def test_of(value: Any) -> Asked | None:
+    """Return what decides whether a value is true; None where nothing that is known does."""
+    if isinstance(value, Unknown):
+        return value.test
+    return Asked("true", (value,)) if isinstance(value, Text) and value.holes else None
+
+
+def as_text(value: Any) -> Text:
+    """Return a value as text; what is none is a hole with the reason."""
+    if isinstance(value, Text):
+        return value
+    if isinstance(value, bool):
+        return Text.of("true" if value else "false")
+    if isinstance(value, int | float):
+        return Text.of(str(value))
+    from roslens.source.extract.symbolic.text import unknown
+
+    if isinstance(value, Unknown):
+        return unknown(value.reason)
+    if isinstance(value, Named):
+        return unknown(f"the value of {value.name}")
+    if isinstance(value, Obj):
+        return unknown(f"a {value.type}")
+    return unknown("a value that is no text")

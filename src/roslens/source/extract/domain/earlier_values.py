@@ -1,0 +1,56 @@
+"""Variables that keep their value where a parameter is not set, as ``getParam`` of roscpp leaves them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import as_text
+from roslens.source.extract.symbolic.text import Asked, Hole, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.domain.evaluation_frame import Frame
+
+
+def else_before(value: Any, before: Any) -> Any:
+    """Return what a variable is after a parameter was read into it: its value before is a default.
+
+    A value before that is empty, or of which a part is unknown, says nothing of names.
+    """
+    number = isinstance(before, int | float) and not isinstance(before, bool)
+    earlier = as_text(before).known if number or isinstance(before, Text) else None
+    hole = value.parts[0] if isinstance(value, Text) and len(value.parts) == 1 else None
+    if not earlier or not isinstance(hole, Hole) or not hole.parameter or hole.default is not None:
+        return value
+    return Text((msgspec.structs.replace(hole, default=earlier),))
+
+
+def forget_defaults(frame: Frame, test: Asked | None) -> None:
+    """Let names and members of a function be what they are where a test holds: what is read there is set."""
+    there = frozenset(() if test is None else _set(test, holds=True))
+    for held in (frame.names, frame.members or {}) if there else ():
+        for name, value in held.items():
+            if isinstance(value, Text) and value.holes:
+                held[name] = _without(value, there)
+
+
+def without_defaults(name: Text, asked: Iterable[tuple[str, Asked]]) -> Text:
+    """Return a name as it is where these conditions hold: a parameter that is set there has no default."""
+    there = frozenset(one for _, test in asked for one in _set(test, holds=True))
+    return _without(name, there) if there else name
+
+
+def _without(name: Text, there: frozenset[str]) -> Text:
+    return name.mapped(lambda hole: msgspec.structs.replace(hole, default=None) if hole.parameter in there else hole)
+
+
+def _set(test: Asked, *, holds: bool) -> Iterator[str]:
+    if test.kind == "set" and holds:
+        yield from (hole.parameter for hole in test.texts[0].holes)
+    elif test.kind == "not":
+        yield from _set(test.tests[0], holds=not holds)
+    elif test.kind == ("and" if holds else "or"):
+        for one in test.tests:
+            yield from _set(one, holds=holds)

@@ -1,0 +1,355 @@
+"""The names of a function while it is evaluated, and what it returned."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from operator import is_
+from types import MappingProxyType
+from typing import Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Class, Made, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.object_ways import one_object
+from roslens.source.extract.domain.perhaps import perhaps
+from roslens.source.extract.domain.plain_methods import is_namespace
+from roslens.source.extract.domain.quality import one_of as one_quality
+from roslens.source.extract.ir.program import Expression, Function
+from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.many_choices import of_many
+from roslens.source.extract.symbolic.text import Asked, Choice, Hole, Text, unknown
+
+Held = tuple[dict[str, Any], dict[str, Any]]
+"""What names and members of the object hold."""
+
+
+_PLAIN = (Unknown, Text, bool, int, float)
+_DECIDES = (Unknown, bool, int, float)
+_LONG = 400
+"""So much of the words for a choice is kept; one of few texts has fewer."""
+
+
+_NONE: dict[str, tuple[object, ...]] = {}
+"""Kept variables of most functions; it is never changed."""
+
+
+class WayOut(msgspec.Struct, frozen=True):
+    """A place at which a loop or a turn of it is left.
+
+    Attributes:
+        conditions: all that are around it, outermost first.
+        turn: how many of them were around the turn.
+        held: what names held there.
+        again: whether only the turn is left.
+    """
+
+    conditions: tuple[str, ...]
+    turn: int
+    held: Held
+    again: bool
+
+
+class Ways:
+    """The ways out of one loop.
+
+    Attributes:
+        turn: conditions around the turn that is followed.
+        out: those that were found so far.
+    """
+
+    def __init__(self, depth: int) -> None:
+        """Begin a loop with so many conditions around it."""
+        self.turn = depth
+        self.out: list[WayOut] = []
+
+
+class Frame:
+    """One call of a function.
+
+    Attributes:
+        path: of its file.
+        scope: its qualified name, in which names are looked up.
+        self: object it is called on; None of none.
+        names: its parameters and variables.
+        templates: what template parameters stand for.
+        returned: whether it returned for sure.
+        stopped: whether the turn of the loop around was left for sure.
+        ways: out of the loop around; None outside of loops.
+        result: what it returned.
+        depth: conditions around the call, of which a return in it does not depend.
+        passed: how many of the conditions hold because the function was not left before.
+        plainly: whether the last return told no failure.
+        tests: what decides the conditions of branches, as written, where that is known.
+        kept: variables that live on between calls, and their places.
+        left: what ways that left the function changed in members of the object, and their conditions.
+    """
+
+    aliases: Mapping[str, tuple[Expression, bool]] = MappingProxyType({})
+    """Other names of plain values: what they are names of, and whether they point to it."""
+
+    def __init__(self, path: str, scope: str, self_: Any = None, names: dict[str, Any] | None = None) -> None:
+        self.path = path
+        self.scope = scope
+        self.self = self_
+        self.names: dict[str, Any] = names if names is not None else {}
+        self.templates: dict[str, str] = {}
+        self.returned = False
+        self.stopped = False
+        self.ways: Ways | None = None
+        self.result: Any = None
+        self.depth = 0
+        self.passed = 0
+        self.plainly = False
+        self.tests: dict[str, Asked] = {}
+        self.kept: dict[str, tuple[object, ...]] = _NONE
+        self.left: list[tuple[dict[str, Any], str]] = []
+        self._given = ""
+        self._given_test: Asked | None = None
+
+    def give(self, value: Any, conditions: Sequence[str] = ()) -> None:
+        """Return a value, under conditions that are open or for sure where there are none."""
+        self.result = self._or_else(value) if self._given else value
+        condition, test = " and ".join(conditions), self.test_of(conditions) if conditions else None
+        if condition and self._given:
+            # What was returned until now is returned where either condition holds, whatever comes next.
+            condition = f"{self._given} or {condition}"
+            both = None if test is None else self._given_test
+            test = None if both is None or test is None else Asked("or", (), (both, test))
+        if condition:
+            self._given, self._given_test = condition, test
+        self._given = self._given or "always"
+        self.returned = True
+
+    def outcome(self) -> Any:
+        """Return what the call returned, which is None where its end was reached, and may be where it may have been."""
+        if not self.returned and self._given:
+            self.result = self._or_else(None)
+        return self.result
+
+    def know(self, condition: str, otherwise: str, test: Asked | None) -> None:
+        """Remember what decides a condition and its opposite."""
+        if test is not None:
+            self.tests[condition], self.tests[otherwise] = test, test.opposite
+        else:
+            self.tests.pop(condition, None)
+            self.tests.pop(otherwise, None)
+
+    def test_of(self, conditions: Sequence[str]) -> Asked | None:
+        """Return what decides whether all of several conditions hold; None where that is not known of each."""
+        tests = [self.tests[one] for one in conditions if one in self.tests]
+        if not tests or len(tests) < len(conditions):
+            return None
+        return tests[0] if len(tests) == 1 else Asked("and", (), tuple(tests))
+
+    def _or_else(self, value: Any) -> Any:
+        """Return what is known where a function returns one value or another one."""
+        before = self.result
+        if before is None or value is None:
+            return one_or_none(before, value, self._given, self._given_test)
+        texts = [unknown(one.reason) if isinstance(one, Unknown) else one for one in (before, value)]
+        one, other = texts
+        if isinstance(one, Text) and isinstance(other, Text):
+            known = isinstance(before, Text) or isinstance(value, Text)
+            return either(one, other, self._given, self._given_test) if known else before
+        both = one_of(before, value, self._given, self._given_test)
+        if both is not None:
+            return both
+        if isinstance(before, _DECIDES) and isinstance(value, _DECIDES) and value != before:
+            return Unknown(f"one of {as_text(before)} and {as_text(value)}, by {self._given}")
+        return value if isinstance(before, Unknown) else before
+
+    def snapshot(self) -> Held:
+        """Return what names and members of the object hold."""
+        return dict(self.names), dict(self.self.fields) if isinstance(self.self, Obj) else {}
+
+    @property
+    def members(self) -> dict[str, Any] | None:
+        """What the members of the object hold; None of none."""
+        return self.self.fields if isinstance(self.self, Obj) else None
+
+    def leave(self, fields: dict[str, Any], before: dict[str, Any], condition: str) -> None:
+        """Remember what members of the object a way that leaves the function came to, for when it has ended."""
+        changed = {name: value for name, value in fields.items() if before.get(name) is not value}
+        if changed:
+            self.left.append((changed, condition))
+
+    def is_as(self, before: Held) -> bool:
+        """Return whether names and members hold the very same as a snapshot: order and all."""
+        names, held = self.names, before[0]
+        if len(names) != len(held) or not all(map(is_, names.values(), held.values())):
+            return False
+        fields, held = self.self.fields if isinstance(self.self, Obj) else {}, before[1]
+        return len(fields) == len(held) and all(map(is_, fields.values(), held.values()))
+
+    def restore(self, before: Held) -> None:
+        """Put back what a snapshot holds."""
+        # Lambdas that were made meanwhile see the names as they are when they are called.
+        names = self.names
+        names.clear()
+        names |= before[0]
+        if isinstance(self.self, Obj):
+            fields = self.self.fields
+            fields.clear()
+            fields |= before[1]
+
+    def join(self, other: Held, condition: str) -> None:
+        """Let hold what either way of a condition came to, ``other`` being that where it is true."""
+        test = self.tests.get(condition)
+        join(self.names, other[0], condition, test)
+        if isinstance(self.self, Obj):
+            join(self.self.fields, other[1], condition, test)
+
+
+def join(names: dict[str, Any], other: dict[str, Any], condition: str, test: Asked | None = None) -> None:
+    """Let names hold what either way of a condition came to, ``other`` being what it is where it is true."""
+    known = names.get
+    for name, value in [item for item in other.items() if known(item[0]) is not item[1]]:
+        before = known(name)
+        if value == before:
+            continue
+        if (before is None and name in names) or (value is None and isinstance(before, _PLAIN)):
+            names[name] = one_or_none(value, before, condition, test)
+        elif before is None:
+            names[name] = msgspec.structs.replace(value, certain=False) if isinstance(value, Made) else value
+        elif (both := one_of(value, before, condition, test)) is not None:
+            names[name] = both
+        elif isinstance(value, _PLAIN) and isinstance(before, _PLAIN):
+            names[name] = _one_of(value, before, condition, test)
+        elif isinstance(before, Unknown):
+            names[name] = value
+        elif isinstance(before, Text) and value is not None:
+            names[name] = _one_of(Unknown(as_text(value).holes[0].reason), before, condition, test)
+
+
+def one_or_none(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
+    """Return what is known of two values of which one is None: of a text that it may be missing.
+
+    Of an object it is taken that it is there where it is used; an endpoint is there, but perhaps not for sure.
+    """
+    found = other if value is None else value
+    if isinstance(found, Text):
+        return either(Text() if value is None else found, Text() if other is None else found, condition, test)
+    if isinstance(found, _DECIDES):
+        return Unknown(f"{as_text(found)} or nothing, by {condition}"[:200])
+    return msgspec.structs.replace(found, certain=False) if isinstance(found, Made) else found
+
+
+def one_of(value: Any, other: Any, condition: str, test: Asked | None = None) -> Any:
+    """Return what is known of two values that are no texts, of which a condition chooses; None where either may stand.
+
+    Which object of one class or of ROS it is makes no difference in most code: the first one stands for both.
+    """
+    quality = one_quality(value, other, condition)
+    if quality is not None:
+        return quality
+    if isinstance(value, list) and isinstance(other, list):
+        return _one_list(value, other, condition, test)
+    if isinstance(value, Obj) and isinstance(other, Obj):
+        return one_object(value, other, condition)
+    if isinstance(value, Named | Class) and isinstance(other, Named | Class) and value != other:
+        names = [one.name if isinstance(one, Named) else one.defined.what.qualified_name for one in (value, other)]
+        return None if names[0] == names[1] else Unknown(f"one of {names[0]} and {names[1]}, by {condition}"[:200])
+    for one, two in ((value, other), (other, value)):
+        if isinstance(one, Unknown) and isinstance(two, list) and any(isinstance(item, Text) for item in two):
+            return one
+    return None
+
+
+def _one_list(value: list[Any], other: list[Any], condition: str, test: Asked | None) -> Any:
+    """Return the longer list where one goes on where the other ends, as one that is filled does."""
+    less, more = sorted((value, other), key=len)
+    if more[: len(less)] == less:
+        filled = more is value
+        opposite = None if test is None else test.opposite
+        rest = perhaps(more[len(less) :], condition if filled else negated(condition), test if filled else opposite)
+        return [*less, *rest]
+    if not any(isinstance(one, Text) for one in (*less, *more)):
+        return None
+    if len(less) < len(more) or not all(isinstance(one, Text) for one in (*less, *more)):
+        return Unknown(f"one of two lists, by {condition}"[:200])
+    return [either(one, two, condition, test) for one, two in zip(value, other, strict=True)]
+
+
+def _one_of(value: Any, before: Any, condition: str, test: Asked | None) -> Any:
+    """Return what is known of a value that is one thing where a condition holds, and another one else."""
+    if isinstance(value, Text) and isinstance(before, Text):
+        return either(value, before, condition, test)
+    if isinstance(value, Text) and isinstance(before, Unknown):
+        return either(value, unknown(before.reason), condition, test)
+    if isinstance(before, Text) and isinstance(value, Unknown):
+        return either(unknown(value.reason), before, condition, test)
+    reasons = [one.reason if isinstance(one, Unknown) else str(as_text(one)) for one in (value, before)]
+    return Unknown(f"one of {reasons[0]} and {reasons[1]}, by {condition}"[:200])
+
+
+def _but_for_slashes(one: Text, other: Text) -> Text | None:
+    """Return the text with more separators where texts differ by one after a namespace only.
+
+    A namespace ends with ``/`` only where it is nothing else; a name with two of them is tidied.
+    """
+    if not any(is_namespace(hole) for hole in one.holes):
+        return None
+    most = max(one, other, key=lambda text: len(text.pattern))
+    least = other if most is one else one
+    for place, part in enumerate(most.parts[:-1]):
+        rest = most.parts[place + 1]
+        if is_namespace(part) and isinstance(rest, str) and rest.startswith("/"):
+            without = Text.of(*most.parts[: place + 1], rest[1:], *most.parts[place + 2 :])
+            if without == least or Text.of("/", without) == least:
+                return most
+    return None
+
+
+def _below(one: Text, other: Text, condition: str) -> Text | None:
+    """Return a name that is below a namespace where it is relative: ``topic[0] != '/' ? ns + "/" + topic : topic``."""
+    if len(other.parts) != 1 or len(one.parts) != 3 or one.parts[1] != "/" or one.parts[2] != other.parts[0]:
+        return None
+    space, name = one.parts[0], other.parts[0]
+    if not isinstance(space, Hole) or not isinstance(name, Hole) or "/" not in condition:
+        return None
+    if not space.reason.startswith("namespace "):
+        return None
+    return Text((msgspec.structs.replace(name, below=space.reason),))
+
+
+def _deciding(text: Text) -> list[str]:
+    return [hole.parameter or hole.reason for hole in text.holes]
+
+
+def either(one: Text, other: Text, condition: str, test: Asked | None = None) -> Text:
+    """Return the text that is one where a condition holds, and the other one where it does not."""
+    if one == other:
+        return one
+    if condition == "no exception" and not (one.parts and other.parts):
+        return one if one.parts else other
+    if one.parts and other.parts:
+        if one.pattern == other.pattern and _deciding(one) == _deciding(other) and not _chooses(one, other):
+            return min(one, other, key=lambda text: len(str(text)))
+        same = _but_for_slashes(one, other)
+        if same is not None:
+            return same
+        below = _below(one, other, condition) or _below(other, one, condition)
+        if below is not None:
+            return below
+    shown = [str(text) if text.parts else "nothing" for text in (one, other)]
+    reason = f"{shown[0]} if {condition[:60]}, else {shown[1]}"
+    many = of_many(condition, one, other) if len(reason) > _LONG else None
+    if many is not None:
+        return many
+    parameter = next((hole.parameter for hole in (*one.holes, *other.holes) if hole.parameter), "")
+    choice = Choice(condition, one, other, () if test is None else (test,))
+    return Text((Hole(reason[:_LONG], parameter, choice=(choice,)),))
+
+
+def _chooses(*texts: Text) -> bool:
+    return any(hole.choice for text in texts for hole in text.holes)
+
+
+def bind_rest(what: Function, place: int, arguments: list[Any], keywords: dict[str, Any], frame: Frame) -> None:
+    """Give ``*args`` or ``**options`` of a function of Python what no other parameter takes."""
+    name = what.parameters[place].name
+    if name.startswith("**"):
+        named = {one.name for one in what.parameters}
+        frame.names[name[2:]] = {Text.of(one): keywords[one] for one in keywords if one not in named}
+    else:
+        frame.names[name[1:]] = list(arguments[place:])

@@ -1,0 +1,37 @@
+"""Items that a list has only if something holds: ``[name for name in names if used(name)]``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.source.extract.symbolic.text import Asked
+
+
+class Perhaps(msgspec.Struct, frozen=True):
+    """An item that a list has under a condition, and what decides that, where it is known.
+
+    Only a loop over the list asks for it; to anybody else it is a value of which nothing is known.
+    """
+
+    value: Any
+    condition: str
+    test: Asked | None = None
+
+
+def perhaps(items: list[Any], condition: str, test: Asked | None) -> list[Any]:
+    """Return items that are there if a condition holds; those that are there under another one keep it too."""
+    found: list[Any] = []
+    for one in items:
+        if isinstance(one, Perhaps):
+            both = None if test is None or one.test is None else Asked("and", (), (test, one.test))
+            found.append(Perhaps(one.value, f"{condition} and {one.condition}"[:200], both))
+        else:
+            found.append(Perhaps(one, condition, test))
+    return found
+
+
+def is_counted(items: list[Any]) -> bool:
+    """Whether a list has all of its items in any case, so that each has its place."""
+    return not any(type(one) is Perhaps for one in items)

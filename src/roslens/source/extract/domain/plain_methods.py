@@ -1,0 +1,210 @@
+"""Methods of texts, lists and dictionaries, and of what is unknown, while source is evaluated."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Unknown, as_text
+from roslens.source.extract.domain.perhaps import Perhaps, is_counted
+from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.domain.word_list import Words
+from roslens.source.extract.symbolic.text import Asked, Hole, Text, unknown
+
+SAME = frozenset(
+    {"c_str", "get", "lock", "value", "str", "data", "as_string", "get_value", "encode", "decode",
+     "get_parameter_value", "string_value", "as_string_array", "to_string", "copy", "load", "shared_from_this",
+     "toStdString"}
+)  # fmt: skip
+"""Methods that give what they are called on, as far as names are concerned."""
+_OF_PYTHON = frozenset(
+    {"strip", "lstrip", "rstrip", "lower", "upper", "title", "capitalize", "replace", "split", "rsplit", "partition",
+     "rpartition", "removeprefix", "removesuffix", "swapcase", "splitlines"}
+)  # fmt: skip
+_MOST_LENGTH = 10_000
+_MOST_ITEMS = 1_000
+_EDGES = frozenset({"front", "back"})
+_PARTS = frozenset(
+    {"find", "rfind", "find_first_of", "find_last_of", "substr", "compare", "startswith", "starts_with", "endswith",
+     "ends_with"}
+)  # fmt: skip
+
+
+class LastSlash(msgspec.Struct, frozen=True):
+    """The place of the last ``/`` in a namespace that is unknown."""
+
+    of: Text
+
+
+def plain_method(of: Any, name: str, arguments: list[Any]) -> Any:
+    """Return the result of a method of a value that is no object of the workspace and none of ROS."""
+    if name in SAME and not isinstance(of, list | dict):
+        return of
+    if isinstance(of, Text):
+        return _of_text(of, name, arguments)
+    if isinstance(of, list):
+        return _of_list(of, name, arguments)
+    if isinstance(of, dict):
+        return _of_dict(of, name, arguments)
+    return of if isinstance(of, Unknown) else Unknown(f"result of {name}()")
+
+
+def _of_text(of: Text, name: str, arguments: list[Any]) -> Any:
+    if name == "format":
+        return formatted(of, arguments)
+    if name in ("append", "push_back"):
+        return Text.of(of, as_text(arguments[0])) if arguments else of
+    if name in _EDGES or name == "empty":
+        return _of_edge(of, name)
+    if name in _PARTS:
+        return _part_of(of, name, arguments)
+    if name in ("length", "size") and of.known is not None:
+        return len(of.known)
+    if name in ("as_bool", "as_int", "as_double") and of.holes:
+        return of
+    if name == "join" and arguments and isinstance(arguments[0], list):
+        return _joined(of, arguments[0])
+    if name in _OF_PYTHON:
+        return _of_python(of, name, arguments)
+    return Unknown(f"{name} of a text")
+
+
+def _of_python(of: Text, name: str, arguments: list[Any]) -> Any:
+    """Return the result of a method of a text of Python that says the same wherever it runs."""
+    given = [one.known if isinstance(one, Text) else one if type(one) is int else None for one in arguments]
+    parameter = next((hole.parameter for hole in of.holes), "")
+    longest = max((len(one) for one in given if isinstance(one, str)), default=1)
+    if of.known is None or None in given or len(of.known) * longest > _MOST_LENGTH:
+        if name in ("strip", "lstrip", "rstrip") and not arguments:
+            return of
+        return unknown(f"{name} of {of}"[:200], parameter=parameter)
+    try:
+        found = getattr(of.known, name)(*given)
+    except (TypeError, ValueError):
+        return Unknown(f"{name} of a text")
+    if isinstance(found, list | tuple):
+        return [Text.of(one) for one in found[:_MOST_ITEMS]]
+    return Text.of(found[:_MOST_LENGTH])
+
+
+def _of_edge(of: Text, name: str) -> Any:
+    """Return the first or last sign of a text, or whether it is empty."""
+    if name == "empty":
+        if any(isinstance(part, str) or is_namespace(part) for part in of.parts):
+            return False
+        return Unknown(f"whether {of} is empty", Asked("equal", (of, Text()))) if of.parts else True
+    edge = of.parts[0 if name in ("front", "begin") else -1] if of.parts else ""
+    if isinstance(edge, str) and edge:
+        return Text.of(edge[0 if name == "front" else -1])
+    if name == "front" and isinstance(edge, Hole) and is_namespace(edge):
+        return Text.of("/")
+    return Unknown(f"{name} of {of}")
+
+
+def is_namespace(part: str | Hole) -> bool:
+    """Whether a part of a text is the namespace of a node: never empty, beginning with ``/``."""
+    return isinstance(part, Hole) and part.reason.startswith("namespace of the node")
+
+
+def _part_of(of: Text, name: str, arguments: list[Any]) -> Any:
+    """Return where something is in a text, a part of it, or whether it begins or ends with something."""
+    first = arguments[0] if arguments else None
+    text = first.known if isinstance(first, Text) else None
+    if name == "substr":
+        return _cut(of, arguments)
+    if text is None or len(arguments) > 1:
+        return Unknown(f"{name} of a text")
+    if of.known is None:
+        if name in ("rfind", "find_last_of") and of.holes == of.parts and is_namespace(of.parts[0]) and text == "/":
+            return LastSlash(of)
+        head = of.parts[0]
+        if name in ("startswith", "starts_with") and isinstance(head, str) and len(head) >= len(text):
+            return head.startswith(text)
+        return Unknown(f"{name} of {of}")
+    if name in ("startswith", "starts_with", "endswith", "ends_with"):
+        return of.known.startswith(text) if name.startswith("starts") else of.known.endswith(text)
+    if name == "compare":
+        return (of.known > text) - (of.known < text)
+    # What is not found is at ``npos``, which is no number that a place has.
+    return of.known.rfind(text) if name.startswith(("rfind", "find_last")) else of.known.find(text)
+
+
+def _cut(of: Text, arguments: list[Any]) -> Any:
+    begin, count = (*arguments, None, None)[:2]
+    if begin == 0 and isinstance(count, LastSlash) and count.of == of and isinstance(hole := of.parts[0], Hole):
+        return Text((Hole(hole.reason.replace("namespace of", "namespace above", 1), default=""),))
+    numbers = all(isinstance(one, int) and not isinstance(one, bool) for one in arguments)
+    if not numbers or not isinstance(begin, int) or begin < 0:
+        return unknown(f"a part of {of}", parameter=next((hole.parameter for hole in of.holes), ""))
+    if of.known is not None:
+        return Text.of(of.known[begin:] if count is None or count < 0 else of.known[begin : begin + count])
+    head = of.parts[0]
+    if isinstance(head, str) and count is None and begin <= len(head):
+        return Text.of(head[begin:], *of.parts[1:])
+    return unknown(f"a part of {of}", parameter=next((hole.parameter for hole in of.holes), ""))
+
+
+def _of_list(of: list[Any], name: str, arguments: list[Any]) -> Any:
+    if name in ("append", "push_back", "emplace_back", "add") and arguments:
+        of.append(arguments[0])
+        return None
+    if name in ("size", "length", "empty"):
+        if not is_counted(of):
+            return Unknown(f"{name} of a list")
+        return not of if name == "empty" else of.length if isinstance(of, Words) else len(of)
+    if name in ("front", "back") and of and is_counted(of):
+        return of[0 if name == "front" else -1]
+    return Unknown(f"{name} of a list")
+
+
+def _are_known(key: Any, of: dict[Any, Any]) -> bool:
+    """Whether a key and all keys of a table are known, so that it is sure that the table does not have it."""
+    return all(
+        one.known is not None if isinstance(one, Text) else not isinstance(one, Unknown | str) for one in (key, *of)
+    )
+
+
+def _of_dict(of: dict[Any, Any], name: str, arguments: list[Any]) -> Any:
+    if name == "items":
+        return [
+            msgspec.structs.replace(value, value=[key, value.value]) if isinstance(value, Perhaps) else [key, value]
+            for key, value in of.items()
+        ]
+    if name in ("get", "at") and arguments and hashable(arguments[0]) not in of and not _are_known(arguments[0], of):
+        return Unknown("an item of a table")
+    if name in ("get", "at") and arguments:
+        return of.get(hashable(arguments[0]), arguments[1] if len(arguments) > 1 else Unknown("an item"))
+    if name in ("keys", "values"):
+        return list(of) if name == "keys" else list(of.values())
+    return Unknown(f"{name}()")
+
+
+def formatted(pattern: Text, values: list[Any]) -> Text:
+    """Return a text with ``%s`` and ``{}`` replaced by values, in order."""
+    parts: list[str | Hole | Text] = []
+    waiting = list(values)
+    for part in pattern.parts:
+        if not isinstance(part, str):
+            parts.append(part)
+            continue
+        pieces = part.replace("%d", "%s").replace("{}", "%s").split("%s")
+        for place, piece in enumerate(pieces):
+            parts.append(piece)
+            if place < len(pieces) - 1:
+                one = waiting.pop(0) if waiting else None
+                # A truth value is written ``True`` in Python, ``1`` in C++.
+                shown = Text((Hole("a truth value"),)) if isinstance(one, bool) else as_text(one)
+                parts.append(Text((Hole("a value that is missing"),)) if one is None else shown)
+            if any(sign in piece for sign in "{}%"):
+                return unknown(f"the format {pattern}"[:200])
+    return Text.of(*parts)
+
+
+def _joined(separator: Text, values: list[Any]) -> Text:
+    parts: list[Text] = []
+    if not is_counted(values):
+        return unknown("a text of a list")
+    for place, one in enumerate(values):
+        parts += [separator, as_text(one)] if place else [as_text(one)]
+    return Text.of(*parts)

@@ -1,0 +1,177 @@
+"""What is known of a quality of service while source is evaluated: presets, one policy changed, one of several."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import msgspec
+
+from roslens.model.qos import Qos
+from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.symbolic.text import Text
+
+PRESETS = {
+    "SensorDataQoS": Qos("best_effort", "volatile", "keep_last", 5),
+    "qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
+    "SystemDefaultsQoS": Qos(),
+    "qos_profile_system_default": Qos(),
+    "ServicesQoS": Qos("reliable", "volatile", "keep_last", 10),
+    "qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
+    "ParametersQoS": Qos("reliable", "volatile", "keep_last", 1000),
+    "qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
+    "ParameterEventsQoS": Qos("reliable", "volatile", "keep_last", 1000),
+    "qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
+    "ClockQoS": Qos("best_effort", "volatile", "keep_last", 1),
+    "RosoutQoS": Qos("reliable", "transient_local", "keep_last", 1000),
+    "BestAvailableQoS": Qos("best_available", "best_available", "keep_last", 10),
+    "rmw_qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
+    "qos_profile_default": Qos("reliable", "volatile", "keep_last", 10),
+    "rmw_qos_profile_sensor_data": Qos("best_effort", "volatile", "keep_last", 5),
+    "rmw_qos_profile_services_default": Qos("reliable", "volatile", "keep_last", 10),
+    "rmw_qos_profile_parameters": Qos("reliable", "volatile", "keep_last", 1000),
+    "rmw_qos_profile_parameter_events": Qos("reliable", "volatile", "keep_last", 1000),
+    "rmw_qos_profile_system_default": Qos(),
+    "rmw_qos_profile_best_available": Qos("best_available", "best_available", "keep_last", 10),
+}
+_OF_RCLPY = {
+    "SENSOR_DATA": PRESETS["qos_profile_sensor_data"],
+    "SYSTEM_DEFAULT": PRESETS["qos_profile_system_default"],
+    "SERVICES_DEFAULT": PRESETS["qos_profile_services_default"],
+    "PARAMETERS": PRESETS["qos_profile_parameters"],
+    "PARAMETER_EVENTS": PRESETS["qos_profile_parameter_events"],
+    "ACTION_STATUS_DEFAULT": Qos("reliable", "transient_local", "keep_last", 1),
+}
+"""Of rclpy.qos.QoSPresetProfiles."""
+DEFAULT_QUALITY = QosValue(PRESETS["rmw_qos_profile_default"])
+INITIALISATION = "rclcpp.QoSInitialization"
+DURATIONS = {"deadline": "deadline_s", "lifespan": "lifespan_s", "liveliness_lease_duration": "lease_s"}
+_ENDLESS = frozenset({"rclpy.duration.Infinite", "rclpy.qos.Infinite", "RMW_DURATION_INFINITE"})
+_WORDS = {
+    "reliable": "reliable",
+    "best_effort": "best_effort",
+    "besteffort": "best_effort",
+    "volatile": "volatile",
+    "transient_local": "transient_local",
+    "transientlocal": "transient_local",
+    "keep_last": "keep_last",
+    "keeplast": "keep_last",
+    "keep_all": "keep_all",
+    "keepall": "keep_all",
+    "automatic": "automatic",
+    "manual_by_topic": "manual_by_topic",
+    "manualbytopic": "manual_by_topic",
+    "best_available": "best_available",
+    "bestavailable": "best_available",
+}
+_OF_MIDDLEWARE = re.compile("rmw_qos_policy_(?:reliability|durability|history|liveliness)_")
+POLICIES = ("reliability", "durability", "history", "liveliness")
+
+
+def quality_of(value: Any) -> Any:
+    """Return what is given as quality of service as one; a number is a depth."""
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, int):
+        return QosValue(Qos("reliable", "volatile", "keep_last", value))
+    if isinstance(value, Obj) and isinstance(value.fields.get("qos"), QosValue):
+        return value.fields["qos"]
+    if isinstance(value, Named) and ".QoSPresetProfiles." in value.name:
+        known = _OF_RCLPY.get(value.name.removesuffix(".value").rpartition(".")[2])
+        return QosValue(known) if known is not None else None
+    if isinstance(value, Named) and value.name.rpartition(".")[2] in PRESETS:
+        return QosValue(PRESETS[value.name.rpartition(".")[2]])
+    if isinstance(value, list) and value and isinstance(value[0], Named) and _OF_MIDDLEWARE.match(_last(value[0])):
+        return profile_of(value)
+    if isinstance(value, Text | Unknown):
+        reason = value.reason if isinstance(value, Unknown) else str(value)
+        return QosValue(Qos(), reason)
+    return value if isinstance(value, QosValue) else None
+
+
+def quality_by_key(key: Any) -> QosValue:
+    """Return the preset of rclpy that has a short name, as ``sensor_data``."""
+    known = _OF_RCLPY.get(key.known.upper()) if isinstance(key, Text) and key.known else None
+    return QosValue(Qos(), f"the preset {key}") if known is None else QosValue(known)
+
+
+def keeping(base: QosValue, kept: QosValue) -> QosValue:
+    """Return a quality of service with the history that something else says, not the policies."""
+    qos_ = msgspec.structs.replace(base.qos, history=kept.qos.history, depth=kept.qos.depth)
+    return QosValue(qos_, base.unknown or kept.unknown)
+
+
+def lasting(base: QosValue, name: str, value: Any) -> QosValue:
+    """Return a quality of service with a duration that is given."""
+    if isinstance(value, Named) and value.name in _ENDLESS:
+        value = 0
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return QosValue(msgspec.structs.replace(base.qos, **{DURATIONS[name]: float(value)}), base.unknown)
+    return QosValue(base.qos, f"its {name.replace('_', ' ')} is not known")
+
+
+def with_policy(base: QosValue, name: str, value: Any) -> QosValue:
+    """Return a quality of service with a policy that is given by its enumerator."""
+    word = _WORDS.get(_enumerator(value), "") if isinstance(value, Named) else ""
+    if not word:
+        return QosValue(msgspec.structs.replace(base.qos, **{name: ""}), f"its {name} is not known")
+    return QosValue(msgspec.structs.replace(base.qos, **{name: word}), base.unknown)
+
+
+def _enumerator(value: Named) -> str:
+    last = _last(value)
+    return last[len(found[0]) :] if (found := _OF_MIDDLEWARE.match(last)) else last
+
+
+def _last(value: Named) -> str:
+    return value.name.rpartition(".")[2].lower()
+
+
+def changed(base: QosValue, name: str, value: Any) -> QosValue:
+    """Return a quality of service of which a member is set; what is no part of it changes nothing."""
+    if name in POLICIES:
+        return with_policy(base, name, value)
+    if name in DURATIONS:
+        return lasting(base, name, value)
+    if name != "depth":
+        return base
+    if isinstance(value, int) and not isinstance(value, bool):
+        return QosValue(msgspec.structs.replace(base.qos, depth=value), base.unknown)
+    reason = value.reason if isinstance(value, Unknown) else str(value)
+    return QosValue(msgspec.structs.replace(base.qos, depth=0), f"its depth is {reason}")
+
+
+def profile_of(policies: list[Any]) -> QosValue:
+    """Return a profile of the middleware that is written as its members in their order."""
+    names = ("history", "depth", "reliability", "durability", "deadline", "lifespan", "liveliness",
+             "liveliness_lease_duration")  # fmt: skip
+    found = QosValue(Qos())
+    for name, value in zip(names, policies, strict=False):
+        usual = isinstance(value, Named) and value.name.endswith("_DEFAULT")
+        found = found if usual else changed(found, name, value)
+    return found
+
+
+def history_of(history: Any, depth: Any) -> QosValue:
+    """Return the usual quality of service with a history, and how many messages it keeps."""
+    return changed(changed(DEFAULT_QUALITY, "history", history), "depth", depth)
+
+
+def one_of(value: Any, other: Any, condition: str) -> QosValue | None:
+    """Return what two qualities of service have in common, of which a condition chooses; None where neither is one."""
+    if not isinstance(value, QosValue) and not isinstance(other, QosValue) and not _presets(value, other):
+        return None
+    first, second = quality_of(value), quality_of(other)
+    if first is None or second is None:
+        return QosValue(Qos(), f"one of two by {condition}"[:200])
+    agreed = {
+        name: getattr(first.qos, name) for name in Qos.__struct_fields__
+        if getattr(first.qos, name) == getattr(second.qos, name)
+    }  # fmt: skip
+    differ = len(agreed) < len(Qos.__struct_fields__)
+    return QosValue(Qos(**agreed), first.unknown or second.unknown or (f"one of two by {condition}"[:200] * differ))
+
+
+def _presets(value: Any, other: Any) -> bool:
+    # A number is a depth only beside a quality of service.
+    return any(isinstance(one, Named) and quality_of(one) is not None for one in (value, other))

@@ -1,0 +1,59 @@
+"""Lists of which the items are not known while source is evaluated, only what decides them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.symbolic.text import Choice, Hole, Text, unknown
+from roslens.source.extract.symbolic.text_lists import is_list, listed
+
+
+class Each(msgspec.Struct, frozen=True):
+    """A list of which nobody knows how long it is; ``item`` stands for each of its items."""
+
+    item: Any
+
+
+def each_of(value: Any) -> Any:
+    """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
+    if isinstance(value, Each):
+        return value.item
+    if isinstance(value, Text) and value.holes:
+        hole = value.holes[0]
+        if hole.choice:
+            return Text(
+                (msgspec.structs.replace(hole, reason=f"each of {hole.reason}", choice=(_each(hole.choice[0]),)),)
+            )
+        among = hole.default if is_list(hole) and hole.default else ""
+        return Text((Hole(f"each of {hole.reason}", hole.parameter, among=among, named=hole.named),))
+    return Unknown(f"each of {value.reason}" if isinstance(value, Unknown) else "an item")
+
+
+def _each(choice: Choice) -> Choice:
+    """Return a choice of items in place of one of lists."""
+    then, otherwise = (
+        each_of(one) if one.holes else unknown(f"each of {one}") for one in (choice.then, choice.otherwise)
+    )
+    return Choice(choice.condition, then, otherwise, choice.test)
+
+
+def item_of(value: Any, key: Any) -> Any:
+    """Return the item at a place of an unknown list; None where it is none that is known to be a list."""
+    if isinstance(value, Each):
+        return value.item
+    hole = value.parts[0] if isinstance(value, Text) and len(value.parts) == 1 else None
+    if not isinstance(hole, Hole) or not hole.parameter:
+        return None
+    if isinstance(key, Unknown):
+        return each_of(value)
+    if isinstance(key, Text) and key.known and hole.reason.startswith("each of "):
+        # A part of a map in a list that a parameter is: ``plugins[i]["type"]``.
+        return Text((Hole(f"{key.known} of {hole.reason}", hole.parameter, named=hole.named),))
+    if not is_list(hole) or isinstance(key, bool) or not isinstance(key, int):
+        return None
+    items = listed(hole.default or "")
+    usual = items[key] if -len(items) <= key < len(items) else None
+    return Text((Hole(f"item {key} of {hole.reason}", hole.parameter, usual, named=hole.named),))

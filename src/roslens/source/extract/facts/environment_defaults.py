@@ -1,0 +1,65 @@
+"""Names that depend on the environment of the machine: with their defaults they are likely, never certain."""
+
+from __future__ import annotations
+
+from roslens.source.extract.facts.resolve_name import Place, Rule, tidy
+from roslens.source.extract.symbolic.text import Hole, Text
+
+ENVIRONMENT = "environment "
+"""How the reason of a hole begins that a variable of the environment decides."""
+
+
+def supposed(text: Text) -> tuple[Text, tuple[str, ...]]:
+    """Return a text with defaults of the environment in place of holes, and in words which they are.
+
+    A default that would make another kind of name, a global one within another, stays a hole.
+    """
+    if not any(_has_default(hole) for hole in text.holes):
+        return text, ()
+    parts: list[str | Hole] = []
+    words: list[str] = []
+    for part in text.parts:
+        default = part.default if isinstance(part, Hole) and _has_default(part) else None
+        if isinstance(part, str) or default is None or (default.startswith("/") and parts not in ([], ["/"])):
+            parts.append(part)
+            continue
+        parts.append(default)
+        words.append(f"default of {part.reason}")
+    return Text.of(*parts), tuple(dict.fromkeys(words))
+
+
+def with_defaults(text: Text) -> str:
+    """Return a text in words, with what stands there where a variable of the environment is not set."""
+    return "".join(
+        f"{{{part.reason}, {part.default!r} where that is not set}}"
+        if isinstance(part, Hole) and _has_default(part)
+        else str(Text((part,)))
+        for part in text.parts
+    )
+
+
+def supposed_name(name: Text) -> Text:
+    """Return a resolved name with defaults of the environment."""
+    return tidy(supposed(name)[0]) if name.holes else name
+
+
+def supposed_place(place: Place) -> Place:
+    """Return where a node is with defaults of the environment."""
+    namespace, of_namespace = supposed(place.namespace)
+    last = place.node.parts[-1] if place.node.parts else ""
+    # A node without a name is none: what the default of its name says is not what it is.
+    nameless = isinstance(last, Hole) and not last.default
+    node, of_node = (place.node, ()) if nameless else supposed(place.node)
+    words = tuple(dict.fromkeys((*of_namespace, *of_node)))
+    return Place(tidy(namespace), tidy(node), place.generation, words) if words else place
+
+
+def supposed_rule(rule: Rule) -> tuple[Rule, tuple[str, ...], tuple[str, ...]]:
+    """Return a remapping with defaults of the environment, and which they are: of its source, and of its target."""
+    source, of_source = supposed(rule.source)
+    target, of_target = supposed(rule.target)
+    return Rule(source, target, rule.evidence, rule.node), of_source, of_target
+
+
+def _has_default(hole: Hole) -> bool:
+    return hole.default is not None and not hole.parameter and hole.reason.startswith(ENVIRONMENT)

@@ -1,0 +1,18 @@
+"""What something that is started by name means: the nodes that it becomes, or why they are unknown."""
+
+from __future__ import annotations
+
+import msgspec
+
+from roslens.model.configuration import Origin
+from roslens.source.extract.facts.node_facts import NodeFacts
+
+
+class Meant(msgspec.Struct, frozen=True):
+    """What something that is started means: its nodes, or the reason why they are unknown."""
+
+    facts: tuple[NodeFacts, ...] = ()
+    reason: str = ""
+    origin: Origin = Origin.CODE
+    conditions: tuple[str, ...] = ()
+    kind: str = ""

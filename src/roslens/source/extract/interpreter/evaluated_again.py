@@ -1,0 +1,160 @@
+"""Calls that would do again what they did: heavy ones that made nothing, on the same object with equal values.
+
+What computes or writes files may be called from hundreds of places, and from each would be followed into all that it
+calls. If that made no fact of a node and gave no new callback away, it does not the next time either: what it returned,
+and left in the members of its object, it returns and leaves again.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Obj, Unknown
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.ir.assigned_names import assigned_names
+from roslens.source.extract.ir.program import Assign, Function, Member, Name
+
+HEAVY = 100
+"""So many steps are worth remembering; what takes fewer is followed each time."""
+
+Key = tuple[str, int]
+"""File and line of a function."""
+
+
+Given = tuple[list[Any], tuple[str, ...]]
+"""Arguments of a call, and its template arguments."""
+
+
+class Done:
+    """What a call did.
+
+    Attributes:
+        result: what it returned.
+        names: what it left in its parameters.
+        cuts: functions around it that it would have called.
+        site: the last call in it.
+    """
+
+    __slots__ = (
+        "_after",
+        "_before",
+        "_depth",
+        "_function",
+        "_given",
+        "_seen",
+        "_thing",
+        "cuts",
+        "names",
+        "result",
+        "site",
+    )
+
+    def __init__(
+        self,
+        function: Function,
+        thing: Any,
+        given: Given,
+        depth: int,
+        frame: Frame,
+        before: dict[str, Any],
+        cuts: set[Key],
+        site: Evidence,
+    ) -> None:
+        """Remember a call on ``thing`` in ``depth`` others; ``before`` is what the members of the object were."""
+        self._thing = thing
+        self._given = given
+        self._depth = depth
+        self.result = frame.result if frame.returned else None
+        self.names = frame.names
+        # What is asked of few calls is found out when it is asked.
+        self._function, self._before = function, before
+        self._after = dict(thing.fields) if isinstance(thing, Obj) else {}
+        self._seen: dict[str, Any] | None = None
+        self.cuts = cuts
+        self.site = site
+
+    def fits(self, thing: Any, given: Given, stack: list[Key]) -> bool:
+        """Whether a call would do the same: why values are unknown does not matter for what it makes."""
+        return (
+            self._thing is thing
+            and self._depth <= len(stack)
+            and self._given[1] == given[1]
+            and len(self._given[0]) == len(given[0])
+            and all(map(same, self._given[0], given[0]))
+            and self.cuts.issubset(stack)
+            and self._sees_the_same(thing)
+        )
+
+    @property
+    def fields(self) -> dict[str, Any]:
+        """What it left in the members of its object that it assigns, or that were another before."""
+        own, before = assigned_names(self._function.body), self._before
+        return {
+            name: value
+            for name, value in self._after.items()
+            if name in own or name not in before or before[name] is not value
+        }
+
+    def _sees_the_same(self, thing: Any) -> bool:
+        if self._seen is None:
+            named = _names(self._function.body)
+            self._seen = {name: value for name, value in self._before.items() if name in named}
+        fields = thing.fields if isinstance(thing, Obj) else {}
+        return all(name in fields and same(value, fields[name]) for name, value in self._seen.items())
+
+
+class Again:
+    """The heavy calls of an evaluation that made nothing.
+
+    Attributes:
+        touched: how often a word of the vocabulary was said, or a callback given away.
+        cuts: functions that the current call would call, were they not around it.
+    """
+
+    def __init__(self) -> None:
+        """Begin without any."""
+        self.touched = 0
+        self.cuts: set[Key] = set()
+        self._done: dict[Key, list[Done]] = {}
+
+    def known(self, key: Key, thing: Any, given: Given, stack: list[Key]) -> Done | None:
+        """Return what a call did that would do the same again; None where there was none."""
+        for one in self._done.get(key, ()):
+            if one.fits(thing, given, stack):
+                self.cuts |= one.cuts
+                return one
+        return None
+
+    def forget(self) -> None:
+        """Forget what calls did: they may see something else from now on."""
+        self._done.clear()
+
+    def keep(self, key: Key, done: Done) -> None:
+        """Remember what a call did."""
+        self._done.setdefault(key, []).append(done)
+
+
+def _names(one: Any) -> set[str]:
+    """Return the last names of all that statements name, but for what they only assign."""
+    found: set[str] = set()
+    waiting = [one]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, tuple):
+            waiting += one
+        elif isinstance(one, Assign) and isinstance(one.target, Name) and one.operator == "=":
+            waiting.append(one.value)
+        elif isinstance(one, msgspec.Struct):
+            found.update({one.name} if isinstance(one, Name | Member) else ())
+            waiting += [getattr(one, field) for field in one.__struct_fields__]
+    return found
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether values make the same: why they are unknown does not matter."""
+    if isinstance(one, Unknown):
+        return isinstance(other, Unknown)
+    return one is other or (type(one) is type(other) and bool(one == other))

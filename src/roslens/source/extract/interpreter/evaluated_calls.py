@@ -1,0 +1,397 @@
+"""Calls while source is evaluated: of functions of the workspace, of what ROS knows, and of what is in neither."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Callable, Class, Named, Obj, QosValue, Unknown
+from roslens.source.extract.domain.made_texts import text_made
+from roslens.source.extract.domain.owned_pointer import OWNERS, is_owner, owns_first
+from roslens.source.extract.domain.plain_methods import plain_method
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.interpreter.evaluated_expressions import Expressions
+from roslens.source.extract.interpreter.vocabulary import Called, find_method, find_outer, guessed_method, is_method
+from roslens.source.extract.ir.program import Call, Expression, Function, Member, Name
+from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbols.workspace_index import dotted, type_arguments, type_name
+from roslens.source.extract.transfer.changed_values import CHANGING, changed_by
+from roslens.source.extract.transfer.each_way import each_way
+from roslens.source.extract.transfer.overload_choice import overload
+from roslens.source.extract.transfer.refined_values import refine
+from roslens.source.extract.transfer.spread_arguments import spread
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_POINTERS = frozenset(
+    {"std.make_shared", "std.make_unique", "boost.make_shared", "make_shared", "make_unique", "new",
+     "std.allocate_shared"}
+)  # fmt: skip
+_CASTS = frozenset(
+    {"std.move", "std.forward", "std.ref", "std.cref", "boost.ref", "boost.cref", "std.dynamic_pointer_cast",
+     "std.static_pointer_cast", "move", "static_cast", "dynamic_cast", "std.const_pointer_cast",
+     "std.make_optional", "std.addressof"}
+)  # fmt: skip
+_FROM_THIS = frozenset({"shared_from_this", "weak_from_this"})
+_BINDS = frozenset({"std.bind", "boost.bind", "bind", "functools.partial", "std.bind_front"})
+_TEXTS = frozenset({"std.string", "string", "std.to_string", "str", "std.string_view", "QString", "unicode"})
+_PLACES = (Name, Member)
+_FUNCTIONS = (Callable, Class)
+_ADDING = frozenset({"append", "push_back", "emplace_back", "add"})
+_HOLDERS = (Text, list, dict)
+_LISTS = (list, dict)
+_KNOWN = frozenset({"super", *_POINTERS, *_CASTS, *OWNERS, *_FROM_THIS, *_BINDS, *_TEXTS})
+_WORD = re.compile(r"(?<![\w:])[A-Za-z_]\w*")
+_OF_NO_OBJECT = (Name("staticmethod"), Name("classmethod"))
+
+
+def _takes_object(function: Function) -> bool:
+    """Return whether a function of a class of Python is called on an object of it."""
+    return not any(one in _OF_NO_OBJECT for one in function.decorators)
+
+
+def _dotted(expression: Expression) -> str:
+    """Return names joined by dots as they are written; empty where something else is among them."""
+    if isinstance(expression, Name):
+        return expression.name
+    before = _dotted(expression.of) if isinstance(expression, Member) else ""
+    return f"{before}.{expression.name}" if before and isinstance(expression, Member) else ""
+
+
+class Calls(Expressions):
+    """Results of calls."""
+
+    def called(self, expression: Call) -> Any:
+        """Return the result of a call."""
+        engine: Context = self  # type: ignore[assignment]
+        function = expression.function
+        templates = tuple(map(self.template, expression.templates)) if expression.templates else ()
+        if isinstance(function, Member):
+            return self._method(expression, function, templates)
+        name = function.name if isinstance(function, Name) else ""
+        known = name in _KNOWN
+        if known and name == "super" and not expression.arguments:
+            return engine.frame.self
+        if (known and name in _BINDS) or name.endswith((".bind", ".partial")):
+            return self._bound(expression)
+        arguments, keywords = self._arguments(expression)
+        engine.at(expression)
+        if known:
+            if name in _FROM_THIS and isinstance(engine.frame.self, Obj):
+                return engine.frame.self
+            if name in _POINTERS and templates:
+                kind, inside = type_name(templates[0])
+                return engine.of_type(kind, arguments, keywords, tuple(type_arguments(inside)))
+            if (name in _CASTS and arguments) or (name in OWNERS and owns_first(arguments)):
+                return arguments[0]
+            if name in _TEXTS and arguments:
+                return text_made(name, arguments)
+        if name in engine.frame.names or not name:
+            return self._apply(self.value(function), expression, arguments, keywords, templates)
+        return self._called_name(name, expression, arguments, keywords, templates)
+
+    def _called_name(
+        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        engine: Context = self  # type: ignore[assignment]
+        thing = engine.frame.self
+        if isinstance(thing, Obj) and "." not in name:
+            method = engine.methods(thing, name, len(arguments), arguments)
+            if method is not None:
+                return engine.call(method, arguments, keywords, expression.arguments, templates)
+            if name in thing.fields:
+                return self._apply(thing.fields[name], expression, arguments, keywords, templates)
+            if is_method(name):
+                called = self._call_of(expression, name, arguments, keywords, templates)
+                known = find_method(engine, thing, called)
+                if known is not None:
+                    return known(engine, thing, called)
+                guessed = self._guessed(thing, called) if not engine.index.functions_of(*self._place(name)) else None
+                if guessed is not None:
+                    return guessed
+        return self._called_elsewhere(name, expression, arguments, keywords, templates)
+
+    def _called_elsewhere(
+        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        """Call a function or class outside of the class of the object, or something outside of the workspace."""
+        engine: Context = self  # type: ignore[assignment]
+        thing = engine.frame.self
+        frame, lookups = engine.frame, engine.index.lookups
+        of = thing.defined if isinstance(thing, Obj) else None
+        key = (0 if of is None else id(of.what), name, frame.path, frame.scope, len(arguments) + len(keywords))
+        meant = lookups.outside.get(key)
+        if meant is None:
+            found = engine.function(name, key[-1], arguments) or self.defined(name)
+            if isinstance(found, Callable) and "." in name:
+                found = self._overload(found, name, arguments)
+            place = (name, frame.path, frame.scope)
+            if isinstance(found, Class) and engine.index.alias(*place).endswith("*"):
+                return arguments[0] if arguments else None
+            if isinstance(found, _FUNCTIONS):
+                return self._apply(found, expression, arguments, keywords, templates)
+            meant = engine.index.meaning(*place), engine.index.alias(*place)
+            if found is None and not engine.index.functions_of(*place):
+                lookups.outside[key] = meant
+        meaning, alias = meant
+        if "<" in alias and not templates:
+            plain, inside = type_name(alias)
+            templates = tuple(self.template(one) for one in type_arguments(inside))
+            beside = f"{name.rpartition('.')[0]}.{plain}" if "." in name else plain
+            for one in (beside, plain):
+                defined = engine.index.class_of(one, frame.path, frame.scope)
+                if defined is not None:
+                    return engine.construct(defined, arguments, keywords, templates)
+        return self.outer(meaning, expression, arguments, keywords, templates)
+
+    def _overload(self, found: Callable, name: str, arguments: list[Any]) -> Callable:
+        """Return the function of a class that is called by its whole name: ``Base::init(connection)``."""
+        engine: Context = self  # type: ignore[assignment]
+        several = engine.index.functions_of(name, engine.frame.path, engine.frame.scope)
+        chosen = overload(engine.index, several, len(arguments), arguments) if len(several) > 1 else None
+        if chosen is None or not isinstance(chosen.what, Function):
+            return found
+        return Callable(chosen.what, chosen.path, found.self, found.names, found.arguments)
+
+    def outer(
+        self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        """Return the result of calling something outside of the workspace."""
+        engine: Context = self  # type: ignore[assignment]
+        called = self._call_of(expression, name, arguments, keywords, templates)
+        known = find_outer(engine, name)
+        if known is not None:
+            return known(engine, None, called)
+        if is_owner(name) and owns_first(arguments):
+            return arguments[0]
+        for one in (*arguments, *keywords.values()):
+            engine.called_outer(one)
+        self._may_set(expression, arguments, name)
+        return Unknown(f"result of {name}()")
+
+    def _may_set(self, expression: Call, arguments: list[Any], name: str) -> None:
+        """Texts that are empty when they are given to what is not known may be what it sets."""
+        engine: Context = self  # type: ignore[assignment]
+        for written, value in zip(expression.arguments, arguments, strict=False):
+            if not isinstance(value, Text) or value.parts or not isinstance(written, _PLACES):
+                continue
+            if engine.index.programs[engine.frame.path].language == "cpp":
+                engine.assign(written, unknown(f"a text that {name}() may set"))
+
+    def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
+        """Return an object of a class outside of the workspace."""
+        engine: Context = self  # type: ignore[assignment]
+        called = Called(name, arguments, keywords, templates, (), engine.site)
+        known = find_outer(engine, name)
+        return known(engine, None, called) if known is not None else Obj(name)
+
+    def construct_outer(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Construct a base of an object that is outside of the workspace."""
+        engine: Context = self  # type: ignore[assignment]
+        known = find_outer(engine, name)
+        if known is not None:
+            known(engine, thing, Called(name, arguments, keywords, (), (), engine.site))
+
+    def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Any:
+        engine: Context = self  # type: ignore[assignment]
+        name, on = function.name, function.of
+        of_super = type(on) is Call and isinstance(on.function, Name) and on.function.name == "super"
+        of = engine.frame.self if of_super else self.value(on)
+        arguments, keywords = self._arguments(expression)
+        engine.at(expression)
+        if type(of) is Unknown and not is_method(name):
+            return self._plain_method(expression, function, of, arguments, keywords)
+        if name in _FROM_THIS and isinstance(of, Obj):
+            return of
+        if of_super and isinstance(of, Obj):
+            return self._of_base(of, name, arguments, keywords)
+        if isinstance(of, Named):
+            return self._of_module(of, expression, function, arguments, keywords, templates)
+        if isinstance(of, Class):
+            return self._of_class(of, expression, name, arguments, keywords)
+        if isinstance(of, Obj):
+            if of.ways:
+                return self._of_ways(of, expression, name, arguments, keywords, templates)
+            method = engine.methods(of, name, len(arguments) + len(keywords), arguments)
+            if method is not None:
+                return engine.call(method, arguments, keywords, expression.arguments, templates)
+            if name in of.fields:
+                return self._apply(of.fields[name], expression, arguments, keywords, templates)
+        called = self._call_of(expression, name, arguments, keywords, templates)
+        known = find_method(engine, of, called)
+        if known is not None:
+            found = known(engine, of, called)
+            return refine(engine, function.of, of, found) if isinstance(of, QosValue) else found
+        guessed = self._guessed(of, called) if isinstance(of, Obj) else None
+        return guessed or self._plain_method(expression, function, of, arguments, keywords)
+
+    def _of_ways(
+        self, of: Obj, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any],
+        templates: tuple[str, ...],
+    ) -> Any:  # fmt: skip
+        """Call a method of each object that it may be."""
+        engine: Context = self  # type: ignore[assignment]
+
+        def call(thing: Obj) -> Any:
+            method = engine.methods(thing, name, len(arguments) + len(keywords), arguments)
+            if method is None:
+                return Unknown(f"result of {name}()")
+            return engine.call(method, arguments, keywords, expression.arguments, templates)
+
+        return each_way(engine, of, call)
+
+    def _plain_method(
+        self, expression: Call, function: Member, of: Any, arguments: list[Any], keywords: dict[str, Any]
+    ) -> Any:
+        engine: Context = self  # type: ignore[assignment]
+        name = function.name
+        change = changed_by(engine, function.of, of, name, arguments, keywords) if name in CHANGING else None
+        if change is not None:
+            return change[0]
+        if name in _ADDING and engine.changes.open and isinstance(of, list):
+            engine.changes.items(of)
+        found = plain_method(of, name, arguments)
+        if arguments and not isinstance(of, _HOLDERS):
+            self._may_set(expression, arguments, name)
+        if arguments and isinstance(found, Unknown) and not isinstance(of, _LISTS):
+            for one in arguments:
+                engine.called_outer(one)
+        return found
+
+    def _of_module(
+        self, of: Named, expression: Call, function: Member, arguments: list[Any], keywords: dict[str, Any],
+        templates: tuple[str, ...],
+    ) -> Any:  # fmt: skip
+        """Call what a module of the workspace has (``import package.module``), or something outside of it."""
+        engine: Context = self  # type: ignore[assignment]
+        inside = engine.function(_dotted(function), len(arguments) + len(keywords)) or self._class_of_module(function)
+        if inside is not None:
+            return self._apply(inside, expression, arguments, keywords, templates)
+        beside = self._class_of_module(function.of) if isinstance(function.of, Member) else None
+        if beside is not None:
+            return self._of_class(beside, expression, function.name, arguments, keywords)
+        templates = (*of.templates, *templates)
+        if find_outer(engine, f"{of.name}.{function.name}") is None:
+            called = self._call_of(expression, function.name, arguments, keywords, templates)
+            guessed = self._guessed(of, called)
+            if guessed is not None:
+                return guessed
+        return self.outer(f"{of.name}.{function.name}", expression, arguments, keywords, templates)
+
+    def _guessed(self, of: Any, called: Called) -> Any:
+        """Return what a method makes that is known by its name alone; None where it is not."""
+        engine: Context = self  # type: ignore[assignment]
+        word = guessed_method(engine, of, called)
+        return None if word is None else word(engine, Unknown("an object of a class outside of the workspace"), called)
+
+    def _place(self, name: str) -> tuple[str, str, str]:
+        engine: Context = self  # type: ignore[assignment]
+        return name, engine.frame.path, engine.frame.scope
+
+    def _class_of_module(self, function: Member) -> Class | None:
+        engine: Context = self  # type: ignore[assignment]
+        frame, name = engine.frame, _dotted(function)
+        if not name or engine.index.programs[frame.path].language != "python":
+            return None
+        found = engine.index.class_of(name, frame.path, frame.scope)
+        return None if found is None else Class(found)
+
+    def _of_base(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
+        """Call a method of the next class after the one that is evaluated."""
+        engine: Context = self  # type: ignore[assignment]
+        if thing.defined is None:
+            return Unknown(f"{name} of a base")
+        chain = engine.index.chain(thing.defined)
+        here = engine.frame.scope.rpartition(".")[0]
+        places = [
+            place
+            for place, one in enumerate(chain)
+            if one.what.qualified_name == here and one.path in (engine.frame.path, chain[place].path)
+        ]
+        rest = chain[places[0] + 1 :] if places else chain[1:]
+        if name == "__init__":
+            if rest:
+                engine.construct_as(thing, rest[0], arguments, keywords)
+            else:
+                engine.base_constructed(thing, chain[places[0] if places else 0], arguments, keywords)
+            return None
+        for one in rest:
+            found = engine.index.methods(one, name)
+            if found and isinstance(found[0].what, Function):
+                return engine.call(Callable(found[0].what, found[0].path, thing), arguments, keywords)
+        called = Called(name, arguments, keywords, (), (), engine.site)
+        known = find_method(engine, thing, called)
+        return known(engine, thing, called) if known is not None else Unknown(f"{name} of a base")
+
+    def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
+        """Call a function of a class: of a base with the object, or a static one."""
+        engine: Context = self  # type: ignore[assignment]
+        found = engine.index.methods(of.defined, name)
+        if name == "__init__" and arguments and isinstance(arguments[0], Obj):
+            engine.construct_as(arguments[0], of.defined, arguments[1:], keywords)
+            return None
+        if found and isinstance(found[0].what, Function):
+            what, path, given, thing = found[0].what, found[0].path, expression.arguments, None
+            if arguments and _takes_object(what) and engine.index.programs[path].language == "python":
+                # What the class is asked for gets the object as its first argument, which parameters leave out.
+                thing, arguments, given = arguments[0], arguments[1:], given[1:]
+            return engine.call(Callable(what, path, thing), arguments, keywords, given)
+        return Unknown(f"result of {name}()")
+
+    def _apply(
+        self, of: Any, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Any:
+        engine: Context = self  # type: ignore[assignment]
+        if isinstance(of, Callable):
+            return engine.call(of, arguments, keywords, expression.arguments, templates)
+        if isinstance(of, Class):
+            return engine.construct(of.defined, arguments, keywords, templates)
+        if isinstance(of, Named):
+            return self.outer(of.name, expression, arguments, keywords, (*of.templates, *templates))
+        if isinstance(of, Unknown):
+            return of
+        return Unknown(f"result of {engine.index.lookups.text(expression.function)}()")
+
+    def _arguments(self, expression: Call) -> tuple[list[Any], dict[str, Any]]:
+        value = self.value
+        if not expression.keywords:
+            return [value(one) for one in expression.arguments], {}
+        keywords = {name: value(one) for name, one in expression.keywords if name[0] != "*"}
+        if len(keywords) < len(expression.keywords):
+            return spread(self, expression)  # type: ignore[arg-type]
+        return [value(one) for one in expression.arguments], keywords
+
+    def _bound(self, expression: Call) -> Any:
+        """Return a function bound to its object: ``std::bind(&A::f, this, _1)``."""
+        arguments = [self.value(one) for one in expression.arguments]
+        function = arguments[0] if arguments else None
+        if not isinstance(function, Callable):
+            return function if function is not None else Unknown("a bound function")
+        rest = arguments[1:]
+        thing = function.self
+        if function.function.class_name and rest and isinstance(rest[0], Obj):
+            thing, rest = rest[0], rest[1:]
+        real = tuple(
+            one for one in rest if not (isinstance(one, Named) and one.name.rpartition(".")[2].startswith("_"))
+        )
+        return Callable(function.function, function.path, thing, function.names, real)
+
+    def _call_of(
+        self, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
+    ) -> Called:
+        engine: Context = self  # type: ignore[assignment]
+        place = Evidence(engine.frame.path, expression.line, expression.column)
+        return Called(name, arguments, keywords, templates, expression.arguments, place)
+
+    def template(self, written: str) -> str:
+        """Return a template argument with the template parameters around it replaced."""
+        engine: Context = self  # type: ignore[assignment]
+        bound = engine.frame.templates
+        if bound:
+            written = _WORD.sub(lambda found: bound.get(found[0], found[0]), written)
+        whole = engine.index.alias(dotted(written), engine.frame.path, engine.frame.scope)
+        if "<" in whole and "<" not in written:
+            return whole
+        meaning = engine.index.meaning(dotted(written), engine.frame.path, engine.frame.scope)
+        return meaning.replace(".", "::") if "<" not in written and meaning != dotted(written) else written

@@ -1,0 +1,469 @@
+"""Expressions while source is evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function1
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from roslens.source.extract.domain.abstract_value import Callable, Class, Made, Named, Obj, Unknown, as_text, test_of
+from roslens.source.extract.domain.evaluation_frame import Frame, either, one_of, one_or_none
+from roslens.source.extract.domain.list_slices import is_slice, part_of
+from roslens.source.extract.domain.perhaps import Perhaps, is_counted
+from roslens.source.extract.domain.plain_methods import SAME, formatted
+from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.domain.unknown_lists import item_of
+from roslens.source.extract.domain.word_list import AtLeast, Words
+from roslens.source.extract.interpreter.evaluation_bounds import SpentError
+from roslens.source.extract.interpreter.vocabulary_streams import HELD, written_to
+from roslens.source.extract.ir.program import (
+    Call,
+    Expression,
+    Format,
+    Function,
+    Item,
+    Lambda,
+    Literal,
+    Mapping,
+    Member,
+    Name,
+    Opaque,
+    Operation,
+    Sequence,
+)
+from roslens.source.extract.symbolic.text import Asked, Text, unknown
+from roslens.source.extract.transfer.captured import names_around
+from roslens.source.extract.transfer.class_attributes import class_of_scope, read_first
+from roslens.source.extract.transfer.module_values import module_value
+from roslens.source.extract.transfer.operand_ways import after_others, does_something, way_of
+from roslens.source.extract.transfer.overload_choice import known_function
+from roslens.source.extract.transfer.plugin_held import item_held
+
+if TYPE_CHECKING:
+    from roslens.source.extract.symbols.workspace_index import Defined
+    from roslens.source.extract.transfer.context import Context
+
+
+_PACKAGE_NAME = "ROS_PACKAGE_NAME"
+
+
+class Expressions:
+    """Values of expressions; what they need of the evaluation is in it.
+
+    Attributes:
+        kinds: what evaluates each kind of expression.
+    """
+
+    kinds: ClassVar[dict[type[Any], Function1[[Any, Any], Any]]] = {}
+
+    def __init_subclass__(cls) -> None:
+        """Look up once what evaluates each kind of expression."""
+        cls.kinds = {kind: getattr(cls, name) for kind, name in _KINDS.items() if hasattr(cls, name)}
+
+    def value(self, expression: Expression) -> Any:
+        """Return the value of an expression."""
+        engine: Context = self  # type: ignore[assignment]
+        engine.steps += 1
+        if engine.steps > engine.most_steps:
+            raise SpentError
+        if type(expression) is Name and expression.name in (names := engine.frame.names):
+            return names[expression.name]
+        return self.kinds[type(expression)](engine, expression)
+
+    def literal(self, expression: Literal) -> Any:
+        """Return a literal."""
+        value = expression.value
+        if not isinstance(value, str):
+            return value
+        return Text((value,)) if value else Text()
+
+    def name(self, expression: Name) -> Any:
+        """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
+        engine: Context = self  # type: ignore[assignment]
+        frame, name = engine.frame, expression.name
+        if name in frame.names:
+            return frame.names[name]
+        if name in frame.aliases:
+            return self.value(frame.aliases[name][0])
+        thing = frame.self
+        if name == "self" or name == "this":
+            return thing if thing is not None else Unknown("self")
+        if isinstance(thing, Obj) and name in thing.fields:
+            return thing.fields[name]
+        if engine.globals:
+            whole = engine.index.global_name(name, frame.path, frame.scope)
+            if whole in engine.globals:
+                return engine.globals[whole]
+        found = self.defined(name)
+        if found is not None:
+            return found
+        return self._outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
+
+    def _outside(self, name: str) -> Any:
+        engine: Context = self  # type: ignore[assignment]
+        if name == _PACKAGE_NAME:
+            # catkin and rosconsole define it as the name of the project, which is that of the package.
+            return Text.of(engine.index.package(engine.frame.path))
+        if name == "cls":
+            return class_of_scope(engine)
+        return engine.words if name == "sys.argv" and engine.words is not None else Named(name)
+
+    def defined(self, name: str) -> Any:
+        """Return what the workspace defines under a name; None where it does not."""
+        engine: Context = self  # type: ignore[assignment]
+        frame = engine.frame
+        of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
+        known, key = engine.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
+        found = known.get(key)
+        if found is None:
+            found = _defined(engine, of, name)
+            if found[0] not in ("function", "") or len(engine.index.functions_of(name, frame.path, frame.scope)) < 2:
+                # Which of several functions is meant depends on the program.
+                known[key] = found
+        kind, one, other = found
+        if kind == "constant":
+            return self._constant(one, other)
+        if kind == "class":
+            return Class(one)
+        if kind == "method" or (kind == "function" and one.class_name):
+            return Callable(one, other, frame.self)
+        return Callable(one, other) if kind == "function" else None
+
+    def _constant(self, name: str, found: tuple[str, Expression]) -> Any:
+        engine: Context = self  # type: ignore[assignment]
+        path, expression = found
+        if (path, name) in engine.constants:
+            return engine.constants[path, name]
+        engine.constants[path, name] = Unknown(f"the constant {name}")
+        python = engine.index.programs[path].language == "python"
+        of_module = module_value(engine, path, name.rpartition(".")[2], expression) if python else None
+        if of_module is not None:
+            engine.constants[path, name] = of_module[0]
+            return of_module[0]
+        of_class = python and "." in name
+        outer, engine.frame = engine.frame, Frame(path, name.rpartition(".")[0])
+        try:
+            value = self.value(expression)
+        finally:
+            engine.frame = outer
+        engine.constants[path, name] = read_first(engine, name, value) if of_class else value
+        return engine.constants[path, name]
+
+    def member(self, expression: Member) -> Any:
+        """Return a member of an object."""
+        engine: Context = self  # type: ignore[assignment]
+        of = self.value(expression.of)
+        return self.member_of(of, expression.name, engine)
+
+    def member_of(self, of: Any, name: str, engine: Context) -> Any:
+        """Return a member of a value by name."""
+        if isinstance(of, Obj):
+            return self._member_of_object(of, name, engine)
+        if isinstance(of, Named):
+            return self._outside(f"{of.name}.{name}")
+        if isinstance(of, Class):
+            constant = engine.index.member(of.defined, name)
+            if constant is not None:
+                return self._constant(f"{of.defined.what.qualified_name}.{name}", constant)
+            found = engine.index.methods(of.defined, name)
+            if found and isinstance(found[0].what, Function):
+                return Callable(found[0].what, found[0].path)
+        if isinstance(of, Text) and name in SAME:
+            return of
+        return of if isinstance(of, Unknown) else Unknown(f"{name} of {_shown(of)}")
+
+    def _member_of_object(self, of: Obj, name: str, engine: Context) -> Any:
+        if name in of.fields:
+            return of.fields[name]
+        if name == "__class__" and of.defined is not None:
+            return Class(of.defined)
+        method = engine.method(of, name)
+        if method is not None:
+            if any(getattr(one, "name", "") == "property" for one in method.function.decorators):
+                return engine.call(method, [], {})
+            return method
+        for one in engine.index.chain(of.defined) if of.defined is not None else ():
+            constant = engine.index.member(one, name)
+            if constant is not None:
+                return self._constant(f"{one.what.qualified_name}.{name}", constant)
+        return Unknown(f"{name} of a {of.type}")
+
+    def item(self, expression: Item) -> Any:
+        """Return an item."""
+        engine: Context = self  # type: ignore[assignment]
+        of = self.value(expression.of)
+        if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
+            return part_of(of, expression.key.text)
+        key = self.value(expression.key)
+        if isinstance(of, dict):
+            found = of.get(hashable(key), Unknown(f"an item of {engine.index.lookups.text(expression.of)}"))
+            return found.value if type(found) is Perhaps else found
+        if isinstance(of, list) and isinstance(key, int) and -len(of) <= key < len(of):
+            known = of.has(key) if isinstance(of, Words) else is_counted(of)
+            return of[key] if known else self._open(expression)
+        inside = item_of(of, key) if not isinstance(of, Obj) else item_held(of, key)
+        if inside is not None:
+            return inside
+        if isinstance(of, Text) and key == 0 and of.parts and isinstance(first := of.parts[0], str):
+            return Text.of(first[:1])
+        return of if isinstance(of, Unknown) else self._open(expression)
+
+    def operation(self, expression: Operation) -> Any:
+        """Return the result of an operator."""
+        engine: Context = self  # type: ignore[assignment]
+        operator = expression.operator
+        if operator in ("and", "or"):
+            return self._boolean(expression)
+        if operator == "?:":
+            decides = self.value(expression.operands[0])
+            holds = engine.truth(decides)
+            if holds is not None:
+                return self.value(expression.operands[1 if holds else 2])
+            return self._either(expression, decides)
+        if operator == "=":
+            value = self.value(expression.operands[1])
+            engine.assign(expression.operands[0], value)
+            return value
+        values = [self.value(one) for one in expression.operands]
+        if operator == "<<" and isinstance(values[0], Obj) and HELD in values[0].fields:
+            return written_to(values[0], values[1:])
+        if operator in ("+", "<<") and not (operator == "<<" and all(type(one) is int for one in values)):
+            whole = values[0]
+            for one in values[1:]:
+                whole = self.sum(whole, one)
+            return whole
+        if operator == "not" and values:
+            holds = engine.truth(values[0])
+            if holds is not None:
+                return not holds
+            test = test_of(values[0])
+            return self._open(expression, None if test is None else test.opposite)
+        return self._computed(operator, values, expression)
+
+    def _either(self, expression: Operation, decides: Any) -> Any:
+        engine: Context = self  # type: ignore[assignment]
+        condition = engine.index.lookups.condition(expression.operands[0])
+        then, otherwise = expression.operands[1:]
+        one = way_of(engine, then, condition, decides) if does_something(engine, then) else self.value(then)
+        if does_something(engine, otherwise):
+            other = way_of(engine, otherwise, condition, decides, opposite=True)
+        else:
+            other = self.value(otherwise)
+        if isinstance(one, Text) and isinstance(other, Text):
+            if (one.known, other.known) == ("true", "false") and isinstance(decides, Text):
+                return decides
+            return either(one, other, condition, test_of(decides))
+        texts = isinstance(one, Text | Unknown) and isinstance(other, Text | Unknown)
+        if texts and isinstance(one, Text) is not isinstance(other, Text):
+            return either(as_text(one), as_text(other), condition, test_of(decides))
+        both = one_of(one, other, condition, test_of(decides))
+        if both is not None:
+            return both
+        if one is None or other is None:
+            return one_or_none(one, other, condition, test_of(decides))
+        if isinstance(one, _DECIDES) and isinstance(other, _DECIDES):
+            # Neither is taken for the other: what is counted or asked later depends on which one it is.
+            return one if type(one) is type(other) and one == other else self._open(expression)
+        return one if not isinstance(one, Unknown) else other
+
+    def _boolean(self, expression: Operation) -> Any:
+        """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
+        engine: Context = self  # type: ignore[assignment]
+        python = engine.index.programs[engine.frame.path].language == "python"
+        operator, operands = expression.operator, expression.operands
+        stops = operator == "or"
+        open_: list[tuple[Any, Expression]] = []
+        value: Any = not stops
+        for number, one in enumerate(operands):
+            ways = open_ and does_something(engine, one)
+            value = after_others(engine, one, open_, operator) if ways else self.value(one)
+            holds = engine.truth(value)
+            if holds is stops:
+                break
+            if holds is None:
+                open_.append((value, one))
+                if python and stops and number < len(operands) - 1 and isinstance(value, Text):
+                    return self._or_else(value, operands[number:])
+        if not open_:
+            holds = engine.truth(value)
+            return value if python or holds is None else holds
+        if engine.truth(value) is stops:
+            return stops if not python or isinstance(value, bool) else self._open(expression)
+        tests = [test for one, _ in open_ if (test := test_of(one)) is not None]
+        test = tests[0] if len(tests) == 1 else Asked(operator, (), tuple(tests))
+        return self._open(expression, test if len(tests) == len(open_) else None)
+
+    def _open(self, expression: Expression, test: Asked | None = None) -> Unknown:
+        engine: Context = self  # type: ignore[assignment]
+        return Unknown(engine.index.lookups.text(expression), test)
+
+    def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Any:
+        """Return a text, or where it is empty what comes after ``or``."""
+        engine: Context = self  # type: ignore[assignment]
+        rest = self.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
+        other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
+        return either(value, other, engine.index.lookups.condition(operands[0]), test_of(value))
+
+    def _computed(self, operator: str, values: list[Any], expression: Operation) -> Any:
+        if len(values) == 2 and operator in ("==", "!="):
+            one, other = (_comparable(value) for value in values)
+            plain = isinstance(one, _PLAIN) and isinstance(other, _PLAIN)
+            if plain and not any(isinstance(value, Text) and value.known is None for value in values):
+                return (one == other) is (operator == "==")
+            return self._open(expression, _compared(operator, values))
+        if len(values) == 2 and isinstance(values[0], AtLeast):
+            found = values[0].compared(operator, values[1])
+            return self._open(expression) if found is None else found
+        if len(values) == 2 and operator == "%" and isinstance(values[0], Text):
+            return formatted(values[0], values[1] if isinstance(values[1], list) else [values[1]])
+        if len(values) == 2 and isinstance(values[0], _NUMBER) and isinstance(values[1], _NUMBER):
+            function = _NUMBERS.get(operator)
+            try:
+                return function(*values) if function else self._open(expression)
+            except (ArithmeticError, ValueError):
+                return self._open(expression)
+        if operator == "-" and len(values) == 1 and isinstance(values[0], _NUMBER):
+            return -values[0]
+        return self._open(expression)
+
+    def sum(self, one: Any, other: Any) -> Any:
+        """Return two values added: texts one after the other."""
+        if isinstance(one, Text) or isinstance(other, Text):
+            return Text.of(as_text(one), as_text(other))
+        if isinstance(one, list) and isinstance(other, list):
+            return [*one, *other]
+        if isinstance(one, _NUMBER) and isinstance(other, _NUMBER):
+            return one + other
+        return one if isinstance(one, Unknown) else Unknown("a sum")
+
+    def sequence(self, expression: Sequence) -> list[Any]:
+        """Return a list."""
+        return [self.value(one) for one in expression.items]
+
+    def mapping(self, expression: Mapping) -> dict[Any, Any]:
+        """Return a dictionary."""
+        found: dict[Any, Any] = {}
+        for key, value in expression.items:
+            if type(key) is Opaque and key.text == "**":
+                inner = self.value(value)
+                found.update(inner if isinstance(inner, dict) else {unknown("a key that is not known"): inner})
+            else:
+                found[hashable(self.value(key))] = self.value(value)
+        return found
+
+    def format(self, expression: Format) -> Text:
+        """Return a text put together."""
+        values = [self.value(one) for one in expression.parts]
+        return Text.of(*(_TRUTHS[one] if type(one) is bool else as_text(one) for one in values))
+
+    def closure(self, expression: Lambda) -> Any:
+        """Return a function without name."""
+        engine: Context = self  # type: ignore[assignment]
+        frame = engine.frame
+        program = engine.index.programs[frame.path]
+        names = names_around(engine, expression) if expression.holds or frame.aliases else frame.names
+        return Callable(program.functions[expression.function], frame.path, frame.self, names)
+
+    def opaque(self, expression: Opaque) -> Unknown:
+        """Return that nothing is known."""
+        return Unknown(expression.text or "an expression")
+
+    def truth(self, value: Any) -> bool | None:
+        """Return whether a value is true; None where that is unknown."""
+        if isinstance(value, Text):
+            return None if value.known is None else bool(value.known)
+        if isinstance(value, Unknown):
+            return None
+        if isinstance(value, list) and value and all(type(one) is Perhaps for one in value):
+            return None
+        if value is None or isinstance(value, _DECIDED):
+            return bool(value)
+        if isinstance(value, Made):
+            return True if value.certain else None
+        return True if isinstance(value, _FUNCTIONS) else None
+
+    def items(self, value: Any) -> list[Any] | None:
+        """Return what a loop goes through; None where it is unknown."""
+        if isinstance(value, list):
+            return value
+        return list(value) if isinstance(value, dict) else None
+
+
+def _defined(engine: Context, of: Defined | None, name: str) -> tuple[str, Any, Any]:
+    """Return what the workspace defines under a name in an object of a class, or outside, and its kind."""
+    frame, index = engine.frame, engine.index
+    if of is not None:
+        method = engine.method_of(of, name)
+        if method is not None:
+            return "method", *method
+        for one in index.chain(of):
+            constant = index.member(one, name)
+            if constant is not None:
+                return "constant", f"{one.what.qualified_name}.{name}", constant
+    outside = index.constant(name, frame.path, frame.scope)
+    if outside is not None:
+        path, value, whole = outside
+        # What a constant of C++ is made of means what it does where that is defined.
+        return "constant", whole if index.programs[path].language == "cpp" else name, (path, value)
+    found = index.class_of(name, frame.path, frame.scope)
+    if found is not None:
+        return "class", found, None
+    functions = index.functions_of(name, frame.path, frame.scope)
+    chosen = known_function(index, functions, (frame.path, engine.first.path))
+    if chosen is not None and isinstance(chosen.what, Function):
+        return "function", chosen.what, chosen.path
+    return "", None, None
+
+
+def _compared(operator: str, values: list[Any]) -> Asked | None:
+    """Return what decides a comparison that is open, where texts are compared."""
+    texts = [as_text(one) for one in values if isinstance(one, _COMPARED)]
+    if len(texts) < len(values) or not any(one.holes for one in texts):
+        return None
+    test = Asked("equal", tuple(texts))
+    return test if operator == "==" else test.opposite
+
+
+def _comparable(value: Any) -> Any:
+    """Return a value as it compares: what is not found is at ``npos``."""
+    if isinstance(value, Text):
+        return value.known
+    return -1 if isinstance(value, Named) and value.name.endswith("string.npos") else value
+
+
+def _shown(value: Any) -> str:
+    return type(value).__name__.lower()
+
+
+# Written once: a union that is written in a call is made in each call.
+_TRUTHS = {True: Text(("True",)), False: Text(("False",))}
+_NUMBER = (int, float)
+_PLAIN = (str, int, float, bool)
+_COMPARED = (Text, str, int, float)
+_DECIDES = (Unknown, bool, int, float)
+_DECIDED = (bool, int, float, list, dict)
+_FUNCTIONS = (Callable, Class)
+_NUMBERS: dict[str, Function1[[Any, Any], Any]] = {
+    "-": lambda one, other: one - other,
+    "*": lambda one, other: one * other,
+    "/": lambda one, other: one / other,
+    "%": lambda one, other: one % other,
+    "<": lambda one, other: one < other,
+    ">": lambda one, other: one > other,
+    "<=": lambda one, other: one <= other,
+    ">=": lambda one, other: one >= other,
+    "//": lambda one, other: one // other,
+}
+_KINDS: dict[type[Any], str] = {
+    Literal: "literal",
+    Name: "name",
+    Member: "member",
+    Item: "item",
+    Call: "called",
+    Operation: "operation",
+    Sequence: "sequence",
+    Mapping: "mapping",
+    Format: "format",
+    Lambda: "closure",
+    Opaque: "opaque",
+}
+"""Method for each kind of expression; calls are in another file."""

@@ -1,0 +1,319 @@
+"""Loops while source is evaluated, over what is known turn by turn, else once for all turns; and the ways out."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, test_of
+from roslens.source.extract.domain.evaluation_frame import WayOut, Ways
+from roslens.source.extract.domain.perhaps import Perhaps
+from roslens.source.extract.domain.unknown_lists import Each, each_of
+from roslens.source.extract.interpreter.vocabulary_streams import words_read
+from roslens.source.extract.ir.program import (
+    Assign,
+    Branch,
+    Expression,
+    Leave,
+    Literal,
+    Loop,
+    Member,
+    Name,
+    Operation,
+    Statement,
+)
+from roslens.source.extract.ir.program_text import expression_text
+from roslens.source.extract.ir.read_first import is_read_first
+from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.transfer.filled_lists import count_of_filled
+from roslens.source.extract.transfer.plugin_held import plugged_in
+from roslens.source.extract.transfer.set_by_methods import forget_set_by_methods
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+MOST_TURNS = 64
+_RUNS = re.compile(r"ok\(|shutdown", re.IGNORECASE)
+"""What the condition of a loop says that goes on as long as the node runs."""
+MOST_COUNTED = 16
+"""So many turns of a loop that counts are followed one by one."""
+
+
+def left(engine: Context, statement: Leave) -> None:
+    """Leave a loop, or a turn of it."""
+    frame = engine.frame
+    if frame.ways is None:
+        return
+    frame.ways.out.append(WayOut(tuple(engine.conditions), frame.ways.turn, frame.snapshot(), statement.again))
+    frame.stopped = True
+
+
+def without_ways_out(engine: Context, since: int) -> None:
+    """Note of what follows that no way out was taken of those that were found since."""
+    ways = engine.frame.ways
+    if ways is None or engine.frame.stopped:
+        return
+    here = len(engine.conditions)
+    for way in ways.out[since:]:
+        _hold_not(engine, way.conditions[here:])
+
+
+def block_of_loop(engine: Context, body: tuple[Statement, ...]) -> None:
+    """Follow statements of a turn; what comes after them has not taken a way out that is in them."""
+    ways = engine.frame.ways
+    known = len(ways.out) if ways is not None else 0
+    engine.block(body)
+    if ways is not None and len(ways.out) > known:
+        without_ways_out(engine, known)
+
+
+def _hold_not(engine: Context, conditions: tuple[str, ...]) -> None:
+    if not conditions:
+        return
+    note = negated(" and ".join(conditions))
+    if note not in engine.conditions:
+        engine.under(note)
+        engine.frame.passed += 1
+
+
+def looped(engine: Context, statement: Loop) -> None:
+    """Follow a loop."""
+    frame, depth = engine.frame, len(engine.conditions)
+    around, frame.ways = frame.ways, Ways(depth)
+    try:
+        _followed(engine, statement)
+    finally:
+        ways, frame.ways = frame.ways, around
+        frame.passed -= len(engine.conditions) - depth
+        del engine.conditions[depth:]
+        frame.stopped = False
+    for way in ways.out:
+        if not way.again and len(way.conditions) > way.turn:
+            frame.join(way.held, " and ".join(way.conditions[way.turn :]))
+
+
+def _followed(engine: Context, statement: Loop) -> None:
+    over = engine.value(statement.over) if statement.over is not None else None
+    target, items = _gone_through(engine, statement, over)
+    if target is not None and items is not None:
+        _each_in_turn(engine, statement, target, items)
+        return
+    holds = engine.truth(over) if statement.over is not None else True
+    if statement.target is None and holds is False:
+        return
+    count = _count(engine, statement) if statement.target is None else None
+    if count is not None and count <= MOST_COUNTED:
+        for _ in range(count):
+            if not _turn(engine, statement):
+                return
+        return
+    _once_for_all(engine, statement, over)
+
+
+def _each_in_turn(engine: Context, statement: Loop, target: Expression, items: list[Any]) -> None:
+    for item in items[:MOST_TURNS]:
+        if type(item) is Perhaps:
+            _perhaps_with(engine, statement, item)
+            continue
+        engine.assign(target, item)
+        if not _turn(engine, statement):
+            return
+
+
+def _once_for_all(engine: Context, statement: Loop, over: Any) -> None:
+    """Follow one turn that stands for all, of which nobody knows how many there are."""
+    before, frame = engine.frame.snapshot(), engine.frame
+    once = statement.target is None and (statement.over is None or isinstance(statement.over, Literal))
+    _turn_for_all(engine, statement, over, once=once)
+    if once:
+        return
+    # It may have no turn at all.
+    after, returned = frame.snapshot(), frame.returned
+    frame.restore(before)
+    frame.returned = False
+    if not returned:
+        frame.join(after, _written(engine, statement))
+        _keep_filled(frame.names, after[0])
+
+
+def _turn_for_all(engine: Context, statement: Loop, over: Any, *, once: bool) -> None:
+    """Follow one turn for all that a loop has; where it may have none, what objects hold is the one or the other."""
+    changes, frame = engine.changes, engine.frame
+    since = changes.count
+    changes.open += 1
+    _forget_counters(engine, statement)
+    forget_set_by_methods(engine, statement)
+    if statement.target is not None:
+        engine.assign(statement.target, _each(over, statement))
+    _perhaps_turned(engine, statement, over)
+    if changes.count > since and not once:
+        way = changes.taken_back(since, frame.members)
+        why = (_written(engine, statement), "")
+        changes.came_to(way, changes.count, frame.members, (False, False), why, None)
+    changes.open -= 1
+    if not changes.open and changes.count:
+        changes.ended()
+
+
+def _perhaps_turned(engine: Context, statement: Loop, over: Any) -> None:
+    """Follow the one turn that stands for all, under the condition that there is one.
+
+    A node that is up runs its loop; and whoever knows the list that a parameter gives knows what is made of each item.
+    """
+    written = _written(engine, statement)
+    always = statement.over is None or (engine.truth(over) is True and statement.target is None)
+    if always or isinstance(over, Each | Text) or _RUNS.search(written):
+        _turn(engine, statement)
+        return
+    here = len(engine.conditions)
+    engine.under(written, test_of(over) if statement.target is None else None)
+    _turn(engine, statement)
+    del engine.conditions[here]
+
+
+def _perhaps_with(engine: Context, statement: Loop, item: Perhaps) -> None:
+    """Follow the turn of an item that the list may have."""
+    frame, here, before = engine.frame, len(engine.conditions), engine.frame.snapshot()
+    engine.under(item.condition, item.test)
+    if statement.target is not None:
+        engine.assign(statement.target, item.value)
+    _turn(engine, statement)
+    del engine.conditions[here]
+    after = frame.snapshot()
+    returned, frame.returned = frame.returned, False
+    frame.restore(before)
+    if not returned:
+        frame.join(after, item.condition)
+
+
+def _gone_through(engine: Context, statement: Loop, over: Any) -> tuple[Expression | None, list[Any] | None]:
+    """Return what a loop sets in each turn, and the values in turn; None where they are unknown."""
+    target = statement.target
+    if target is None:
+        reads = isinstance(statement.over, Operation) and statement.over.operator == ">>"
+        return (words_read(engine, statement.over) if reads else None) or (None, None)
+    items = engine.items(over)
+    return target, plugged_in(engine, over) if items is None and engine.plugged else items
+
+
+def _keep_filled(names: dict[str, Any], after: dict[str, Any]) -> None:
+    """Keep what a turn put into lists: what stands for each item of a list is there if any item is."""
+    for name, value in after.items():
+        before = names.get(name)
+        if isinstance(value, list) and isinstance(before, list) and len(value) > len(before):
+            names[name] = value
+
+
+def _written(engine: Context, statement: Loop) -> str:
+    text = engine.index.lookups.text(statement.over).strip("`") if statement.over is not None else "a loop"
+    return text if statement.target is None else f"there is any of {text}"
+
+
+def _turn(engine: Context, statement: Loop) -> bool:
+    """Follow one turn; return whether another one may follow."""
+    frame = engine.frame
+    ways = frame.ways
+    if ways is None:
+        return False
+    here, known = len(engine.conditions), len(ways.out)
+    ways.turn = here
+    engine.block(statement.body)
+    found = ways.out[known:]
+    gone, frame.stopped = frame.stopped, False
+    if frame.returned:
+        return False
+    for way in found:
+        conditions = way.conditions[here:]
+        if way.again and conditions:
+            frame.join(way.held, " and ".join(conditions))
+        elif not way.again:
+            # There is no turn after one that left the loop.
+            _hold_not(engine, conditions)
+    if gone and found and not any(one.again for one in found):
+        return False
+    engine.block(statement.update)
+    return True
+
+
+def _count(engine: Context, statement: Loop) -> int | None:
+    """Return how many turns a loop has that counts: ``for (i = 0; i < 3; ++i)``; None where that is unknown."""
+    over, step = statement.over, _step(statement)
+    if step is None or not isinstance(over, Operation) or len(over.operands) != 2 or over.operator not in _STOPS:
+        return None
+    counter, end = over.operands
+    if not isinstance(counter, Name) or counter.name != step[0]:
+        return None
+    first, last = engine.value(counter), engine.value(end)
+    if isinstance(last, Unknown):
+        last = count_of_filled(engine, end) or last
+    if not (_is_number(first) and _is_number(last)) or not step[1]:
+        return None
+    turns = float(last - first) / step[1]
+    whole = math.floor(turns) + 1 if over.operator in ("<=", ">=") else math.ceil(turns)
+    return max(0, whole)
+
+
+def _step(statement: Loop) -> tuple[str, int | float] | None:
+    """Return what counts the turns, and by which step."""
+    one = statement.update[0] if len(statement.update) == 1 else None
+    if not isinstance(one, Assign) or not isinstance(one.target, Name):
+        return None
+    name, value = one.target.name, one.value
+    if one.operator == "+=" and isinstance(value, Literal) and _is_number(value.value):
+        return name, value.value  # type: ignore[return-value]
+    if isinstance(value, Operation) and value.operator in ("+", "-") and value.operands[0] == one.target:
+        by = value.operands[1]
+        if isinstance(by, Literal) and _is_number(by.value):
+            return name, by.value if value.operator == "+" else -by.value  # type: ignore[operator,return-value]
+    return None
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _forget_counters(engine: Context, statement: Loop) -> None:
+    """Let be unknown what has another value in each turn: numbers that are set, texts that grow or are read before."""
+    frame = engine.frame
+    for place, grows in _assigned((*statement.body, *statement.update)):
+        if isinstance(place, Name) and place.name in frame.names:
+            holder = frame.names
+        elif isinstance(frame.self, Obj) and isinstance(place, Name | Member) and place.name in frame.self.fields:
+            holder = frame.self.fields
+        else:
+            continue
+        before = holder[place.name]
+        if isinstance(before, bool | int | float):
+            holder[place.name] = Unknown(f"{place.name}, which changes in a loop")
+        elif isinstance(before, Text) and grows:
+            holder[place.name] = unknown(f"{place.name}, which grows in a loop")
+        elif isinstance(before, Text) and before.known is not None and is_read_first(statement.body, place):
+            holder[place.name] = unknown(f"{place.name}, which changes in a loop")
+
+
+def _assigned(body: tuple[Statement, ...]) -> list[tuple[Expression, bool]]:
+    """Return what statements assign, and whether the new value is made of the old one."""
+    found: list[tuple[Expression, bool]] = []
+    waiting: list[Statement] = list(body)
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, Assign) and one.value is not None and not one.declared:
+            grows = isinstance(one.value, Operation) and one.target in one.value.operands
+            found.append((one.target, grows or one.operator == "+="))
+        elif isinstance(one, Branch):
+            waiting += [*one.then, *one.otherwise]
+        elif isinstance(one, Loop):
+            waiting += [*one.body, *one.update]
+    return found
+
+
+def _each(over: Any, statement: Loop) -> Any:
+    """Return what stands for every item of a list that is unknown; what decides the list decides the item."""
+    if isinstance(over, Each) or (isinstance(over, Text) and over.holes):
+        return each_of(over)
+    return Unknown(f"each of {expression_text(statement.over)}" if statement.over is not None else "an item")
+
+
+_STOPS = frozenset({"<", "<=", ">", ">=", "!="})

@@ -1,0 +1,251 @@
+"""Objects and values by their type: how classes are constructed, and what declarations make."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Callable, Obj, Unknown
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.made_texts import text_made
+from roslens.source.extract.domain.typed_list import TypedList
+from roslens.source.extract.domain.word_list import Words
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.interpreter.evaluated_calls import Calls
+from roslens.source.extract.interpreter.vocabulary import Called, find_class, find_outer
+from roslens.source.extract.ir.program import Assign, Field, Function, Member
+from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbols.workspace_index import Defined, type_arguments, type_name
+from roslens.source.extract.transfer.base_templates import bind_bases
+from roslens.source.extract.transfer.class_attributes import of_object
+from roslens.source.extract.transfer.default_bases import bases_by_default
+from roslens.source.extract.transfer.given_fields import set_fields
+from roslens.source.extract.transfer.overload_choice import overload
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+class Objects(Calls):
+    """Makes objects and values of a type."""
+
+    def constructed(self, declared: str, value: Any) -> Any:
+        """Return a member that is initialised with one value: an object of its class made of it, or the value."""
+        engine: Context = self  # type: ignore[assignment]
+        name, inside = type_name(declared)
+        if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
+            return engine.converted(declared, value)
+        if is_list(declared) and isinstance(value, Text):
+            # ``names_{"a"}`` is a list of one; what is not known may be a list itself.
+            return [value] if value.known is not None else value
+        defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+        same = isinstance(value, Obj) and value.defined is not None and value.defined == defined
+        outer = find_outer(engine, engine.index.meaning(name, engine.frame.path, engine.frame.scope))
+        if same or (isinstance(value, Unknown) and outer is None) or (defined is None and outer is None):
+            return engine.converted(declared, value)
+        return engine.of_type(name, [value], {}, tuple(type_arguments(inside)))
+
+    def construct(
+        self, defined: Defined, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
+    ) -> Any:
+        """Make an object of a class of the workspace, its constructor evaluated."""
+        engine: Context = self  # type: ignore[assignment]
+        known = find_class(engine, defined.what.qualified_name, defined.path)
+        if known is not None:
+            name, word = known
+            return word(engine, None, Called(name, arguments, keywords, templates, (), engine.site))
+        thing = Obj(defined.what.qualified_name, defined, {})
+        names = getattr(defined.what, "templates", ())
+        thing.templates.update(zip(names, templates, strict=False))
+        site, written, since = engine.site, engine.written, engine.changes.count
+        engine.prepare(thing)
+        engine.site, engine.written = site, written
+        engine.construct_as(thing, defined, arguments, keywords)
+        if engine.changes.count > since:
+            engine.changes.made(thing.fields, since)
+        if thing.node is not None:
+            engine.made.append(thing)
+        return thing
+
+    def prepare(self, thing: Obj) -> None:
+        """Give an object the members that its classes declare."""
+        engine: Context = self  # type: ignore[assignment]
+        bind_bases(engine, thing)
+        if thing.type in engine.preparing:
+            # By value no class holds itself: what is taken for it here is a pointer, or something else of its name.
+            return
+        engine.preparing.append(thing.type)
+        for one in reversed(engine.index.chain(thing.defined)) if thing.defined is not None else ():
+            for field, always in self._members(one):
+                if always is not _OF_TYPE:
+                    thing.fields[field.name] = always
+                    continue
+                outer, engine.frame = engine.frame, Frame(one.path, one.what.qualified_name, thing)
+                engine.frame.templates.update(thing.templates_of(one.what.qualified_name))
+                engine.site = Evidence(one.path, field.line)
+                try:
+                    if field.value is not None:
+                        value = engine.typed(field.type, engine.value(field.value))
+                        python = one.path[-3:] == ".py"
+                        thing.fields[field.name] = of_object(engine, one, field.name, value) if python else value
+                    elif field.type and "*" not in field.type:
+                        value = engine.declared(field.type)
+                        # Who sets it may not be followed: it is not sure to be empty.
+                        not_set = unknown(f"{field.name}, which is not set")
+                        thing.fields[field.name] = not_set if isinstance(value, Text) else value
+                finally:
+                    engine.frame = outer
+        engine.preparing.pop()
+
+    def _members(self, defined: Defined) -> tuple[tuple[Field, Any], ...]:
+        """Return the members of a class that an object has, and what they are at first if that is always the same."""
+        engine: Context = self  # type: ignore[assignment]
+        known = engine.index.lookups.members
+        found = known.get(id(defined.what))
+        if found is None:
+            initialised = {
+                # Constructors of C++ initialise them: they are not made twice.
+                statement.target.name
+                for method in engine.index.methods(defined, defined.what.name)
+                for statement in getattr(method.what, "initialisers", ())
+                if isinstance(statement, Assign) and isinstance(statement.target, Member)
+            }
+            given = [
+                field
+                for field in getattr(defined.what, "fields", ())
+                if field.name in initialised
+                or field.value is not None
+                # A static member has its value where it is defined, outside of the class.
+                or (field.type and "*" not in field.type and engine.index.member(defined, field.name) is None)
+            ]
+            found = known[id(defined.what)] = tuple(
+                (field, Unknown(field.name) if field.name in initialised else _at_first(field)) for field in given
+            )
+        return found
+
+    def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Evaluate the constructor of one class of an object."""
+        engine: Context = self  # type: ignore[assignment]
+        python = engine.index.programs[defined.path].language == "python"
+        name = "__init__" if python else defined.what.name
+        found = engine.index.methods(defined, name)
+        chosen = overload(engine.index, found, len(arguments) + len(keywords), arguments)
+        if chosen is not None and isinstance(chosen.what, Function):
+            whole = thing.defined
+            if not python:
+                for base in bases_by_default(engine.index, defined, chosen.what):
+                    engine.construct_as(thing, base, [], {})
+                # While a base is constructed, its own virtual methods are called.
+                thing.defined = defined
+            engine.call(Callable(chosen.what, chosen.path, thing), arguments, keywords, engine.written)
+            thing.defined = whole
+            return
+        if python and (arguments or keywords) and set_fields(engine, thing, defined, arguments, keywords):
+            return
+        for base in engine.index.chain(defined)[1:2]:
+            engine.construct_as(thing, base, arguments, keywords)
+        if not engine.index.chain(defined)[1:]:
+            engine.base_constructed(thing, defined, arguments, keywords)
+
+    def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
+        """Construct the bases that are not in the workspace."""
+        engine: Context = self  # type: ignore[assignment]
+        for base in engine.index.outer_bases(defined):
+            engine.construct_outer(thing, base, arguments, keywords)
+
+    def declared(self, declared: str) -> Any:
+        """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
+        engine: Context = self  # type: ignore[assignment]
+        name, inside = type_name(declared)
+        if ("*" in declared or "ptr" in declared.lower()) and name != "std.vector":
+            return None
+        return engine.of_type(name, [], {}, tuple(type_arguments(inside)))
+
+    def typed(self, declared: str, value: Any) -> Any:
+        """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
+        engine: Context = self  # type: ignore[assignment]
+        if isinstance(value, _MADE_BY_TYPE) and engine.index.programs[engine.frame.path].language == "python":
+            # Annotations make nothing.
+            return value
+        if isinstance(value, list):
+            if (
+                not isinstance(value, Words | TypedList)
+                and not is_list(declared)
+                and not declared.startswith("std::map")
+            ):
+                name, inside = type_name(declared)
+                return engine.of_type(name, value, {}, tuple(type_arguments(inside)))
+        elif isinstance(value, int):
+            name = type_name(declared)[0]
+            if name == "double" or name == "float":
+                return float(value)
+            if name in ("rclcpp.QoS", "rmw_qos_profile_t"):
+                return engine.of_type(name, [value], {})
+        return value
+
+    def converted(self, declared: str, value: Any) -> Any:
+        """Return a value as a declaration makes it."""
+        engine: Context = self  # type: ignore[assignment]
+        if isinstance(value, _NUMBER) and type_name(declared)[0] in ("std.string", "string"):
+            return value
+        return engine.typed(declared, value)
+
+    def of_type(
+        self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
+    ) -> Any:
+        """Return an object of a class by its name as written."""
+        engine: Context = self  # type: ignore[assignment]
+        if not name or name in _PLAIN:
+            return engine.plain(name, arguments)
+        name = engine.frame.templates.get(name, name)
+        alias = "" if templates else engine.index.alias(name, engine.frame.path, engine.frame.scope)
+        if alias.endswith("*"):
+            return arguments[0] if arguments else None
+        if "<" in alias:
+            name, inside = type_name(alias)
+            templates = tuple(engine.template(one) for one in type_arguments(inside))
+        defined = engine.index.class_of(name, engine.frame.path, engine.frame.scope)
+        if defined is not None:
+            return engine.construct(defined, arguments, keywords, templates)
+        return engine.made_outer(
+            engine.index.meaning(name, engine.frame.path, engine.frame.scope), arguments, keywords, templates
+        )
+
+    def plain(self, name: str, arguments: list[Any]) -> Any:
+        """Return a value of a fundamental type."""
+        if name in _TEXTS:
+            return text_made(name, arguments) if arguments else Text()
+        if not arguments:
+            return Unknown("a value that is not set")
+        return arguments[0]
+
+
+def _at_first(field: Field) -> Any:
+    """Return what a member without a value is, if its type alone says it."""
+    name = type_name(field.type)[0]
+    if field.value is not None or (name and name not in _PLAIN and "ptr" not in field.type.lower()):
+        return _OF_TYPE
+    if "ptr" in field.type.lower() and name != "std.vector":
+        return None
+    if name in _TEXTS:
+        return unknown(f"{field.name}, which is not set")
+    return Unknown("a value that is not set") if not name or name in _PLAIN else _OF_TYPE
+
+
+_OF_TYPE = object()
+"""What a member is whose value has to be made for each object."""
+_TEXTS = ("std.string", "string", "QString", "std.string_view")
+_NUMBER = (int, float)
+_MADE_BY_TYPE = (list, int)
+_LISTS = ("std::vector", "std::array", "std::set", "std::list", "std::deque", "std::unordered_set")
+
+
+def is_list(declared: str) -> bool:
+    """Whether a type as written is a list of items."""
+    return declared.removeprefix("const ").startswith(_LISTS)
+
+
+_PLAIN = frozenset(
+    {"std.string", "string", "QString", "std.string_view", "int", "double", "float", "bool", "size_t", "uint8_t",
+     "uint16_t", "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t", "unsigned int", "unsigned", "long",
+     "char", "auto", "void", "unsigned long", "std.size_t"}
+)  # fmt: skip

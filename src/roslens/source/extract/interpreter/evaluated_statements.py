@@ -1,0 +1,365 @@
+"""Statements while source is evaluated: assignments, branches, loops, and how constructors initialise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function1
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import (
+    Callable,
+    Class,
+    Named,
+    Obj,
+    QosValue,
+    Remappings,
+    Unknown,
+    as_text,
+    test_of,
+)
+from roslens.source.extract.domain.earlier_values import forget_defaults
+from roslens.source.extract.domain.evaluation_frame import join
+from roslens.source.extract.domain.made_texts import with_sign
+from roslens.source.extract.domain.owned_pointer import owns_first
+from roslens.source.extract.domain.perhaps import Perhaps, is_counted
+from roslens.source.extract.domain.quality import changed, quality_of
+from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.interpreter.evaluated_again import same
+from roslens.source.extract.interpreter.evaluated_loops import block_of_loop, left, looped, without_ways_out
+from roslens.source.extract.interpreter.evaluated_objects import is_list
+from roslens.source.extract.interpreter.evaluation_bounds import SpentError
+from roslens.source.extract.ir.program import (
+    Assign,
+    Branch,
+    Call,
+    Evaluate,
+    Expression,
+    Item,
+    Leave,
+    Loop,
+    Member,
+    Name,
+    Operation,
+    Return,
+    Sequence,
+    Statement,
+)
+from roslens.source.extract.ir.set_again import forget_set_again
+from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbols.declared_field import declared_field
+from roslens.source.extract.symbols.workspace_index import type_arguments, type_name
+from roslens.source.extract.transfer.changed_values import is_open, put_item
+from roslens.source.extract.transfer.class_attributes import set_attribute
+from roslens.source.extract.transfer.kept_values import keep, no_place, once, put_where_it_stands, returned
+from roslens.source.extract.transfer.other_names import assign_referred, refer
+from roslens.source.extract.transfer.plugin_held import hold
+from roslens.source.extract.transfer.refined_values import refine
+from roslens.source.extract.transfer.xml_rpc_values import XML_RPC, put_part
+
+if TYPE_CHECKING:
+    from roslens.source.extract.domain.evaluation_frame import Held
+    from roslens.source.extract.transfer.context import Context
+
+
+def initialise(engine: Context, statement: Statement) -> None:
+    """Evaluate an initialiser of a constructor: of a member, or of a base."""
+    if isinstance(statement, Evaluate) and isinstance(statement.expression, Call):
+        call = statement.expression
+        arguments = [engine.value(one) for one in call.arguments]
+        engine.at(call)
+        _initialise_base(engine, call, arguments, {})
+    elif isinstance(statement, Assign) and isinstance(statement.target, Member) and statement.value is not None:
+        thing = engine.frame.self
+        name = statement.target.name
+        declared = declared_field(engine.index, thing.defined, name) if isinstance(thing, Obj) else ""
+        value = engine.value(statement.value)
+        engine.written_at(statement.line)
+        if isinstance(statement.value, Sequence):
+            kind, inside = type_name(declared)
+            if "ptr" in declared.lower() and owns_first(value):
+                value = value[0]
+            elif not is_list(declared):
+                value = engine.of_type(kind, list(value), {}, tuple(type_arguments(inside)))
+            elif value and isinstance(value[0], int | float) and inside.endswith("string"):
+                value = Unknown(f"{name}, which is so many texts")
+        elif declared:
+            value = engine.constructed(declared, value)
+        if isinstance(thing, Obj):
+            thing.fields[name] = value
+
+
+def _initialise_base(engine: Context, call: Call, arguments: list[Any], keywords: dict[str, Any]) -> None:
+    """Construct a base, or delegate to another constructor of the class."""
+    thing = engine.frame.self
+    if not isinstance(call.function, Name) or not isinstance(thing, Obj):
+        return
+    written = call.function.name
+    scope, _, last = written.rpartition(".")
+    # ``Base::Base(…)`` names the constructor.
+    written = scope if scope.rpartition(".")[2] == last else written
+    written = _base_named(engine, thing, written)
+    base = engine.index.class_of(written, engine.frame.path, engine.frame.scope)
+    if base is not None:
+        names = getattr(base.what, "templates", ())
+        if call.templates:
+            given = dict(zip(names, (engine.template(one) for one in call.templates), strict=False))
+            thing.base_templates[base.what.qualified_name] = given
+    if base is None:
+        name = engine.index.meaning(written, engine.frame.path, engine.frame.scope)
+        bases = engine.index.outer_bases(thing.defined) if thing.defined is not None else []
+        name = next((one for one in bases if one.rpartition(".")[2] == name), name)
+        engine.construct_outer(thing, name, arguments, keywords)
+    else:
+        engine.construct_as(thing, base, arguments, keywords)
+
+
+def _base_named(engine: Context, thing: Obj, written: str) -> str:
+    """Return a base as its class writes it: its last name is known there, whatever else has that name elsewhere."""
+    inside = engine.frame.scope.rpartition(".")[0]
+    for one in engine.index.chain(thing.defined) if thing.defined is not None and "." not in written else ():
+        if one.what.qualified_name == inside:
+            bases = getattr(one.what, "bases", ())
+            return next((base for base in bases if base.rpartition(".")[2] == written), written)
+    return written
+
+
+def block(engine: Context, body: tuple[Statement, ...]) -> None:
+    """Follow statements in order."""
+    frame, before = engine.frame, len(engine.conditions)
+    try:
+        for statement in body:
+            engine.steps += 1
+            if engine.steps > engine.most_steps:
+                raise SpentError
+            _STATEMENTS[type(statement)](engine, statement)
+            if frame.returned or frame.stopped:
+                return
+    finally:
+        frame.passed -= len(engine.conditions) - before
+        del engine.conditions[before:]
+
+
+def _assigned(engine: Context, statement: Assign) -> None:
+    if statement.operator == "static" and isinstance(statement.target, Name):
+        engine.frame.names[statement.target.name] = once(engine, statement)
+        return
+    if statement.operator in _REFERRING and refer(engine, statement):
+        return
+    if statement.value is None:
+        engine.written_at(statement.line)
+        if isinstance(statement.target, Name):
+            of_module = statement.declared == "global"
+            value = _set_from_here(engine, statement.target) if of_module else engine.declared(statement.declared)
+            engine.frame.names[statement.target.name] = value
+        return
+    value = engine.value(statement.value)
+    if statement.declared:
+        value = engine.converted(statement.declared, value)
+    if statement.operator == "+=":
+        value = engine.sum(engine.value(statement.target), value)
+    if statement.declared and isinstance(statement.target, Name):
+        engine.frame.names[statement.target.name] = value
+    else:
+        assign(engine, statement.target, value)
+
+
+def _set_from_here(engine: Context, name: Name) -> Any:
+    """Return the value of a variable of a module that a function sets; to others it is unknown from now on."""
+    key, value = (engine.frame.path, name.name), engine.value(name)
+    if key in engine.constants and isinstance(value, _PLAIN):
+        reason = f"{name.name}, which {engine.frame.scope.rpartition('.')[2]}() sets"
+        engine.constants[key] = unknown(reason) if isinstance(value, Text) else Unknown(reason)
+    return value
+
+
+def assign(engine: Context, target: Expression, value: Any) -> None:
+    """Put a value where an expression says."""
+    if isinstance(target, Name):
+        thing = engine.frame.self
+        if target.name not in engine.frame.names and isinstance(thing, Obj) and _is_field(engine, thing, target.name):
+            engine.changes.put(thing.fields, target.name, value)
+        else:
+            _assign_name(engine, target.name, value)
+    elif isinstance(target, Member):
+        of = engine.value(target.of)
+        if isinstance(of, Obj):
+            engine.changes.put(of.fields, target.name, value)
+        elif isinstance(of, Class):
+            set_attribute(engine, of, target.name, value)
+        elif isinstance(of, QosValue | Named) and (quality := quality_of(of)) is not None:
+            refine(engine, target.of, of, changed(quality, target.name, value))
+        if isinstance(value, Callable) and (not isinstance(of, Obj) or of.defined is None):
+            # A member of what is not in the workspace: options that hold callbacks.
+            engine.called_outer(value)
+    elif isinstance(target, Call):
+        no_place(engine)
+        put_where_it_stands(engine, engine.value(target), value)
+    elif isinstance(target, Item):
+        _assign_item(engine, target, value)
+    elif isinstance(target, Sequence):
+        known = isinstance(value, list) and len(value) == len(target.items) and is_counted(value)
+        items = value if known else None
+        for place, one in enumerate(target.items):
+            assign(engine, one, items[place] if items is not None else Unknown("a part of an unknown value"))
+
+
+def _assign_item(engine: Context, target: Item, value: Any) -> None:
+    of, key = engine.value(target.of), engine.value(target.key)
+    if isinstance(of, Remappings) and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
+        # It may hold, or not: nobody knows what the name becomes.
+        value = unknown(f"{as_text(value)} if {engine.conditions[-1]}")
+    if isinstance(of, Remappings):
+        of[hashable(key)] = value
+    elif isinstance(of, dict) and (condition := is_open(engine)) and hashable(key) not in of:
+        of[hashable(key)] = Perhaps(value, condition, engine.frame.tests.get(condition))
+    elif isinstance(of, dict | list):
+        put_item(engine, of, key, value)
+    elif isinstance(of, Text) and isinstance(target.of, Name | Member):
+        assign(engine, target.of, with_sign(of, key, value))
+    elif isinstance(of, Obj) and of.type == "std.vector":
+        hold(engine, of, key, value)
+    elif isinstance(of, Obj) and of.type in XML_RPC:
+        put_part(engine, of, key, value)
+
+
+def _assign_name(engine: Context, name: str, value: Any) -> None:
+    frame = engine.frame
+    if name in frame.kept:
+        keep(engine, name, value)
+        return
+    if name in frame.aliases and name not in frame.names:
+        assign_referred(engine, name, value)
+        return
+    whole = "" if name in frame.names else engine.index.global_name(name, frame.path, frame.scope)
+    if not whole:
+        frame.names[name] = value
+        return
+    before = engine.globals.get(whole)
+    if len(engine.conditions) > frame.passed:
+        engine.globals.setdefault(whole, engine.value(Name(name)))
+        join(engine.globals, {whole: value}, engine.conditions[-1])
+    else:
+        engine.globals[whole] = value
+    if before is None or not same(before, engine.globals[whole]):
+        engine.forget_calls()
+
+
+def _is_field(engine: Context, thing: Obj, name: str) -> bool:
+    if engine.index.programs.get(engine.frame.path) and engine.index.programs[engine.frame.path].language == "python":
+        return False
+    return name in thing.fields or bool(declared_field(engine.index, thing.defined, name)) or name.endswith("_")
+
+
+def _evaluated(engine: Context, statement: Evaluate) -> None:
+    engine.value(statement.expression)
+    called = statement.expression.function if isinstance(statement.expression, Call) else None
+    if called == Name("throw") and len(engine.conditions) > engine.frame.depth + engine.frame.passed:
+        # Elsewhere a condition that is taken for true may be none: nothing is left out for its sake.
+        engine.frame.returned, engine.frame.plainly = True, False
+
+
+def _returned(engine: Context, statement: Return) -> None:
+    value = None if statement.value is None else engine.value(statement.value)
+    returned(engine, statement)
+    engine.frame.give(value, engine.conditions[engine.frame.depth :])
+    engine.frame.plainly = value is None or value is True or (value == 0 and value is not False)
+
+
+def _branched(engine: Context, statement: Branch) -> None:
+    decides = engine.value(statement.condition)
+    holds = engine.truth(decides)
+    if holds is not None:
+        follow = block if engine.frame.ways is None else block_of_loop
+        follow(engine, statement.then if holds else statement.otherwise)
+        return
+    written, frame = engine.index.lookups.condition(statement.condition), engine.frame
+    before, ways = frame.snapshot(), len(frame.ways.out) if frame.ways else 0
+    otherwise, changes = negated(written), engine.changes
+    since = changes.count
+    changes.open += 1
+    frame.know(written, otherwise, test_of(decides))
+    if written == "no exception":
+        block(engine, statement.then)
+    else:
+        _noted(engine, written, statement.then)
+    returned, gone, plainly = frame.returned, frame.returned or frame.stopped, frame.plainly
+    after = before if frame.is_as(before) else frame.snapshot()
+    frame.restore(before)
+    second = changes.count
+    way = changes.taken_back(since, frame.members) if second > since else {}
+    frame.returned = frame.stopped = False
+    if statement.otherwise and written == "no exception" and after is not before:
+        _handled(engine, statement, (before, after), (written, otherwise))
+    elif statement.otherwise:
+        _noted(engine, otherwise, statement.otherwise)
+    other_returned, other_gone = frame.returned, frame.returned or frame.stopped
+    if way or changes.count > second:
+        test = frame.tests.get(written)
+        changes.came_to(way, second, frame.members, (gone, other_gone), (written, otherwise), test)
+    changes.open -= 1
+    if not changes.open and changes.count:
+        changes.ended()
+    if returned is not other_returned and (after is not before or other_returned):
+        frame.leave(after[1] if returned else dict(frame.members or {}), before[1], written if returned else otherwise)
+    # A way that leaves the function, or the loop, has no say in what holds after it.
+    if other_gone and not gone:
+        frame.restore(after)
+    elif other_gone is gone and (after is not before or statement.otherwise):
+        frame.join(after, written)
+    frame.returned = returned and other_returned
+    frame.stopped = gone and other_gone and not frame.returned
+    if gone is not other_gone and engine.node.generation == "ros1":
+        forget_defaults(frame, frame.tests.get(otherwise if gone else written))
+    if returned and not other_gone and plainly and _asks_parameter(engine, statement.condition):
+        # What follows is reached only where the function was not left.
+        engine.under(otherwise, frame.tests.get(otherwise))
+        frame.passed += 1
+    without_ways_out(engine, ways)
+
+
+def _handled(engine: Context, tried: Branch, held: tuple[Held, Held], notes: tuple[str, str]) -> None:
+    """Follow handlers of exceptions: in them may hold what was set until the exception came."""
+    frame, (before, after) = engine.frame, held
+    frame.join(after, notes[0])
+    now_held = (frame.names, frame.members or {})
+    lost = [forget_set_again(tried.then, now, was) for now, was in zip(now_held, before, strict=True)]
+    begun = frame.snapshot()
+    _noted(engine, notes[1], tried.otherwise)
+    for now, first, was, gone in zip(now_held, begun, before, lost, strict=True):
+        for name in [name for name, value in first.items() if now.get(name) is value is not was.get(name)]:
+            if name in gone:
+                continue
+            # What they leave alone is what it was where there was an exception, or what it came to.
+            if name in was:
+                now[name] = was[name]
+            else:
+                del now[name]
+
+
+def _asks_parameter(engine: Context, condition: Expression) -> bool:
+    """Whether a parameter decides a condition: other reasons to leave are mostly that all is done, or lost."""
+    if isinstance(condition, Operation):
+        return any(_asks_parameter(engine, one) for one in condition.operands)
+    value = engine.value(condition) if isinstance(condition, Name | Member) else None
+    return isinstance(value, Text) and any(hole.parameter for hole in value.holes)
+
+
+def _noted(engine: Context, note: str, body: tuple[Statement, ...]) -> None:
+    """Follow statements under a condition."""
+    engine.under(note, engine.frame.tests.get(note))
+    try:
+        block(engine, body)
+    finally:
+        engine.conditions.pop()
+
+
+_REFERRING = ("&", "*")
+_PLAIN = (Text, bool, int, float)
+_STATEMENTS: dict[type[Any], Function1[[Any, Any], None]] = {
+    Assign: _assigned,
+    Evaluate: _evaluated,
+    Return: _returned,
+    Branch: _branched,
+    Loop: looped,
+    Leave: left,
+}

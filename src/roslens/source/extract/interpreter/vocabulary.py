@@ -1,0 +1,250 @@
+"""What classes, functions and methods of ROS do that are not in the workspace: found by name, one function each.
+
+The words are in the modules beside this one whose names begin with ``vocabulary_``; each registers itself by
+:func:`outer` and :func:`method`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function1
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Building, Handle, Made, Named, Obj, QosValue, Unknown
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.ir.program import Expression
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+class Called(msgspec.Struct, frozen=True):
+    """A call of something outside of the workspace.
+
+    Attributes:
+        name: of the function, class or method.
+        arguments: values by position.
+        keywords: values by name.
+        templates: template arguments, as written.
+        written: the arguments as expressions, for those that are set by the call.
+        evidence: where it is written.
+    """
+
+    name: str
+    arguments: list[Any]
+    keywords: dict[str, Any]
+    templates: tuple[str, ...]
+    written: tuple[Expression, ...]
+    evidence: Evidence
+
+    def argument(self, place: int, *names: str, default: Any = None) -> Any:
+        """Return an argument by position or the first of its names."""
+        for name in names:
+            if name in self.keywords:
+                return self.keywords[name]
+        return self.arguments[place] if 0 <= place < len(self.arguments) else default
+
+
+Word = Function1[["Context", Any, Called], Any]
+_OUTER: dict[str, Word] = {}
+_METHODS: dict[tuple[str, str], Word] = {}
+_ANYWHERE: dict[str, Word] = {}
+_NAMES: set[str] = set()
+"""Of methods that are known of any kind of object."""
+_QUIET: set[Word] = set()
+_BETTER = {
+    "rosbag.Bag": ("rosbag.Bag", ""),
+    "tf2_ros.Buffer": ("tf2_ros.Buffer", ""),
+    "Buffer": ("tf2_ros.Buffer", "/tf2_ros/buffer.py"),
+}
+"""By the qualified name of a class of a library its whole name, and the end of the path of the file that has it."""
+LISTENER = "ParamListener"
+"""The class that generate_parameter_library makes, in whatever namespace: it declares parameters."""
+_MODULES = (
+    "overlays.ros.vocabulary_options",
+    "overlays.ros.vocabulary_ros2",
+    "overlays.ros.vocabulary_qos",
+    "overlays.language.vocabulary_python",
+    "overlays.ros.vocabulary_generic",
+    "overlays.ros.vocabulary_parameters",
+    "overlays.ros.vocabulary_descriptors",
+    "overlays.ros.vocabulary_listeners",
+    "overlays.language.vocabulary_values",
+    "overlays.ros.vocabulary_ros1",
+    "overlays.ros.vocabulary_bags",
+    "overlays.ros.vocabulary_nodelets",
+    "overlays.ros.vocabulary_plugins",
+    "overlays.ros.vocabulary_markers",
+    "overlays.ros.vocabulary_realtime",
+    "overlays.language.vocabulary_durations",
+    "overlays.language.vocabulary_lists",
+    "overlays.language.vocabulary_numbers",
+    "overlays.language.vocabulary_texts",
+    "overlays.language.vocabulary_tags",
+    "overlays.language.vocabulary_argparse",
+    "overlays.ros.vocabulary_shared",
+    "overlays.ros.vocabulary_reconfigure",
+    "overlays.ros.vocabulary_controllers",
+    "overlays.ros.reconfigure_file",
+    "overlays.ros.vocabulary_transforms",
+    "overlays.ros.vocabulary_images",
+    "overlays.language.vocabulary_trees",
+    "overlays.language.command_words",
+)
+
+
+def outer(*names: str, quiet: bool = False) -> Function1[[Word], Word]:
+    """Register what a function or constructor does, by whole names joined by ``.``.
+
+    Args:
+        names: of it.
+        quiet: whether it only answers: it makes nothing, and changes nothing of a node.
+    """
+
+    def keep(word: Word) -> Word:
+        _OUTER.update(dict.fromkeys(names, word))
+        _QUIET.update({word} if quiet else ())
+        return word
+
+    return keep
+
+
+def method(kind: str, *names: str, anywhere: bool = False, quiet: bool = False) -> Function1[[Word], Word]:
+    """Register what a method of a kind of object does.
+
+    Args:
+        kind: ``node``, ``handle``, ``qos``, ``made``, or the whole name of a class.
+        names: of the method.
+        anywhere: whether it is meant where the object is unknown too.
+        quiet: whether it only answers.
+    """
+
+    def keep(word: Word) -> Word:
+        _METHODS.update({(kind, name): word for name in names})
+        _NAMES.update(names)
+        if anywhere:
+            _ANYWHERE.update(dict.fromkeys(names, word))
+        _QUIET.update({word} if quiet else ())
+        return word
+
+    return keep
+
+
+@cache
+def _load() -> None:
+    for name in _MODULES:
+        import_module(f"roslens.source.extract.{name}")
+
+
+def known_names() -> frozenset[str]:
+    """Return the whole names of the classes and functions that are known."""
+    _load()
+    return frozenset(_OUTER)
+
+
+def find_outer(engine: Context, name: str) -> Word | None:
+    """Return what calling a function or class by its whole name does."""
+    _load()
+    word = _OUTER.get(name)
+    if word is None and name.endswith(LISTENER):
+        word = _OUTER.get(LISTENER)
+    return _said(engine, word)
+
+
+def is_method(name: str) -> bool:
+    """Return whether there is a method of this name, of whatever kind of object."""
+    _load()
+    return name in _NAMES
+
+
+def find_class(engine: Context, name: str, path: str) -> tuple[str, Word] | None:
+    """Return whole name and word of a class that is in the workspace, and known better than what its code says."""
+    known = _BETTER.get(name)
+    if known is None or (known[1] and not path.endswith(known[1])):
+        return None
+    word = find_outer(engine, known[0])
+    return None if word is None else (known[0], word)
+
+
+def _said(engine: Context, word: Word | None) -> Word | None:
+    if word is not None and word not in _QUIET:
+        engine.touched()
+    return word
+
+
+def find_method(engine: Context, receiver: Any, called: Called) -> Word | None:
+    """Return what a method of an object does; None where it is not known."""
+    _load()
+    name = called.name
+    for kind in kinds_of(engine, receiver) if name in _NAMES else ():
+        word = _METHODS.get((kind, name))
+        if word is not None:
+            return _said(engine, word)
+    if receiver is None or isinstance(receiver, Unknown) or (isinstance(receiver, Obj) and receiver.defined is None):
+        return _said(engine, _ANYWHERE.get(name))
+    return None
+
+
+def guessed_method(engine: Context, receiver: Any, called: Called) -> Word | None:
+    """Return what a method does that an object may have of a base or a declaration outside of the workspace.
+
+    None where nothing is known of it, or the object has no such base.
+    """
+    _load()
+    word = _ANYWHERE.get(called.name)
+    if word is None:
+        return None
+    if isinstance(receiver, Obj):
+        outside = receiver.defined is not None and receiver.node is None and engine.index.outer_bases(receiver.defined)
+        return _said(engine, word) if outside else None
+    program = engine.index.programs[engine.frame.path]
+    return _said(engine, word) if isinstance(receiver, Named) and program.language == "cpp" else None
+
+
+def kinds_of(engine: Context, receiver: Any) -> tuple[str, ...]:
+    """Return what an object is, to find its methods."""
+    if isinstance(receiver, Obj):
+        defined = receiver.defined
+        key = (receiver.type, 0 if defined is None else id(defined.what), receiver.node is not None)
+        known = engine.index.lookups.kinds
+        found = known.get(key)
+        if found is None:
+            kinds = [receiver.type, *(engine.index.outer_bases(defined) if defined is not None else ())]
+            if receiver.node is not None:
+                kinds.append("node")
+            found = known[key] = (*kinds, *(kind.rpartition(".")[2] for kind in kinds))
+        return found
+    if isinstance(receiver, Handle):
+        return ("handle", "node")
+    if isinstance(receiver, QosValue):
+        return ("qos",)
+    if isinstance(receiver, Text):
+        return ("text",)
+    return ("made",) if isinstance(receiver, Made) else ()
+
+
+def node_of(engine: Context, value: Any) -> Building:
+    """Return the node that a value stands for: the one that is built where it is unknown."""
+    if isinstance(value, Handle):
+        return value.node
+    if isinstance(value, Obj):
+        if value.node is not None:
+            return value.node
+        for inner in value.fields.values():
+            if isinstance(inner, Handle):
+                return inner.node
+    return engine.node
+
+
+def below(value: Any, name: Text) -> Text:
+    """Return a name below what a handle puts in front of it."""
+    if not isinstance(value, Handle) or not value.prefix.parts:
+        return name
+    first = name.parts[0] if name.parts else ""
+    if isinstance(first, str) and first[:1] in ("/", "~"):
+        return name
+    return Text.of(value.prefix, "/", name) if name.parts else value.prefix

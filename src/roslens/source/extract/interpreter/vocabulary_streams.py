@@ -1,0 +1,66 @@
+"""The vocabulary of streams of C++ that put texts together."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj, as_text
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.ir.program import Expression, Operation
+from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.transfer.plugin_choice import deciding_node
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+STREAMS = ("std.stringstream", "std.ostringstream", "stringstream", "ostringstream")
+HELD = "-text"
+
+
+@outer(*STREAMS)
+def stream(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A stream with a text or without."""
+    return Obj("std.stringstream", None, {HELD: as_text(called.argument(0)) if called.arguments else Text()})
+
+
+@method("std.stringstream", "str")
+def text_of(_engine: Context, thing: Any, called: Called) -> Any:
+    """The text of a stream is asked for, or given."""
+    if called.arguments:
+        thing.fields[HELD] = as_text(called.argument(0))
+        return None
+    return thing.fields[HELD]
+
+
+@method("std.stringstream", "clear")
+def cleared(_engine: Context, _thing: Any, _called: Called) -> Any:
+    """The state of a stream is cleared: its text stays."""
+    return None
+
+
+def words_read(engine: Context, over: Any) -> tuple[Expression, list[Any]] | None:
+    """Return what a loop reads the words of a stream into, and these: ``while (stream >> word)``.
+
+    Words of a text that is unknown are one that stands for each. None where a loop does something else.
+    """
+    if not isinstance(over, Operation) or over.operator != ">>" or len(over.operands) != 2:
+        return None
+    source = engine.value(over.operands[0])
+    if not isinstance(source, Obj) or HELD not in source.fields:
+        return None
+    text = source.fields[HELD]
+    node = deciding_node(engine, text)
+    if text.holes and text not in node.asks:
+        node.asks.append(text)
+    usual = text.known if engine.chosen is None else text.usual
+    if usual is not None:
+        where = f"default of {text.holes[0].reason}" if text.holes else ""
+        return over.operands[1], [Text((Hole(where, default=one),)) if where else Text.of(one) for one in usual.split()]
+    decides = next((hole.parameter for hole in text.holes if hole.parameter), "")
+    return over.operands[1], [unknown(f"each word of {text}", parameter=decides)]
+
+
+def written_to(thing: Obj, values: list[Any]) -> Obj:
+    """Return a stream to which values were written."""
+    thing.fields[HELD] = Text.of(thing.fields[HELD], *(as_text(one) for one in values))
+    return thing

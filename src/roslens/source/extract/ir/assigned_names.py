@@ -1,0 +1,20 @@
+"""Which names statements assign."""
+
+from __future__ import annotations
+
+from roslens.source.extract.ir.program import Assign, Branch, Loop, Member, Name, Statement
+
+
+def assigned_names(body: tuple[Statement, ...]) -> set[str]:
+    """Return the last names of what statements assign."""
+    found: set[str] = set()
+    waiting: list[Statement] = list(body)
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, Assign) and isinstance(one.target, Name | Member):
+            found.add(one.target.name)
+        elif isinstance(one, Branch):
+            waiting += [*one.then, *one.otherwise]
+        elif isinstance(one, Loop):
+            waiting += [*one.body, *one.update]
+    return found

@@ -1,0 +1,171 @@
+"""Files of parameters that launch files of ROS 2 give to nodes, with what is put into them before a node reads them.
+
+launch_ros replaces substitutions in a file (``allow_substs``); ``RewrittenYaml`` and ``ReplaceString`` of nav2_common
+change values, and what all nodes of the file are below. What is put in and not known stands as a hole where it is.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+
+import msgspec
+
+from roslens.model.errors import DocumentError
+from roslens.source.extract.facts.files import Files
+from roslens.source.extract.facts.launched import Setting
+from roslens.source.extract.launch.substitution_text import parse
+from roslens.source.extract.launch_python.deferred import Scope, resolve, truth
+from roslens.source.extract.launch_python.launch_action import FileChange
+from roslens.source.extract.parameters.parameter_file import ros2_parameters
+from roslens.source.extract.parameters.ros2_values import type_when_written
+from roslens.source.extract.symbolic.text import Hole, Text
+
+_HOLE = re.compile("\ue000([0-9]+)\ue001")
+"""Stands in the text of a file for what is not known."""
+
+
+class ParameterFiles:
+    """Reads files of parameters, each once."""
+
+    def __init__(self, files: Files) -> None:
+        """Read from ``files``."""
+        self._files = files
+        self._read: dict[tuple[str, bytes], list[Setting] | DocumentError] = {}
+
+    def settings(self, path: str, changes: Iterable[FileChange], scope: Scope) -> list[Setting] | None:
+        """Return the parameters of a file, changes made in their order; None where there is no such file.
+
+        Raises:
+            DocumentError: ROS 2 refuses the file.
+        """
+        content = self._files.content(path)
+        if content is None:
+            return None
+        holes: list[Hole] = []
+        rest = list(changes)
+        while rest and rest[0].kind in _IN_TEXT:
+            content = _IN_TEXT[rest[0].kind](content, rest[0], scope, holes)
+            rest.pop(0)
+        found = [_with_holes(one, holes) if holes else one for one in self._parsed(path, content)]
+        for change in rest:
+            if change.kind in _IN_TEXT:
+                found = [_substituted(one, change, scope) for one in found]
+            elif change.kind == "root":
+                found = _below(found, resolve(change.value, scope))
+            else:
+                found = _rewritten(found, change, scope)
+        return found
+
+    def _parsed(self, path: str, content: bytes) -> list[Setting]:
+        known = self._read.get((path, content))
+        if known is None:
+            try:
+                known = ros2_parameters(content, path)
+            except DocumentError as error:
+                known = error
+            self._read[path, content] = known
+        if isinstance(known, DocumentError):
+            raise known
+        return known
+
+
+def _replaced(content: bytes, change: FileChange, scope: Scope, holes: list[Hole]) -> bytes:
+    if not _holds(change, scope):
+        return content
+    text = content.decode("utf-8", "surrogateescape")
+    for key, value in change.pairs:
+        if key and key in text:
+            text = text.replace(key, _written(resolve(value, scope), holes))
+    return text.encode("utf-8", "surrogateescape")
+
+
+def _holds(change: FileChange, scope: Scope) -> bool:
+    """Whether a change is made; where that is unknown the file is taken as it stands."""
+    try:
+        return truth(resolve(change.condition, scope)) is change.wanted
+    except ValueError:
+        return False
+
+
+def _substitutions(content: bytes, _change: FileChange, scope: Scope, holes: list[Hole]) -> bytes:
+    if b"$(" not in content:
+        return content
+    found = resolve(parse(content.decode("utf-8", "surrogateescape")), scope)
+    if len(found.parts) == 1 and found.holes:
+        # Not even where a substitution ends is known.
+        return content
+    return _written(found, holes).encode("utf-8", "surrogateescape")
+
+
+def _written(text: Text, holes: list[Hole]) -> str:
+    pieces = []
+    for part in text.parts:
+        if isinstance(part, str):
+            pieces.append(part)
+        else:
+            pieces.append(f"\ue000{len(holes)}\ue001")
+            holes.append(part)
+    return "".join(pieces)
+
+
+_IN_TEXT: dict[str, Callable[[bytes, FileChange, Scope, list[Hole]], bytes]] = {
+    "replace": _replaced,
+    "substitutes": _substitutions,
+}
+
+
+def _with_holes(setting: Setting, holes: list[Hole]) -> Setting:
+    """Return a parameter with holes where something stands for them; what type it has then nobody knows."""
+    value = _unfolded(setting.value, holes)
+    name = _unfolded(setting.name, holes)
+    kind = setting.type if value is setting.value else ""
+    return msgspec.structs.replace(setting, name=name, value=value, type=kind, node=_HOLE.sub("*", setting.node))
+
+
+def _unfolded(text: Text, holes: list[Hole]) -> Text:
+    known = text.known
+    if known is None or "\ue000" not in known:
+        return text
+    parts: list[str | Hole] = []
+    for place, piece in enumerate(_HOLE.split(known)):
+        parts.append(holes[int(piece)] if place % 2 else piece)
+    return Text.of(*parts)
+
+
+def _substituted(setting: Setting, change: FileChange, scope: Scope) -> Setting:
+    known = setting.value.known or ""
+    if change.kind != "substitutes" or "$(" not in known:
+        return setting
+    value = resolve(parse(known), scope)
+    if setting.type.endswith("_array") and value.known is not None:
+        # The items of a list stay texts, as a rule.
+        return msgspec.structs.replace(setting, value=value)
+    return _set(setting, value, numbers=True)
+
+
+def _below(settings: list[Setting], root: Text) -> list[Setting]:
+    known = (root.known or "").strip("/")
+    return [msgspec.structs.replace(one, node=f"/{known}{one.node}") for one in settings] if known else settings
+
+
+def _rewritten(settings: list[Setting], change: FileChange, scope: Scope) -> list[Setting]:
+    """Return parameters with other values: by name or path of them (``names``), or by what they were (``values``)."""
+    pairs = {key: resolve(value, scope) for key, value in change.pairs}
+    if not pairs:
+        return settings
+    found = []
+    for one in settings:
+        if change.kind == "values":
+            value = pairs.get(one.value.known or "")
+        else:
+            name = one.name.known or ""
+            value = pairs.get(name, pairs.get(name.rpartition(".")[2]))
+        found.append(one if value is None else _set(one, value, numbers=change.numbers))
+    return found
+
+
+def _set(setting: Setting, value: Text, *, numbers: bool) -> Setting:
+    known = value.known
+    kind = "" if known is None else type_when_written(known, numbers=numbers)
+    return msgspec.structs.replace(setting, value=value, type=kind)

@@ -1,0 +1,191 @@
+"""What controllers of ros_control make of topics and services: those that a launch file spawns into a simulation.
+
+A controller runs within the node that has the manager of controllers. What each type makes is in
+``catalogue/ros_control/controllers.yaml``; releases differ, so none of it is certain.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
+from importlib import resources
+
+import msgspec
+
+from roslens.judge.yaml_tree import read_tree
+from roslens.model.errors import DocumentError
+from roslens.source.extract.catalogue.catalogue import plain_value
+from roslens.source.extract.catalogue.catalogue_plugins import Class
+from roslens.source.extract.catalogue.hints import ROLES, endpoint_of
+from roslens.source.extract.facts.files import Files, joined
+from roslens.source.extract.facts.launched import Controller, Launch, Launched, Setting, Unresolved
+from roslens.source.extract.facts.node_facts import EndpointFact, Evidence, Sure
+from roslens.source.extract.facts.resolve_name import Place, absolute, expand
+from roslens.source.extract.parameters.parameter_file import ros1_parameters
+from roslens.source.extract.symbolic.text import Text
+
+_PACKAGE, _SPAWNER = "controller_manager", "spawner"
+_LOADS = "controller_manager/load_controller"
+_WITH_VALUE = frozenset({"--wait-for", "--namespace", "--timeout", "--shutdown-timeout"})
+_FILES = re.compile(r"\.ya?ml\Z")
+_DEFAULT = re.compile(r"(\w+) \((true|false)\)")
+
+
+class _Spawned(msgspec.Struct, frozen=True):
+    """A controller that a spawner asks for.
+
+    Attributes:
+        name: of it.
+        space: namespace of its manager.
+        settings: parameters of the file that the spawner reads.
+        why: nothing more is known of it.
+    """
+
+    name: str
+    space: Text
+    settings: tuple[Setting, ...] = ()
+    why: str = ""
+
+
+def with_controllers(launch: Launch, files: Files) -> Launch:
+    """Return a launch in which nodes that are known to have a manager have what the controllers in it make.
+
+    Args:
+        launch: all that is started and set, with what plug-ins make.
+        files: from which spawners read parameters.
+    """
+    nodes, unresolved, settings = list(launch.nodes), list(launch.unresolved), list(launch.settings)
+    for number, spawner in enumerate(launch.nodes):
+        if (spawner.package.known, spawner.executable.known) != (_PACKAGE, _SPAWNER):
+            continue
+        for spawned in _spawned(spawner, files):
+            settings += [one for one in spawned.settings if one not in settings]
+            made, why = _made(spawned, spawner, {_resolved(one): one for one in settings})
+            place = _manager(nodes, spawned.space)
+            if made and place is None:
+                why = "which node has the manager of this controller is unknown"
+            if why and (later := _for_later(spawned, spawner, settings, made, why)) is not None:
+                held = nodes[number]
+                nodes[number] = msgspec.structs.replace(held, controllers=(*held.controllers, later))
+                continue
+            if made and place is not None:
+                node = nodes[place]
+                nodes[place] = msgspec.structs.replace(node, plugged=(*node.plugged, *made))
+            if why:
+                unresolved.append(Unresolved(f"controller {spawned.name}", spawner.evidence, why))
+    return msgspec.structs.replace(
+        launch, nodes=tuple(nodes), settings=tuple(settings), unresolved=tuple(dict.fromkeys(unresolved))
+    )
+
+
+def _for_later(
+    spawned: _Spawned, spawner: Launched, settings: Iterable[Setting], made: Iterable[EndpointFact], why: str
+) -> Controller | None:
+    """Return a controller whose type is known, for who knows code: of its class, and of what has the manager."""
+    own = absolute(spawned.space, Text.of(spawned.name))
+    kind = {_resolved(one): one for one in settings}.get(f"{own.pattern}/type")
+    if spawned.why or kind is None or kind.value.known is None:
+        return None
+    return Controller(own, kind.value.known, spawned.space, spawner.evidence, tuple(made), why, spawner.conditions)
+
+
+def _spawned(spawner: Launched, files: Files) -> Iterator[_Spawned]:
+    """Yield what the words of a spawner ask for: names, or files whose keys are names (controller_manager, spawner)."""
+    space, names, flag = spawner.namespace, [], ""
+    for word in spawner.arguments:
+        known = word.known or ""
+        option, sign, value = known.partition("=")
+        if flag == "--namespace" or (option == "--namespace" and sign):
+            space = absolute(spawner.namespace, Text.of(value) if sign else word)
+        if flag or known.startswith("--") or ":=" in word.pattern:
+            flag = known if not flag and known in _WITH_VALUE else ""
+        else:
+            names.append(word)
+    for one in names:
+        name = one.known
+        if name is None:
+            yield _Spawned(str(one), space, why=f"its name depends on {one.holes[0].reason}")
+            continue
+        yield from _of_file(name, space, spawner, files) if _FILES.search(name) else [_Spawned(name, space)]
+
+
+def _of_file(name: str, space: Text, spawner: Launched, files: Files) -> Iterator[_Spawned]:
+    path = joined("", name)
+    content = files.content(path)
+    try:
+        found = [] if content is None else ros1_parameters(content, path)
+    except DocumentError as error:
+        yield _Spawned(name, space, why=f"{error.what}; expected {error.expected}")
+        return
+    if content is None:
+        yield _Spawned(name, space, why="there is no such file of parameters in the workspace")
+    held = [msgspec.structs.replace(one, name=absolute(spawner.namespace, one.name)) for one in found]
+    for key in dict.fromkeys(one.name.pattern.partition("/")[0] for one in found):
+        yield _Spawned(key, space, tuple(held))
+
+
+def _resolved(setting: Setting) -> str:
+    return setting.name.pattern if setting.name.pattern.startswith("/") else f"/{setting.name.pattern}"
+
+
+def _made(spawned: _Spawned, spawner: Launched, settings: Mapping[str, Setting]) -> tuple[list[EndpointFact], str]:
+    """Return what a controller makes, and the reason where that is unknown."""
+    if spawned.why:
+        return [], spawned.why
+    own = absolute(spawned.space, Text.of(spawned.name))
+    kind = settings.get(f"{own.pattern}/type")
+    if kind is None or kind.value.known is None:
+        return [], "no file of parameters says its type; what it publishes and subscribes is unknown"
+    controller = controllers().get(kind.value.known)
+    if controller is None:
+        return [], f"nothing is known of {kind.value.known}; what it publishes and subscribes is unknown"
+    how = f"controller {kind.value.known} makes it; releases differ"
+    evidence = Evidence(kind.evidence.path, kind.evidence.line, kind.evidence.column, how, Sure.LIKELY)
+    found = []
+    for key, line in controller.lines():
+        name, _, rest = line.partition(" ")
+        fact = endpoint_of(f"x {rest}", ROLES[key], "ros1", evidence)
+        if (conditions := _open(fact.conditions, own.pattern, settings)) is None:
+            continue
+        above, own_name = (spawned.space, name[3:]) if name.startswith("../") else (own, name)
+        whole = absolute(above, Text.of(own_name))
+        found.append(msgspec.structs.replace(fact, name=whole, conditions=(*spawner.conditions, *conditions)))
+    return found, ""
+
+
+def _open(conditions: Iterable[str], own: str, settings: Mapping[str, Setting]) -> tuple[str, ...] | None:
+    """Return the conditions that nobody can decide; None where one does not hold."""
+    left = []
+    for one in conditions:
+        match = _DEFAULT.fullmatch(one)
+        setting = settings.get(f"{own}/{match[1]}") if match else None
+        value = match[2] if match and setting is None else setting.value.known if setting is not None else None
+        if value is None:
+            left.append(one)
+        elif value.lower() != "true":
+            return None
+    return tuple(left)
+
+
+def _manager(nodes: Iterable[Launched], space: Text) -> int | None:
+    """Return the place of the node that has the manager of a namespace, by its service."""
+    wanted = absolute(space, Text.of(_LOADS))
+    for number, node in enumerate(nodes):
+        place = Place(node.namespace, absolute(node.namespace, node.name), "ros1")
+        if any(expand(one.name, place) == wanted for one in node.plugged):
+            return number
+    return None
+
+
+@cache
+def controllers() -> Mapping[str, Class]:
+    """Return the controllers of the catalogue by type."""
+
+    class File(msgspec.Struct, forbid_unknown_fields=True):
+        controllers: tuple[Class, ...]
+
+    folder = resources.files("roslens.source.extract").joinpath("catalogue").joinpath("ros_control")
+    tree = read_tree(folder.joinpath("controllers.yaml").read_bytes(), "controllers.yaml")
+    found = msgspec.convert(plain_value(tree.root), File, strict=False).controllers
+    return {kind: one for one in found for kind in one.types}

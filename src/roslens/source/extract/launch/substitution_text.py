@@ -1,0 +1,169 @@
+"""Substitutions as XML and YAML launch files of ROS 2 write them: ``$(var x)``, ``$(find-pkg-share p)/launch``.
+
+The grammar is that of ``launch.frontend.parse_substitution``: arguments are parted by spaces, may stand in quotes, and
+may hold substitutions themselves.
+"""
+
+from __future__ import annotations
+
+import shlex
+
+from roslens.source.extract.launch_python.deferred import Deferred, Value
+from roslens.source.extract.launch_python.launch_action import text, unknown_value
+
+_MOST_DEPTH = 20
+_KINDS = {
+    "var": "configuration",
+    "env": "environment",
+    "find-pkg-share": "share",
+    "find-pkg-prefix": "prefix",
+    "find-pkg": "prefix",
+    "not": "not",
+    "and": "and",
+    "or": "or",
+    "any": "or",
+    "all": "and",
+    "equals": "equals",
+    "not-equals": "unequal",
+    "dirname": "folder",
+    "filename": "file",
+    "anon": "anonymous",
+    "command": "command",
+    "path-join": "path",
+    "if": "if",
+}
+
+
+def parse(written: str, depth: int = 0) -> Value:
+    """Return a text with its substitutions; what is no substitution is unknown with the reason."""
+    return text(*_pieces(written, depth))
+
+
+def words(written: str) -> tuple[Value, ...]:
+    """Return the words of a command line: texts are parted by white space, what a substitution comes to is not.
+
+    As ``launch.actions.ExecuteProcess`` parts them, which takes quotes in texts as a shell does.
+    """
+    found: list[list[Value]] = []
+    word: list[Value] = []
+    for piece in _pieces(written, 0) if written.strip() else ():
+        if not isinstance(piece, str):
+            word.append(piece)
+            continue
+        try:
+            first, *more = shlex.split(piece) or [""]
+        except ValueError as error:
+            return (unknown_value(f"the words of {written!r}: {error}"),)
+        if not first and not more and not piece.strip():
+            found.append(word)
+            word = []
+            continue
+        if piece[0].isspace() and word:
+            found.append(word)
+            word = []
+        word.append(first)
+        for one in more:
+            found.append(word)
+            word = [one]
+        if piece[-1].isspace():
+            found.append(word)
+            word = []
+    return tuple(text(*one) for one in (*found, *([word] if word else ())))
+
+
+def _pieces(written: str, depth: int) -> list[Value]:
+    """Return the texts and substitutions that a text is made of."""
+    if depth > _MOST_DEPTH:
+        return [unknown_value("substitutions that are too deep")]
+    parts: list[Value] = []
+    at = 0
+    while (begin := _begin(written, at)) >= 0:
+        end = _closing(written, begin + 2)
+        if end < 0:
+            return [unknown_value(f"the bracket of {written[begin : begin + 40]!r} is never closed")]
+        if begin > at:
+            parts.append(_plain(written[at:begin]))
+        parts.append(_one(written[begin + 2 : end], depth + 1))
+        at = end + 1
+    if at < len(written) or not parts:
+        parts.append(_plain(written[at:]))
+    return parts
+
+
+def _begin(written: str, at: int) -> int:
+    begin = written.find("$(", at)
+    while begin > 0 and written[begin - 1] == "\\":
+        begin = written.find("$(", begin + 2)
+    return begin
+
+
+def _plain(written: str) -> str:
+    return written.replace("\\$(", "$(")
+
+
+def _closing(written: str, at: int) -> int:
+    depth, quote = 1, ""
+    for place in range(at, len(written)):
+        sign = written[place]
+        if quote:
+            quote = "" if sign == quote else quote
+        elif sign in "'\"" and depth == 1:
+            quote = sign
+        else:
+            depth += (sign == "(") - (sign == ")")
+            if not depth:
+                return place
+    # A lone apostrophe is no quote.
+    depth = 1
+    for place in range(at, len(written)):
+        depth += (written[place] == "(") - (written[place] == ")")
+        if not depth:
+            return place
+    return -1
+
+
+def _one(inside: str, depth: int) -> Value:
+    command, _, rest = inside.strip().partition(" ")
+    if command in ("eval", "command"):
+        # Everything behind the word is one text, its outer quotes left out.
+        return Deferred("python" if command == "eval" else "command", (parse(_unquoted(rest.strip()), depth),))
+    arguments = [parse(one, depth) for one in _words(rest)]
+    kind = _KINDS.get(command)
+    if command == "exec-in-pkg":
+        return unknown_value(f"path of a program: {inside}")
+    if command == "find-exec":
+        return unknown_value(f"path of a program: {inside}")
+    if kind is None:
+        return unknown_value(f"substitution $({inside}), which is not known here")
+    if not arguments and kind not in ("folder", "file"):
+        return unknown_value(f"substitution $({inside}), which names nothing")
+    return Deferred(kind, tuple(arguments))
+
+
+def _unquoted(written: str) -> str:
+    if len(written) < 2 or written[0] != written[-1] or written[0] not in "'\"":
+        return written
+    quote, inside = written[0], written[1:-1]
+    # One inside that is escaped does not end it.
+    plain = inside.replace(f"\\{quote}", "")
+    return inside.replace(f"\\{quote}", quote) if quote not in plain and not plain.endswith("\\") else written
+
+
+def _words(written: str) -> list[str]:
+    words: list[str] = []
+    word, quote, depth, begun = "", "", 0, False
+    for sign in written:
+        if quote and not depth:
+            if sign == quote:
+                quote = ""
+                continue
+        elif not depth and sign in "'\"":
+            quote, begun = sign, True
+            continue
+        elif sign.isspace() and not depth:
+            words += [word] if word or begun else []
+            word, begun = "", False
+            continue
+        depth += (sign == "(") - (sign == ")")
+        word += sign
+    return [*words, word] if word or begun else words

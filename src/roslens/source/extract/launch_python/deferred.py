@@ -1,0 +1,186 @@
+"""Values of ROS 2 launch files that are known only when an action is visited: substitutions, in one form.
+
+Names are those of the substitutions of ``launch`` and ``launch_ros``; what they come to depends on the launch
+configurations that hold at that moment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import msgspec
+
+from roslens.source.extract.facts.files import Files, joined
+from roslens.source.extract.symbolic.python_expression import UnknownError, evaluate
+from roslens.source.extract.symbolic.text import Hole, Text, unknown
+
+_MOST_DEPTH = 40
+
+
+class Deferred(msgspec.Struct, frozen=True):
+    """A substitution.
+
+    Attributes:
+        kind: ``text`` (parts one after the other), ``configuration``, ``environment``, ``share``, ``prefix``, ``path``
+            (parts joined by ``/``), ``python``, ``not``, ``and``, ``or``, ``equals``, ``unequal``, ``if`` (condition,
+            then, else), ``folder``, ``file``, ``anonymous``, ``command``, ``rewritten`` (a file of parameters in which
+            something is rewritten) or ``unknown`` (with the reason).
+        parts: what it is made of; of ``configuration`` and ``environment`` the name, and the default if there is one.
+    """
+
+    kind: str
+    parts: tuple[Deferred | Text | str, ...] = ()
+
+
+class Scope(msgspec.Struct):
+    """What holds where an action is visited.
+
+    Attributes:
+        files: of the workspace.
+        configurations: launch configurations by name.
+        environment: variables that are known.
+        path: of the launch file.
+        assigned: variables of the environment that an action before may have changed; ``*`` for all.
+    """
+
+    files: Files
+    configurations: dict[str, Text]
+    environment: Mapping[str, str]
+    path: str
+    assigned: set[str] = set()
+
+
+Value = Deferred | Text | str
+
+
+def resolve(value: Value, scope: Scope, depth: int = 0) -> Text:
+    """Return what a value comes to in a scope; what is unknown is a hole with its reason."""
+    if isinstance(value, str):
+        return Text.of(value)
+    if isinstance(value, Text):
+        return value
+    if depth > _MOST_DEPTH:
+        return unknown("substitutions that are too deep")
+    method = _KINDS.get(value.kind)
+    if method is None:
+        return unknown(str(value.parts[0]) if value.parts else value.kind)
+    return method([resolve(part, scope, depth + 1) for part in value.parts], scope)
+
+
+def truth(text: Text) -> bool | None:
+    """Return what a condition says; None where it is unknown.
+
+    Raises:
+        ValueError: it is neither true nor false.
+    """
+    known = text.known
+    if known is None:
+        return None
+    value = known.strip().lower()
+    if value in ("true", "1", "yes", "on"):
+        return True
+    if value in ("false", "0", "no", "off", ""):
+        return False
+    raise ValueError(f"{known!r} is no condition; expected `true` or `false`")
+
+
+def _said(parts: list[Text], decide: Callable[[list[bool]], bool]) -> Text:
+    try:
+        found = [truth(part) for part in parts]
+    except ValueError as error:
+        return unknown(str(error))
+    if None in found:
+        return _first_hole(parts)
+    return Text.of("true" if decide([one for one in found if one is not None]) else "false")
+
+
+def _first_hole(parts: list[Text]) -> Text:
+    return Text((next(part.holes[0] for part in parts if part.holes),))
+
+
+def _compared(parts: list[Text], *, equal: bool) -> Text:
+    if len(parts) == 2 and None not in (parts[0].known, parts[1].known):
+        return Text.of("true" if (parts[0].known == parts[1].known) is equal else "false")
+    return _first_hole(parts) if any(part.holes for part in parts) else unknown("a comparison of other than two values")
+
+
+def _configuration(parts: list[Text], scope: Scope) -> Text:
+    name = parts[0].known
+    if name is None:
+        return _first_hole(parts)
+    if name in scope.configurations:
+        return scope.configurations[name]
+    return parts[1] if len(parts) > 1 else unknown(f"launch configuration {name}, which is not set")
+
+
+def _environment(parts: list[Text], scope: Scope) -> Text:
+    name = str(parts[0])
+    if scope.assigned and (name in scope.assigned or "*" in scope.assigned):
+        return unknown(f"environment {name}, which is set by the launch file")
+    if name in scope.environment:
+        return Text.of(scope.environment[name])
+    return Text((Hole(f"environment {name}", default=parts[1].known if len(parts) > 1 else None),))
+
+
+def _share(parts: list[Text], scope: Scope) -> Text:
+    name = parts[0].known
+    if name is None:
+        return _first_hole(parts)
+    folder = scope.files.package(name)
+    return unknown(f"folder of package {name}, which is not in the workspace") if folder is None else Text.of(folder)
+
+
+def _path(parts: list[Text], _scope: Scope) -> Text:
+    pieces: list[Text | str] = []
+    for index, part in enumerate(parts):
+        pieces += [part, "/"] if index < len(parts) - 1 else [part]
+    whole = Text.of(*pieces)
+    if whole.known is None:
+        return whole
+    return Text.of("/" * whole.known.startswith("/") + joined("", whole.known))
+
+
+def _python(parts: list[Text], _scope: Scope) -> Text:
+    whole = Text.of(*parts)
+    if whole.known is None:
+        return unknown(f"expression {whole}")
+    try:
+        return Text.of(str(evaluate(whole.known)))
+    except UnknownError as error:
+        return unknown(f"expression {whole}: {error}")
+
+
+def _chosen(parts: list[Text], _scope: Scope) -> Text:
+    try:
+        holds = truth(parts[0])
+    except ValueError as error:
+        return unknown(str(error))
+    if holds is None:
+        return _first_hole(parts[:1])
+    return parts[1 if holds else 2] if len(parts) > (1 if holds else 2) else Text.of("")
+
+
+def _folder(_parts: list[Text], scope: Scope) -> Text:
+    return Text.of(scope.path.rpartition("/")[0])
+
+
+_KINDS: dict[str, Callable[[list[Text], Scope], Text]] = {
+    "text": lambda parts, _scope: Text.of(*parts),
+    "configuration": _configuration,
+    "environment": _environment,
+    "share": _share,
+    "prefix": lambda parts, _scope: unknown(f"folder into which {parts[0]} is installed"),
+    "path": _path,
+    "python": _python,
+    "not": lambda parts, _scope: _said(parts, lambda found: not found[0]),
+    "and": lambda parts, _scope: _said(parts, all),
+    "or": lambda parts, _scope: _said(parts, any),
+    "equals": lambda parts, _scope: _compared(parts, equal=True),
+    "unequal": lambda parts, _scope: _compared(parts, equal=False),
+    "if": _chosen,
+    "folder": _folder,
+    "file": lambda _parts, scope: Text.of(scope.path),
+    "anonymous": lambda parts, _scope: Text.of(*parts, "_", Hole("random end")),
+    "command": lambda parts, _scope: unknown(f"output of `{Text.of(*parts)}`"),
+    "rewritten": lambda parts, _scope: parts[0],
+}

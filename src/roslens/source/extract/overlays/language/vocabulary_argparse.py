@@ -1,0 +1,245 @@
+"""The vocabulary of argparse: what the words of a command line come to in a program of Python."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Named, Obj, Unknown
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.symbolic.text import Hole, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_PARSER, _SPACE = "argparse.ArgumentParser", "argparse.Namespace"
+_OPTIONS, _DEFAULTS, _LOST, _UNDER = "-options", "-defaults", "-lost", "-conditions"
+_FLAGS = {"store_true": True, "store_false": False}
+_SEVERAL = frozenset({"*", "+"})
+
+
+class Option(msgspec.Struct, frozen=True):
+    """An argument that a parser knows.
+
+    Attributes:
+        names: ``--topic``, ``-t``; of a positional one none.
+        dest: where its value is found.
+        default: where it is not given.
+        kind: ``text``, ``int``, ``float``; empty where it is made by a function that is not known.
+        action: ``store``, ``store_true``, ``store_false``; anything else is not followed.
+        nargs: how many words it takes: a number, ``*`` and ``+`` for all that follow, ``?`` for one at most.
+    """
+
+    names: tuple[str, ...]
+    dest: str
+    default: Any = None
+    kind: str = "text"
+    action: str = "store"
+    nargs: int | str = ""
+
+    @property
+    def shown(self) -> str:
+        """Its name for people."""
+        return self.names[0] if self.names else self.dest
+
+
+class LostError(Exception):
+    """What the words come to is not known."""
+
+
+@outer(_PARSER)
+def parser(engine: Context, thing: Any, called: Called) -> Any:
+    """A parser of command lines; what parents of it know is not followed."""
+    found = thing if isinstance(thing, Obj) else Obj(_PARSER)
+    found.fields.update({_OPTIONS: [], _DEFAULTS: {}, _LOST: "parents" in called.keywords})
+    found.fields[_UNDER] = list(engine.conditions)
+    return found
+
+
+@method(_PARSER, "add_argument_group", "add_mutually_exclusive_group")
+def group(_engine: Context, thing: Any, _called: Called) -> Any:
+    """A group of arguments is part of its parser."""
+    return thing
+
+
+@method(_PARSER, "add_subparsers")
+def commands(_engine: Context, thing: Any, _called: Called) -> Any:
+    """Commands have parsers of their own, which are not followed."""
+    thing.fields[_LOST] = True
+    return Unknown("parsers of commands")
+
+
+@method(_PARSER, "set_defaults", anywhere=True)
+def defaults(engine: Context, thing: Any, called: Called) -> Any:
+    """Values where nothing is given; a function among them is what a command of the command line does."""
+    if isinstance(thing, Obj):
+        thing.fields.setdefault(_DEFAULTS, {}).update(called.keywords)
+    for one in called.keywords.values():
+        engine.called_outer(one, "the command line asks for it")
+    return None
+
+
+@method(_PARSER, "add_argument")
+def option(engine: Context, thing: Any, called: Called) -> Any:
+    """An argument is made known to the parser."""
+    names = [one.known if isinstance(one, Text) else None for one in called.arguments]
+    known = [one for one in names if one]
+    if len(known) < len(names) or not known or engine.conditions != thing.fields.get(_UNDER):
+        thing.fields[_LOST] = True
+        return None
+    given = called.keywords
+    optional = known[0].startswith("-")
+    long = [one for one in known if one.startswith("--")]
+    dest = _text(given.get("dest")) or (long or known)[0].lstrip("-").replace("-", "_" if optional else "-")
+    action = _text(given["action"]) if "action" in given else "store"
+    default = given.get("default", not _FLAGS[action] if action in _FLAGS else None)
+    nargs = given.get("nargs", "")
+    nargs = nargs if isinstance(nargs, int) else _text(nargs)
+    thing.fields.setdefault(_OPTIONS, []).append(
+        Option(tuple(known) if optional else (), dest, default, _kind(given.get("type")), action, nargs)
+    )
+    return None
+
+
+def _text(value: Any) -> str:
+    return (value.known or "") if isinstance(value, Text) else ""
+
+
+def _kind(value: Any) -> str:
+    if value is None:
+        return "text"
+    name = value.name.removeprefix("builtins.") if isinstance(value, Named) else ""
+    return {"str": "text", "int": "int", "float": "float"}.get(name, "")
+
+
+@method(_PARSER, "parse_args", "parse_known_args")
+def parsed(engine: Context, thing: Any, called: Called) -> Any:
+    """The words are taken apart."""
+    words = called.argument(0, "args")
+    if words is None and engine.words is not None:
+        words = engine.words.part(1, None)
+    rest = called.name == "parse_known_args"
+    options: list[Option] = thing.fields.get(_OPTIONS, [])
+    given = {} if thing.fields.get(_LOST) else thing.fields.get(_DEFAULTS, {})
+    known = None if thing.fields.get(_LOST) or not isinstance(words, list) else _known(options, words, rest=rest)
+    values = {**given, **known} if known is not None else _unknown_all(options, given)
+    space = Obj(_SPACE, None, values)
+    return [space, Unknown("words that the parser does not know")] if rest else space
+
+
+def _known(options: Sequence[Option], words: Sequence[Any], *, rest: bool) -> dict[str, Any] | None:
+    try:
+        return values_of(options, words, rest=rest)
+    except LostError:
+        return None
+
+
+def _unknown_all(options: Sequence[Option], given: dict[str, Any]) -> dict[str, Any]:
+    values = {one.dest: _unknown(one) for one in options}
+    return values | {name: _unknown(Option((), name, value)) for name, value in given.items()}
+
+
+def _unknown(one: Option) -> Any:
+    """Return what stands for an argument of which nobody knows whether it is given; its default is usual."""
+    reason = f"argument {one.shown}"
+    if one.kind != "text" or one.action != "store" or isinstance(one.nargs, int):
+        return Unknown(reason)
+    if not isinstance(one.default, Text | Unknown | None):
+        return Unknown(reason)
+    return Text((Hole(reason, default=one.default.usual if isinstance(one.default, Text) else None),))
+
+
+def values_of(options: Sequence[Option], words: Sequence[Any], *, rest: bool) -> dict[str, Any]:
+    """Return the values of arguments by where they are found, as argparse does.
+
+    Raises:
+        LostError: the words hold something that is not followed, or that no parser would take.
+    """
+    values: dict[str, Any] = {one.dest: one.default for one in options}
+    plain: list[Any] = []
+    waiting = list(words)
+    while waiting:
+        word = waiting.pop(0)
+        known = word.known if isinstance(word, Text) else None
+        if known is None or known == "--":
+            raise LostError
+        if not _is_option(known):
+            plain.append(word)
+            continue
+        if known == "--ros-args" and rest:
+            # All that is behind it is for ROS; whatever the parser takes of it is left over.
+            break
+        one, value = _meant(options, known)
+        values[one.dest] = _taken(one, value, waiting)
+    _place(options, plain, values, rest=rest)
+    return values
+
+
+def _is_option(word: str) -> bool:
+    return word.startswith("-") and len(word) > 1 and not word[1:].replace(".", "", 1).isdigit()
+
+
+def _meant(options: Sequence[Option], word: str) -> tuple[Option, Text | None]:
+    """Return the argument that a word names, with the value that is in the same word."""
+    name, sign, value = word.partition("=")
+    given = Text.of(value) if sign else None
+    for one in options:
+        if name in one.names:
+            return one, given
+    if word.startswith("--"):
+        begun = [one for one in options if any(other.startswith(name) for other in one.names)]
+        if len(begun) == 1:
+            return begun[0], given
+    else:
+        for one in options:
+            if word[:2] in one.names and one.action == "store":
+                return one, Text.of(word[2:])
+    raise LostError
+
+
+def _taken(one: Option, value: Text | None, waiting: list[Any]) -> Any:
+    """Return the value of an argument; words that belong to it are taken from those that follow."""
+    if one.action in _FLAGS:
+        return _FLAGS[one.action]
+    if one.action != "store" or not isinstance(one.nargs, str) or one.nargs == "?":
+        raise LostError
+    if one.nargs in _SEVERAL:
+        several = []
+        while waiting and isinstance(waiting[0], Text) and not _is_option(waiting[0].known or "-x"):
+            several.append(_as_kind(one, waiting.pop(0)))
+        return several
+    if value is None:
+        if not waiting or (isinstance(waiting[0], Text) and _is_option(waiting[0].known or "")):
+            raise LostError
+        value = waiting.pop(0)
+    return _as_kind(one, value)
+
+
+def _as_kind(one: Option, value: Any) -> Any:
+    if one.kind == "text":
+        return value
+    try:
+        known = _text(value)
+        return {"int": int, "float": float}[one.kind](known)
+    except (KeyError, ValueError):
+        return Unknown(f"argument {one.shown}")
+
+
+def _place(options: Sequence[Option], plain: list[Any], values: dict[str, Any], *, rest: bool) -> None:
+    """Give positional arguments their words."""
+    places = [one for one in options if not one.names]
+    for number, one in enumerate(places):
+        last = number == len(places) - 1
+        if one.nargs in _SEVERAL and last:
+            values[one.dest] = [_as_kind(one, word) for word in plain]
+            plain = []
+        elif one.nargs == "?" and last:
+            values[one.dest] = _as_kind(one, plain.pop(0)) if plain else one.default
+        elif one.nargs == "" and plain:
+            values[one.dest] = _as_kind(one, plain.pop(0))
+        else:
+            raise LostError
+    if plain and not rest:
+        raise LostError

@@ -1,0 +1,40 @@
+"""Texts that are read as numbers: words of a command line."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_MOST_SIGNS = 30
+
+
+@outer("int", "std.stoi", "std.stol", "std.stoul", "atoi", "std.atoi", quiet=True)
+def whole(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A text or number is made a whole number."""
+    return _number(called, int)
+
+
+@outer("float", "std.stod", "std.stof", "atof", "std.atof", quiet=True)
+def real(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A text or number is made a real number."""
+    return _number(called, float)
+
+
+def _number(called: Called, kind: type[int] | type[float]) -> Any:
+    if not called.arguments and called.name in ("int", "float"):
+        return kind()
+    value = called.argument(0)
+    known = value.known if isinstance(value, Text) else value
+    if len(called.arguments) != 1 or not isinstance(known, str | int | float) or len(str(known)) > _MOST_SIGNS:
+        # A parameter stays what decides the number.
+        return value if isinstance(value, Text) and value.known is None else Unknown(f"result of {called.name}()")
+    try:
+        return kind(known)
+    except (ValueError, OverflowError):
+        return Unknown(f"result of {called.name}()")

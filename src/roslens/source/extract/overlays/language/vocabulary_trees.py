@@ -1,0 +1,66 @@
+"""The vocabulary of BehaviorTree.CPP as far as names depend on it: ports of nodes of behaviour trees."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.symbolic.text import Hole, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+@method("BT.ThreadedAction", "getInput")
+@method("BT.CoroActionNode", "getInput")
+@method("BT.StatefulActionNode", "getInput")
+@method("BT.SyncActionNode", "getInput")
+@method("BT.ActionNodeBase", "getInput")
+@method("BT.ControlNode", "getInput")
+@method("BT.ConditionNode", "getInput")
+@method("BT.DecoratorNode", "getInput")
+@method("BT.TreeNode", "getInput", anywhere=True)
+def port(engine: Context, _thing: Any, called: Called) -> Any:
+    """A port of a node of a behaviour tree is read: what the tree says."""
+    name = as_text(called.argument(0))
+    value = Text((Hole(f"port {name} of the behaviour tree", default=_port_default(engine, name)),))
+    if len(called.written) > 1:
+        engine.assign(called.written[1], value)
+        return Unknown("whether the port is set")
+    return value
+
+
+def _port_default(engine: Context, name: Text) -> str | None:
+    """Return the default that the class of a node of a behaviour tree gives a port."""
+    thing = engine.frame.self
+    if not isinstance(thing, Obj) or "ports" in thing.fields:
+        return thing.fields["ports"].get(name) if isinstance(thing, Obj) else None
+    ports: dict[Text, str | None] = {}
+    thing.fields["ports"] = ports
+    provided = engine.method(thing, "providedPorts")
+    if provided is not None:
+        engine.call(provided, [], {})
+    return ports.get(name)
+
+
+@outer("BT.InputPort", "BT.BidirectionalPort")
+def declared_port(engine: Context, _thing: Any, called: Called) -> Any:
+    """A port is declared, with a default where it has three arguments."""
+    thing = engine.frame.self
+    default = called.argument(1)
+    if isinstance(thing, Obj) and isinstance(thing.fields.get("ports"), dict) and len(called.arguments) > 2:
+        thing.fields["ports"][as_text(called.argument(0))] = as_text(default).usual
+    return Unknown("a port")
+
+
+@method("BT.BehaviorTreeFactory", "createTree", "createTreeFromFile", "createTreeFromText", quiet=True)
+def tree(engine: Context, _thing: Any, called: Called) -> Any:
+    """Nodes of a behaviour tree are made: which ones says a file, that is not read."""
+    given = called.argument(0)
+    name = str(as_text(given)) if given is not None else "a file"
+    note = (called.evidence, f"a behaviour tree is made of {name}: what its nodes make is unknown")
+    if note not in engine.node.unresolved:
+        engine.node.unresolved.append(note)
+        engine.touched()
+    return Unknown("a behaviour tree")

@@ -1,0 +1,192 @@
+"""What a ``.cfg`` file of dynamic_reconfigure declares: a script in Python, evaluated as a small program, never run.
+
+It calls a generator: ``gen.add(name, type, level, description, default, min, max, edit_method)``, of groups too, and at
+last ``gen.generate(package, node, name)``, which makes the class ``package::nameConfig`` (dynamic_reconfigure,
+parameter_generator_catkin.py). Functions that it imports may call it as well.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+from weakref import WeakKeyDictionary
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Building, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.facts.node_facts import Evidence
+from roslens.source.extract.interpreter.evaluation import Evaluation, SpentError
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbols.workspace_index import Index
+from roslens.source.extract.transfer.context import Context
+
+_GENERATOR, _GROUP = "dynamic_reconfigure.ParameterGenerator", "dynamic_reconfigure.Group"
+_MODULES = ("dynamic_reconfigure.parameter_generator_catkin", "dynamic_reconfigure.parameter_generator")
+_TYPES = {"int": "int", "double": "double", "str": "string", "bool": "bool"}
+_NOTHING: dict[str, Any] = {"int": 0, "double": 0.0, "string": Text(), "bool": False}
+_ADDED = "-added"
+_ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, RecursionError)
+
+
+class Declaration(msgspec.Struct, frozen=True):
+    """A parameter that a ``.cfg`` file declares.
+
+    Attributes:
+        name: of it, below the namespace of the server.
+        type: ``bool``, ``int``, ``double`` or ``string``; empty where unknown.
+        default: as text; a hole where it is unknown.
+        range: as ``least..greatest``; either end may be missing.
+        description: for people.
+        evidence: where it is declared.
+        conditions: under which it is.
+    """
+
+    name: Text
+    type: str
+    default: Text
+    range: str
+    description: str
+    evidence: Evidence
+    conditions: tuple[str, ...] = ()
+
+
+class ReconfigureFile(msgspec.Struct, frozen=True):
+    """What one call of ``generate`` makes.
+
+    Attributes:
+        package: namespace of the class in C++; empty where it is unknown.
+        name: of the class without ``Config``; empty where it is unknown.
+        path: of the ``.cfg`` file.
+        declarations: its parameters, in their order.
+        whole: whether all of the file was followed.
+    """
+
+    package: str
+    name: str
+    path: str
+    declarations: tuple[Declaration, ...]
+    whole: bool = True
+
+
+class _Reading(Evaluation):
+    """An evaluation of a ``.cfg`` file, which keeps what it generates."""
+
+    def __init__(self, index: Index, path: str) -> None:
+        super().__init__(index, Building("<module>", path, 1, "ros1", parameters=[], endpoints=[], unresolved=[]))
+        self.frame = Frame(path, "", names={"__name__": Text.of("__main__")})
+        self.generated: list[ReconfigureFile] = []
+
+    def _outside(self, name: str) -> Any:
+        return math.pi if name in ("math.pi", "pi") else super()._outside(name)
+
+
+_read: WeakKeyDictionary[Index, dict[str, tuple[ReconfigureFile, ...]]] = WeakKeyDictionary()
+
+
+def reconfigure_files(index: Index, name: str) -> tuple[ReconfigureFile, ...]:
+    """Return what the ``.cfg`` files of a workspace declare for classes ``nameConfig``, each named like its class.
+
+    Args:
+        index: of the workspace.
+        name: without package and ``Config``.
+    """
+    known = _read.setdefault(index, {})
+    if name not in known:
+        ending = f"/{name}.cfg"
+        paths = [path for path in index.programs if path.endswith(ending)]
+        known[name] = tuple(one for path in sorted(paths) for one in read_reconfigure_file(index, path))
+    return tuple(one for one in known[name] if one.name in (name, ""))
+
+
+def read_reconfigure_file(index: Index, path: str) -> tuple[ReconfigureFile, ...]:
+    """Return what a ``.cfg`` file declares, for each class that it generates."""
+    program = index.programs[path]
+    if program.language != "python":
+        return ()
+    reading = _Reading(index, path)
+    whole = not program.incomplete
+    try:
+        reading.block(program.body)
+    except (SpentError, *_ODD):
+        whole = False
+    return tuple(msgspec.structs.replace(one, whole=whole) for one in reading.generated)
+
+
+@outer("ParameterGenerator", *(f"{module}.ParameterGenerator" for module in _MODULES))
+def generator(_engine: Context, _thing: Any, _called: Called) -> Any:
+    """A generator is made."""
+    return Obj(_GENERATOR, None, {_ADDED: []})
+
+
+@method(_GENERATOR, "add_group")
+@method(_GROUP, "add_group")
+def group(_engine: Context, thing: Obj, _called: Called) -> Any:
+    """A group is made; it is for people who look at the parameters, their names stay without it."""
+    return Obj(_GROUP, None, {_ADDED: thing.fields[_ADDED]})
+
+
+@method(_GENERATOR, "const", "enum")
+def constant(_engine: Context, _thing: Obj, called: Called) -> Any:
+    """A constant, or values that are chosen from: they limit nothing."""
+    return Unknown(f"result of {called.name}()")
+
+
+@method(_GENERATOR, "add")
+@method(_GROUP, "add")
+def add(engine: Context, thing: Obj, called: Called) -> Any:
+    """A parameter is declared."""
+    kind = _type(called.argument(1, "paramtype"))
+    ends = [_end(called.argument(place, name), kind) for place, name in ((5, "min"), (6, "max"))]
+    description = as_text(called.argument(3, "description", default=Text()))
+    thing.fields[_ADDED].append(
+        Declaration(
+            as_text(called.argument(0, "name")),
+            kind,
+            _value(called.argument(4, "default"), kind),
+            "..".join(ends) if any(ends) else "",
+            description.known or "",
+            called.evidence,
+            tuple(dict.fromkeys(engine.conditions)),
+        )
+    )
+    return None
+
+
+@method(_GENERATOR, "generate")
+def generate(engine: Context, thing: Obj, called: Called) -> Any:
+    """A class is generated of what was declared until now."""
+    if isinstance(engine, _Reading):
+        texts = [as_text(called.argument(place, name)) for place, name in ((0, "pkgname"), (2, "name"))]
+        package, name = (one.known or "" for one in texts)
+        engine.generated.append(ReconfigureFile(package, name, engine.frame.path, tuple(thing.fields[_ADDED])))
+    return 0
+
+
+def _type(value: Any) -> str:
+    """Return the type that ``int_t`` names, or the text that it is in the generator's own source."""
+    written = value.known if isinstance(value, Text) else value.name if isinstance(value, Named) else None
+    return _TYPES.get((written or "").rpartition(".")[2].removesuffix("_t"), "")
+
+
+def _value(value: Any, kind: str) -> Text:
+    """Return a default as text: what fits its type; without one it is nothing of its type."""
+    if value is None and kind:
+        value = _NOTHING[kind]
+    if kind == "double" and _is_number(value):
+        return Text.of(repr(float(value)))
+    fits = {"int": isinstance(value, int) and not isinstance(value, bool), "bool": isinstance(value, bool)}
+    if fits.get(kind, kind == "string" and isinstance(value, Text)):
+        return as_text(value)
+    return unknown(as_text(value).holes[0].reason if isinstance(value, Unknown | Named) else f"no value of type {kind}")
+
+
+def _end(value: Any, kind: str) -> str:
+    if kind not in ("int", "double") or not _is_number(value):
+        return ""
+    return repr(float(value)) if kind == "double" else str(int(value))
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,349 @@
+"""How the vocabulary records what a node makes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import (
+    Building,
+    Callable,
+    Class,
+    Group,
+    Made,
+    Named,
+    Obj,
+    QosValue,
+    Unknown,
+    as_text,
+)
+from roslens.source.extract.domain.earlier_values import without_defaults
+from roslens.source.extract.domain.parameter_types import type_of_value
+from roslens.source.extract.facts.node_facts import (
+    EndpointFact,
+    Evidence,
+    Overrides,
+    ParameterFact,
+    Sure,
+    Terms,
+    TimerFact,
+)
+from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
+from roslens.source.extract.ir.program import Call, Name
+from roslens.source.extract.symbolic.condition import under_either
+from roslens.source.extract.symbolic.text import Asked, Hole, Text, unknown
+from roslens.source.extract.symbols.interface_name import (
+    included_interface,
+    interface_name,
+    lower_interface,
+    message_of,
+    of_generation,
+    used_interface,
+)
+from roslens.source.extract.symbols.workspace_index import dotted, type_arguments, type_name
+from roslens.source.extract.transfer.plugin_choice import chosen_value
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+KINDS = {
+    Role.PUBLISHER: "msg",
+    Role.SUBSCRIPTION: "msg",
+    Role.SERVICE_SERVER: "srv",
+    Role.SERVICE_CLIENT: "srv",
+    Role.ACTION_SERVER: "action",
+    Role.ACTION_CLIENT: "action",
+}
+
+
+def endpoint(
+    engine: Context,
+    receiver: Any,
+    called: Called,
+    role: Role,
+    name: Any,
+    kind: Any,
+    *,
+    qos: Any = None,
+    queue: int = -1,
+    latched: bool = False,
+    callback: Any = None,
+    group: Any = None,
+    overrides: Overrides | None = None,
+) -> Made:
+    """Record an endpoint of the node that the receiver is."""
+    node = node_of(engine, receiver)
+    written = below(receiver, as_text(name))
+    if not written:
+        written = unknown("a name that is not set")
+    asked = engine.asked_now()
+    if asked and node.generation == "ros1" and written.holes:
+        written = without_defaults(written, asked)
+    evidence, through = origin(engine, called, name)
+    sure = sure_of(written, receiver)
+    if sure is not Sure.CERTAIN or written.holes:
+        evidence = msgspec.structs.replace(evidence, how=how(written), sure=sure)
+    quality = qos if isinstance(qos, QosValue) else None
+    fact = EndpointFact(
+        role,
+        written,
+        type_text(engine, kind, node.generation, role),
+        evidence,
+        qos=quality.qos if quality and node.generation == "ros2" else None,
+        qos_unknown=quality.unknown if quality else "",
+        queue=queue,
+        latched=latched,
+        callback=engine.called_outer(callback),
+        group=group.name if isinstance(group, Group) else "",
+        conditions=tuple(dict.fromkeys(engine.conditions)),
+        asked=asked,
+        through=through,
+        overrides=_beyond(overrides, engine.conditions) if node.generation == "ros2" else None,
+    )
+    for place, known in enumerate(node.endpoints):
+        if (known.evidence, known.role, known.name, known.type) == (fact.evidence, role, fact.name, fact.type):
+            node.endpoints[place] = _under_either(known, fact)
+            return Made(node, place)
+    node.endpoints.append(fact)
+    return Made(node, len(node.endpoints) - 1)
+
+
+def _under_either(known: EndpointFact, other: EndpointFact) -> EndpointFact:
+    """Return an endpoint that is made at one place under these conditions or those."""
+    if set(known.conditions) <= set(other.conditions):
+        return known
+    asked = tuple(one for one in known.asked if one in other.asked)
+    return msgspec.structs.replace(known, conditions=under_either(known.conditions, other.conditions), asked=asked)
+
+
+def _beyond(overrides: Overrides | None, conditions: list[str]) -> Overrides | None:
+    """Return overrides without the conditions that hold for their endpoint anyway."""
+    if overrides is None or not overrides.conditions:
+        return overrides
+    rest = tuple(dict.fromkeys(one for one in overrides.conditions if one not in conditions))
+    return msgspec.structs.replace(overrides, conditions=rest)
+
+
+def origin(engine: Context, called: Called, name: Any) -> tuple[Evidence, tuple[Evidence, ...]]:
+    """Return where an endpoint comes from: the call that says its name, and the helpers that only pass it on."""
+    evidence = called.evidence
+    through: list[Evidence] = []
+    expression = next(
+        (one for one, value in zip(called.written, called.arguments, strict=False) if value is name), None
+    )
+    for site, function, written in reversed(engine.calls):
+        while isinstance(expression, Call) and len(expression.arguments) == 1:
+            expression = expression.arguments[0]
+        if not isinstance(expression, Name) or not site.line:
+            break
+        names = [parameter.name for parameter in function.parameters]
+        place = names.index(expression.name) if expression.name in names else -1
+        if not 0 <= place < len(written):
+            break
+        through.insert(0, evidence)
+        expression, evidence = written[place], site
+    return evidence, tuple(through)
+
+
+def sure_of(name: Text, receiver: Any) -> Sure:
+    """Return how sure a name is: certain where it is written, likely where a parameter or guess decides."""
+    if name.usual is None:
+        return Sure.POSSIBLE
+    return Sure.LIKELY if name.holes or is_guessed(receiver) else Sure.CERTAIN
+
+
+def is_guessed(receiver: Any) -> bool:
+    """Return whether it is not known of which node something is: the one that is built is taken for it."""
+    return receiver is None or isinstance(receiver, Unknown)
+
+
+def how(name: Text) -> str:
+    """Return in words how a name was resolved."""
+    if not name.holes:
+        return _TAKEN
+    return "; ".join(dict.fromkeys(hole.reason for hole in name.holes))
+
+
+def type_text(engine: Context, kind: Any, generation: str, role: Role) -> Text:
+    """Return the type of an endpoint as text."""
+    written = kind if isinstance(kind, str) else ""
+    if isinstance(kind, Named):
+        written = kind.name
+    elif isinstance(kind, Class):
+        written = kind.defined.what.qualified_name
+    elif isinstance(kind, Obj):
+        written = kind.type
+    if not written:
+        return unknown(kind.reason if isinstance(kind, Unknown) else "its type is not written")
+    written = _adapted(engine, written)
+    name = _as_interface(written, generation)
+    if not name:
+        name = _as_interface(_meant(engine, written), generation)
+    if not name:
+        name = included_interface(written, engine.index.programs[engine.frame.path])
+    if not name:
+        name = _in_scope(engine, written, KINDS[role])
+    if not name:
+        name = lower_interface(written, engine.index.headers)
+    return Text.of(of_generation(name, generation, KINDS[role])) if name else unknown(f"the type {written}")
+
+
+def _meant(engine: Context, written: str) -> str:
+    """Return what a type means that is written by an alias or without its namespace."""
+    path, scope = engine.frame.path, engine.frame.scope
+    inner = message_of(written)
+    plain = dotted(inner) if "<" not in inner else ""
+    alias = engine.index.alias(plain, path, scope) if plain else ""
+    if "<" in alias:
+        # A name for a pointer: ``typedef boost::shared_ptr<package::Message const> MessageConstPtr``.
+        return alias
+    meaning = engine.index.meaning(plain or written.replace("::", "."), path, scope)
+    if plain and meaning == plain and plain.isidentifier():
+        # A class that stands for a message of any type: ``using namespace topic_tools; ShapeShifter``.
+        defined = engine.index.class_of(plain, path, scope)
+        return meaning if defined is None else defined.what.qualified_name
+    return meaning
+
+
+def _as_interface(written: str, generation: str) -> str:
+    """Return the name of an interface; those of ROS 2 are in a namespace of their own: what is not is a class."""
+    name = interface_name(written)
+    return "" if generation == "ros2" and name.count("/") == 1 and "/" not in written else name
+
+
+def _adapted(engine: Context, written: str) -> str:
+    """Return the message that a type is adapted to: ``rclcpp::TypeAdapter<Custom, Message>``, or a registered class."""
+    name, inside = type_name(written)
+    if name == "rclcpp.TypeAdapter" and len(arguments := type_arguments(inside)) == 2:
+        return arguments[1]
+    if name.startswith("rclcpp.adapt_type") and "." in inside:
+        return inside
+    return engine.index.adapted(name, engine.frame.path, engine.frame.scope) or written
+
+
+def _in_scope(engine: Context, written: str, kind: str) -> str:
+    """Return the interface that a name without package means: of a module that is used whole, or of its namespace."""
+    program = engine.index.programs[engine.frame.path]
+    if not written.isidentifier():
+        return ""
+    if program.language == "python":
+        modules = [one for one in program.using if one.endswith(f".{kind}")]
+        module = engine.index.interfaces.of_modules(written, modules)
+        return f"{module.replace('.', '/')}/{written}" if module else ""
+    found = used_interface(written, kind, program.using, engine.index.headers)
+    if found:
+        return found
+    scope = engine.frame.scope
+    while scope := scope.rpartition(".")[0]:
+        last = scope.rpartition(".")[2]
+        if engine.index.includes(f"{last}/{written}.h", engine.frame.path):
+            return f"{last}/{written}"
+    return ""
+
+
+def type_of_callback(engine: Context, callback: Any, place: int = 0) -> str:
+    """Return the type that a callback takes, as its declaration says."""
+    return engine.callable_type(callback, place) if isinstance(callback, Callable) else ""
+
+
+class Described(msgspec.Struct, frozen=True):
+    """What the declaration of a parameter says of it.
+
+    See :class:`~roslens.source.extract.facts.node_facts.ParameterFact`.
+    """
+
+    range: str = ""
+    description: str = ""
+    terms: Terms = Terms()
+
+
+_PLAIN = Described()
+_TAKEN = "taken to be of this node"
+
+
+def parameter(
+    engine: Context, receiver: Any, called: Called, access: str, name: Any, *, default: Any = None, kind: str = "",
+    given: bool = False, described: Described = _PLAIN, evidence: Evidence | None = None,
+) -> Any:  # fmt: skip
+    """Record a parameter and return what reading it gives: a hole with its default, or what it is known to be."""
+    node = node_of(engine, receiver)
+    written = below(receiver, as_text(name))
+    text = value_text(default) if given and not isinstance(default, Unknown | Obj | None) else None
+    evidence = evidence or origin(engine, called, name)[0]
+    if is_guessed(receiver) and evidence.sure is Sure.CERTAIN:
+        evidence = msgspec.structs.replace(evidence, how=_TAKEN, sure=Sure.LIKELY)
+    fact = ParameterFact(
+        written,
+        evidence,
+        access,
+        kind or _type_by_default(node, default, python=called.evidence.path.endswith(".py")),
+        text,
+        described.range,
+        tuple(dict.fromkeys(engine.conditions)),
+        described.description,
+        terms=described.terms,
+    )
+    if fact not in node.parameters:
+        node.parameters.append(fact)
+    known = written.known or written.pattern
+    stated = text if text is not None else declared_default(node, written)
+    if engine.chosen is not None:
+        known = written.usual or known
+        if stated is None:
+            stated = declared_default(node, Text.of(known))
+        decided = chosen_value(engine.chosen, node, known, stated)
+        if decided is not None:
+            return decided
+    usual = None if stated is None else stated.usual
+    named = (written, *(() if stated is None else (stated,))) if written.holes else ()
+    return Text((Hole(node.said(f"parameter {written}"), known, usual, named=named),))
+
+
+def _type_by_default(node: Building, default: Any, *, python: bool) -> str:
+    """Return the type of a parameter by its default; what another parameter decides has the type of that one."""
+    if isinstance(default, Text) and default.holes:
+        first = default.parts[0]
+        if len(default.parts) == 1 and isinstance(first, Hole):
+            # It may be a number, too.
+            named = (
+                one for one in node.parameters if one.type and first.parameter in (one.name.known, one.name.pattern)
+            )
+            return next((one.type for one in named), "") if first.parameter else ""
+        return "string"
+    return type_of_value(default, python=python and node.generation == "ros2")
+
+
+def is_set(value: Any) -> Asked | None:
+    """Return what decides whether a parameter that was read is set; None where that is no question of its name."""
+    if not isinstance(value, Text):
+        return None
+    hole = value.parts[0] if len(value.parts) == 1 else None
+    return Asked("set", (value,)) if isinstance(hole, Hole) and hole.parameter and "*" not in hole.parameter else None
+
+
+def value_text(value: Any) -> Text:
+    """Return the value of a parameter as text: a list as YAML in one line, where all of it is known."""
+    if not isinstance(value, list):
+        return as_text(value)
+    items = [value_text(one) for one in value]
+    if any(one.known is None for one in items):
+        return unknown("a list of which a part is unknown")
+    return Text.of("[", ", ".join(one.known or "''" for one in items), "]")
+
+
+def declared_default(node: Building, name: Text) -> Text | None:
+    """Return the default that a node declared for a parameter before."""
+    for one in node.parameters:
+        if one.name == name and one.default is not None:
+            return one.default
+    return None
+
+
+def timer(engine: Context, receiver: Any, called: Called, period: Any, callback: Any, group: Any) -> None:
+    """Record a timer."""
+    node = node_of(engine, receiver)
+    seconds = float(period) if isinstance(period, int | float) and not isinstance(period, bool) else None
+    name = group.name if isinstance(group, Group) else ""
+    node.timers.append(TimerFact(seconds, called.evidence, engine.called_outer(callback), name))

@@ -1,0 +1,56 @@
+"""How the vocabulary records that a node writes parameters of ROS 1, and which values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.domain.parameter_types import type_of_value
+from roslens.source.extract.facts.node_facts import ParameterFact, Sure
+from roslens.source.extract.interpreter.vocabulary import Called, below, node_of
+from roslens.source.extract.overlays.ros.record import value_text
+from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.transfer.xml_rpc_values import parts_of
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+def write_parameter(
+    engine: Context, receiver: Any, called: Called, name: Any, value: Any, conditions: tuple[str, ...] = ()
+) -> None:
+    """Record that a parameter is written; of a dictionary each item is a parameter of its own.
+
+    ``conditions`` are those of its value, besides those around the call.
+
+    What is written while the node runs is only likely to be there, as nobody knows when that is.
+    """
+    written = below(receiver, as_text(name))
+    if isinstance(value, dict) and value and all(isinstance(key, Text | str) for key in value):
+        for key, item in value.items():
+            inner = key if isinstance(key, Text) else Text.of(key)
+            write_parameter(engine, receiver, called, Text.of(as_text(name), "/", inner), item)
+        return
+    parts = parts_of(value)
+    for key, (part, held) in parts.items():
+        write_parameter(engine, receiver, called, Text.of(as_text(name), "/", key), part, (*conditions, *held))
+    if parts:
+        return
+    text = value_text(value) if not isinstance(value, dict | Obj | None) else as_text(Unknown("a value of many parts"))
+    writer = called.evidence
+    if engine.running:
+        writer = msgspec.structs.replace(writer, how="while the node runs", sure=Sure.LIKELY)
+    fact = ParameterFact(
+        written,
+        called.evidence,
+        "written",
+        "" if text.holes else type_of_value(value),
+        conditions=tuple(dict.fromkeys((*conditions, *engine.conditions))),
+        value=text,
+        writer=writer,
+    )
+    node = node_of(engine, receiver)
+    if fact not in node.parameters:
+        node.parameters.append(fact)

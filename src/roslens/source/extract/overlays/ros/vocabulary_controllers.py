@@ -1,0 +1,36 @@
+"""The vocabulary of the manager of controllers of ros_control (ROS 1): the services by which they are loaded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Handle, Obj
+from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_SERVICES = (
+    ("list_controllers", "ListControllers"),
+    ("list_controller_types", "ListControllerTypes"),
+    ("load_controller", "LoadController"),
+    ("unload_controller", "UnloadController"),
+    ("switch_controller", "SwitchController"),
+    ("reload_controller_libraries", "ReloadControllerLibraries"),
+)
+"""As of controller_manager.cpp of Noetic."""
+
+
+@outer("controller_manager.ControllerManager")
+def manager(engine: Context, _thing: Any, called: Called) -> Any:
+    """A manager of controllers, in the namespace of the handle that it is given."""
+    if engine.node.generation == "ros1":
+        given = [one for one in called.arguments if isinstance(one, Handle)]
+        handle = given[0] if given else Handle(engine.node)
+        for name, kind in _SERVICES:
+            service = Text.of(f"controller_manager/{name}")
+            endpoint(engine, handle, called, Role.SERVICE_SERVER, service, f"controller_manager_msgs::{kind}")
+    return Obj("controller_manager.ControllerManager")

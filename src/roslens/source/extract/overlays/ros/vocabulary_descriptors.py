@@ -1,0 +1,83 @@
+"""What descriptors of parameters say: range, description, whether they are read only or of any type."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.facts.node_facts import Terms
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.overlays.ros.record import Described
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_DESCRIPTOR = "rcl_interfaces.msg.ParameterDescriptor"
+_RANGES = {"integer_range": "rcl_interfaces.msg.IntegerRange",
+           "floating_point_range": "rcl_interfaces.msg.FloatingPointRange"}  # fmt: skip
+_CHECKED = {"int": ("integer_range",), "double": ("floating_point_range",)}
+"""Which range rclcpp and rclpy hold a value of a type to; the other one is never looked at."""
+_SET = "set__"
+
+
+@outer(_DESCRIPTOR, quiet=True)
+def descriptor(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A descriptor: with an empty range of each kind, which C++ makes by ``resize(1)``."""
+    if called.arguments and is_descriptor(called.arguments[0]):
+        return called.arguments[0]
+    ranges = {name: [Obj(kind, None, {})] for name, kind in _RANGES.items()}
+    return Obj(_DESCRIPTOR, None, {**ranges, **called.keywords})
+
+
+@outer(*_RANGES.values(), quiet=True)
+def bounds(_engine: Context, _thing: Any, called: Called) -> Any:
+    """The range of a number."""
+    if called.arguments and isinstance(called.arguments[0], Obj):
+        return called.arguments[0]
+    places = dict(zip(("from_value", "to_value", "step"), called.arguments, strict=False))
+    return Obj(called.name, None, {**places, **called.keywords})
+
+
+@method("ParameterDescriptor", *(f"{_SET}{name}" for name in ("name", "type", "description", "additional_constraints",
+        "read_only", "dynamic_typing", *_RANGES)))  # fmt: skip
+@method("IntegerRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
+@method("FloatingPointRange", *(f"{_SET}{name}" for name in ("from_value", "to_value", "step")))
+def set_field(_engine: Context, thing: Any, called: Called) -> Any:
+    """A field is set: ``descriptor.set__read_only(true)``."""
+    if isinstance(thing, Obj):
+        thing.fields[called.name.removeprefix(_SET)] = called.argument(0)
+    return thing
+
+
+def is_descriptor(value: Any) -> bool:
+    """Whether a value describes a parameter."""
+    return isinstance(value, Obj) and value.type.rpartition(".")[2] == "ParameterDescriptor"
+
+
+def described_by(values: Iterable[Any], kind: str = "") -> Described:
+    """Return what the descriptor among some values says of a parameter of a type; empty is not known."""
+    found = next((one.fields for one in values if is_descriptor(one)), None)
+    if found is None:
+        return Described()
+    text, more = found.get("description"), found.get("additional_constraints")
+    ranges = [one for name in _CHECKED.get(kind, _RANGES) if (one := _range(found.get(name)))]
+    return Described(
+        ranges[0] if ranges else "",
+        (text.known or "") if isinstance(text, Text) else "",
+        Terms(
+            read_only=found.get("read_only") is True,
+            dynamic=found.get("dynamic_typing") is True,
+            constraints=(more.known,) if isinstance(more, Text) and more.known else (),
+        ),
+    )
+
+
+def _range(given: Any) -> str:
+    """Return a range of numbers as text; empty where there is none, or one of its ends is unknown."""
+    items = given if isinstance(given, list) else [given]
+    fields = next((one.fields for one in reversed(items) if isinstance(one, Obj) and one.fields), None)
+    ends = [] if fields is None else [fields.get(name, 0) for name in ("from_value", "to_value")]
+    known = [one for one in ends if isinstance(one, int | float) and not isinstance(one, bool)]
+    return f"{known[0]}..{known[1]}" if len(known) == 2 else ""

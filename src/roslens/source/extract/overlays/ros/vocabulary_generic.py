@@ -1,0 +1,50 @@
+"""The vocabulary of generic endpoints of rclcpp, whose type is a text."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.quality import quality_of
+from roslens.source.extract.interpreter.vocabulary import Called, method
+from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+@method("node", "create_generic_publisher", anywhere=True)
+def publisher(engine: Context, thing: Any, called: Called) -> Any:
+    """A publisher of serialized messages."""
+    quality = quality_of(called.argument(2))
+    return endpoint(engine, thing, called, Role.PUBLISHER, called.argument(0), _kind(called), qos=quality)
+
+
+@method("node", "create_generic_subscription", anywhere=True)
+def subscription(engine: Context, thing: Any, called: Called) -> Any:
+    """A subscription to serialized messages."""
+    quality, callback = quality_of(called.argument(2)), called.argument(3)
+    name = called.argument(0)
+    return endpoint(engine, thing, called, Role.SUBSCRIPTION, name, _kind(called), qos=quality, callback=callback)
+
+
+@method("node", "create_generic_client", anywhere=True)
+def client(engine: Context, thing: Any, called: Called) -> Any:
+    """A client of a service with any type."""
+    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), _kind(called))
+
+
+@method("node", "create_generic_service", anywhere=True)
+def service(engine: Context, thing: Any, called: Called) -> Any:
+    """A server of a service with any type."""
+    name, callback = called.argument(0), called.argument(2)
+    return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, _kind(called), callback=callback)
+
+
+def _kind(called: Called) -> Any:
+    kind = called.argument(1)
+    if isinstance(kind, Text) and kind.known:
+        return kind.known.replace("/", "::")
+    return Unknown(str(kind)) if isinstance(kind, Text) else kind

@@ -1,0 +1,129 @@
+"""The vocabulary of image_transport, of both generations."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj, Unknown
+from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.overlays.ros.vocabulary_ros2 import free_function
+from roslens.source.extract.overlays.ros.vocabulary_shared import follow_visitors, handle_of
+from roslens.source.extract.symbolic.text import Hole, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_IMAGE = "sensor_msgs::msg::Image"
+_CAMERA = "sensor_msgs::msg::CameraInfo"
+
+
+@outer("image_transport.ImageTransport")
+def images(engine: Context, _thing: Any, called: Called) -> Any:
+    """What images are published and subscribed to with."""
+    return Obj("image_transport.ImageTransport", None, {"handle": handle_of(engine, called)})
+
+
+def _handle(thing: Any, engine: Context) -> Any:
+    return thing.fields.get("handle") if isinstance(thing, Obj) else Handle(engine.node)
+
+
+@method("image_transport.ImageTransport", "advertise", "advertiseCamera")
+def image_publisher(engine: Context, thing: Any, called: Called) -> Any:
+    """A publisher of images, and with a camera of what is known of it."""
+    handle, queue = _handle(thing, engine), called.argument(1)
+    size = queue if isinstance(queue, int) else -1
+    follow_visitors(engine, called, 2)
+    made = endpoint(engine, handle, called, Role.PUBLISHER, called.argument(0), _IMAGE, queue=size)
+    if called.name.endswith("Camera"):
+        endpoint(engine, handle, called, Role.PUBLISHER, _camera(called.argument(0)), _CAMERA, queue=size)
+    return made
+
+
+@method("image_transport.ImageTransport", "subscribe", "subscribeCamera")
+def image_subscription(engine: Context, thing: Any, called: Called) -> Any:
+    """A subscription to images, and with a camera to what is known of it."""
+    handle, queue = _handle(thing, engine), called.argument(1)
+    size = queue if isinstance(queue, int) else -1
+    callback = called.argument(2)
+    made = endpoint(
+        engine, handle, called, Role.SUBSCRIPTION, called.argument(0), _IMAGE, queue=size, callback=callback
+    )
+    if called.name.endswith("Camera"):
+        endpoint(engine, handle, called, Role.SUBSCRIPTION, _camera(called.argument(0)), _CAMERA, queue=size)
+    return made
+
+
+@outer("image_transport.create_camera_publisher", "image_transport.create_camera_subscription")
+def camera(engine: Context, _thing: Any, called: Called) -> Any:
+    """An image with what is known of its camera, in ROS 2."""
+    role = Role.PUBLISHER if called.name.lower().endswith("publisher") else Role.SUBSCRIPTION
+    callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
+    made = endpoint(engine, called.argument(0), called, role, called.argument(1), _IMAGE, callback=callback)
+    endpoint(engine, called.argument(0), called, role, _camera(called.argument(1)), _CAMERA)
+    return made
+
+
+@outer("image_transport.CameraPublisher", "image_transport.CameraSubscriber", "image_transport.Publisher",
+       "image_transport.Subscriber")  # fmt: skip
+def made_at_once(engine: Context, _thing: Any, called: Called) -> Any:
+    """What ROS 2 also makes by constructors, of a node and a topic; others hold what is made later, or copy."""
+    if len(called.arguments) < 2:
+        return Unknown(called.name)
+    kind = called.name.rpartition(".")[2]
+    if kind.startswith("Camera"):
+        return camera(engine, _thing, called)
+    made = "create_publisher" if kind == "Publisher" else "create_subscription"
+    return free_function(engine, _thing, msgspec.structs.replace(called, name=f"image_transport.{made}"))
+
+
+@outer("camera_info_manager.CameraInfoManager")
+def camera_manager(engine: Context, _thing: Any, called: Called) -> Any:
+    """What keeps what is known of a camera: it is set by a service.
+
+    Where that is follows the handle in ROS 1. In ROS 2 it is below a namespace, which is that of the node in releases
+    before there was an argument for it (camera_info_manager.cpp of the package ``camera_info_manager``).
+    """
+    handle = handle_of(engine, called)
+    name = Text.of("set_camera_info")
+    if node_of(engine, handle).generation == "ros2":
+        texts = [one for one in called.arguments if isinstance(one, Text)]
+        release = Hole("release of camera_info_manager", default="~")
+        name = Text.of(texts[2] if len(texts) > 2 else release, "/", name)
+    endpoint(engine, handle, called, Role.SERVICE_SERVER, name, "sensor_msgs::srv::SetCameraInfo")
+    return Obj("camera_info_manager.CameraInfoManager")
+
+
+@outer("image_transport.getCameraInfoTopic")
+def camera_topic(_engine: Context, _thing: Any, called: Called) -> Any:
+    """The topic of what is known of a camera, beside that of its images."""
+    return _camera(called.argument(0))
+
+
+@outer("image_transport.SubscriberFilter")
+def filtered_images(engine: Context, _thing: Any, called: Called) -> Any:
+    """A subscription to images that are filtered; without arguments it is made by ``subscribe`` later."""
+    found = Obj("image_transport.SubscriberFilter")
+    if called.arguments:
+        filtered_images_later(engine, found, called)
+    return found
+
+
+@method("image_transport.SubscriberFilter", "subscribe")
+def filtered_images_later(engine: Context, _thing: Any, called: Called) -> Any:
+    """A filtered subscription to images is made: ``subscribe(node, topic, transport)``, in ROS 1 of a transport."""
+    first = called.argument(0)
+    given = _handle(first, engine) if isinstance(first, Obj) and first.node is None else first
+    return endpoint(engine, given, called, Role.SUBSCRIPTION, called.argument(1), _IMAGE)
+
+
+def _camera(image: Any) -> Any:
+    """Return the topic of the camera's information beside a topic of images."""
+    last = image.parts[-1] if isinstance(image, Text) and image.parts else None
+    if not isinstance(last, str) or ("/" not in last and len(image.parts) > 1):
+        return Unknown("the topic beside that of the image")
+    folder, slash, _ = last.rpartition("/")
+    return Text.of(*image.parts[:-1], f"{folder}{slash}camera_info")

@@ -1,0 +1,176 @@
+"""The vocabulary of options of nodes: what command line and parameters code gives a node that it makes.
+
+A node that code makes with arguments of its own is renamed and remapped by them before those of the process are looked
+at (rcl, ``rcl_remap_node_name``); without any it takes the name that is given to its process.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Building, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.outside_options import OPTIONS, OUTSIDE
+from roslens.source.extract.domain.perhaps import Perhaps
+from roslens.source.extract.facts.node_facts import Inherits
+from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.symbolic.text import Hole, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_DECLARES = "automatically_declare_parameters_from_overrides"
+_SAME = (
+    "use_intra_process_comms", "enable_topic_statistics", "start_parameter_services",
+    "start_parameter_event_publisher", "enable_rosout", "allow_undeclared_parameters", "context", "clock_qos",
+    "use_clock_thread", "parameter_event_qos", "rosout_qos", "enable_logger_service",
+    "parameter_event_publisher_options", "allocator", "clock_type",
+)  # fmt: skip
+
+
+@outer(OPTIONS)
+def options(_engine: Context, thing: Any, called: Called) -> Any:
+    """Options of a node: those of a copy, or none."""
+    given = called.argument(0)
+    found = _copy(given) if isinstance(given, Obj) else Obj(OPTIONS, None, {"-arguments": []})
+    if isinstance(thing, Obj):
+        thing.fields.update(found.fields)
+        return thing
+    return found
+
+
+def _copy(given: Obj) -> Obj:
+    return Obj(OPTIONS, None, {key: list(one) if isinstance(one, list) else one for key, one in given.fields.items()})
+
+
+@method(OPTIONS, "arguments")
+def arguments(_engine: Context, thing: Any, called: Called) -> Any:
+    """The command line of the node is asked for, or given."""
+    if not called.arguments:
+        held = thing.fields.get("-arguments", [])
+        return list(held) if isinstance(held, list) else held
+    given = called.argument(0)
+    # What is added where it is not there yet is among the arguments in any case.
+    listed = isinstance(given, list)
+    thing.fields["-arguments"] = [one.value if type(one) is Perhaps else one for one in given] if listed else given
+    return thing
+
+
+@method(OPTIONS, "use_global_arguments")
+def use_global(_engine: Context, thing: Any, called: Called) -> Any:
+    """Whether the command line of the process is for the node too."""
+    if not called.arguments:
+        return thing.fields.get("-global", True)
+    thing.fields["-global"] = called.argument(0)
+    return thing
+
+
+@method(OPTIONS, "parameter_overrides", "append_parameter_override")
+def overrides(_engine: Context, thing: Any, called: Called) -> Any:
+    """Values of parameters are given to the node."""
+    if not called.arguments:
+        return thing.fields.get("-overrides", [])
+    held = thing.fields.setdefault("-overrides", [])
+    if called.name.startswith("append"):
+        held.append([called.argument(0), called.argument(1)])
+    else:
+        given = called.argument(0)
+        thing.fields["-overrides"] = list(given) if isinstance(given, list) else given
+    return thing
+
+
+@method(OPTIONS, _DECLARES)
+def declares(_engine: Context, thing: Any, called: Called) -> Any:
+    """Whether the node declares each parameter that is set for it."""
+    if not called.arguments:
+        return thing.fields.get("-declares", False)
+    thing.fields["-declares"] = called.argument(0)
+    return thing
+
+
+@method(OPTIONS, *_SAME)
+def same(_engine: Context, thing: Any, called: Called) -> Any:
+    """What says nothing of names."""
+    return thing if called.arguments else Unknown(f"{called.name} of the options")
+
+
+@method("node", "get_node_options")
+def options_of(engine: Context, thing: Any, _called: Called) -> Any:
+    """The options of a node are asked for."""
+    held = node_of(engine, thing).options
+    return _copy(held) if isinstance(held, Obj) else Unknown("options of the node")
+
+
+def given_options(called: Called) -> Any:
+    """Return the options that a node is made with; None where it is made without."""
+    for one in (*called.arguments, *called.keywords.values()):
+        if isinstance(one, Obj) and one.type == OPTIONS:
+            return one
+    if not {"cli_args", "use_global_arguments", "parameter_overrides", _DECLARES} & set(called.keywords):
+        return None
+    held: dict[str, Any] = {"-arguments": called.keywords.get("cli_args") or []}
+    held["-global"] = called.keywords.get("use_global_arguments", True)
+    held["-overrides"] = called.keywords.get("parameter_overrides") or []
+    held["-declares"] = called.keywords.get(_DECLARES, False)
+    return Obj(OPTIONS, None, held)
+
+
+def take_options(engine: Context, building: Building, given: Obj, called: Called) -> None:
+    """Let hold for a node what its options say."""
+    building.options = given
+    words = given.fields.get("-arguments", [])
+    if isinstance(words, list):
+        building.inherits = given.fields.get("-inherits", Inherits.NOTHING)
+        if building.inherits is Inherits.ALL and words != [OUTSIDE]:
+            building.inherits = Inherits.ALL if OUTSIDE in words else Inherits.PARAMETERS
+        elif OUTSIDE in words:
+            building.inherits = building.inherits if building.inherits is Inherits.ALL else Inherits.ARGUMENTS
+        building.arguments = [as_text(one) for one in words if one != OUTSIDE]
+    else:
+        _doubt(building, called, f"its arguments are {as_text(words)}")
+    if isinstance(of_process := given.fields.get("-global", True), bool):
+        building.global_arguments = of_process
+    else:
+        _doubt(building, called, "whether those of the process hold for it is unknown")
+    building.declares_set = given.fields.get("-declares") is True
+    values = given.fields.get("-overrides", [])
+    pairs = list(values.items()) if isinstance(values, dict) else values if isinstance(values, list) else []
+    for one in pairs:
+        if isinstance(one, list | tuple) and len(one) == 2:
+            building.settings.append((as_text(one[0]), as_text(one[1])))
+    del engine
+
+
+def doubt_options(building: Building, called: Called) -> None:
+    """Note where one of the arguments may be options, or a namespace, that nobody knows."""
+    unknown_ones = [one for one in called.arguments[1:3] if isinstance(one, Unknown)]
+    if unknown_ones:
+        _doubt(building, called, f"its options are {as_text(unknown_ones[-1])}")
+
+
+def _doubt(building: Building, called: Called, reason: str) -> None:
+    building.doubt = building.doubt or reason
+    building.unresolved.append((called.evidence, f"{reason}: its name and those of its topics may be others"))
+
+
+@outer("std.replace")
+def replaced(engine: Context, _thing: Any, called: Called) -> Any:
+    """Signs of a text are replaced by others: ``std::replace(name.begin(), name.end(), '/', '_')``."""
+    of = getattr(getattr(called.written[0], "function", None), "of", None) if called.written else None
+    before, after = called.argument(2), called.argument(3)
+    if of is None or not isinstance(before, Text) or not isinstance(after, Text):
+        return None
+    value = engine.value(of)
+    if not isinstance(value, Text) or before.known is None or after.known is None:
+        return None
+    parts: list[str | Hole] = []
+    for one in value.parts:
+        if isinstance(one, str):
+            parts.append(one.replace(before.known, after.known))
+        else:
+            default = None if one.default in (None, "~") else (one.default or "").replace(before.known, after.known)
+            parts.append(Hole(f"{one.reason} with {after.known} for {before.known}", "", default))
+    engine.assign(of, Text.of(*parts))
+    return None
+
+
+__all__ = ["Named"]

@@ -1,0 +1,134 @@
+"""The vocabulary of parameters of ROS 2: declared, read and written by rclcpp, rclpy and what Nav2 has around them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.domain.parameter_types import VECTOR, type_of_constant, type_of_cpp, type_of_value
+from roslens.source.extract.domain.typed_list import TypedList
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.overlays.ros.record import is_set, parameter
+from roslens.source.extract.overlays.ros.vocabulary_descriptors import described_by, is_descriptor
+from roslens.source.extract.symbolic.text import Text, unknown
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_PYTHON = ("rclpy.parameter.Parameter", "rclpy.Parameter")
+
+
+@method("node", "declare_parameter", anywhere=True)
+def declare(engine: Context, thing: Any, called: Called) -> Any:
+    """A parameter is declared."""
+    default = called.argument(1, "value", "default_value")
+    return _declared(engine, thing, called, called.argument(0, "name"), default, _template(called))
+
+
+@method("node", "declare_or_get_parameter", anywhere=True)
+def declare_or_read(engine: Context, thing: Any, called: Called) -> Any:
+    """A parameter is declared, or read where it is declared already, as nodes of Nav2 do."""
+    return declare(engine, thing, called)
+
+
+@outer(
+    *(f"{space}.{name}" for space in ("nav2_util", "nav2", "nav2_ros_common")
+      for name in ("declare_parameter_if_not_declared", "declare_or_get_parameter")),
+)  # fmt: skip
+def declare_of(engine: Context, _thing: Any, called: Called) -> Any:
+    """A parameter of the node that is given first is declared, if it is not yet."""
+    named = next((place for place, one in enumerate(called.arguments) if isinstance(one, Text)), 1)
+    inner = msgspec.structs.replace(called, arguments=called.arguments[named:], written=called.written[named:])
+    return declare(engine, called.argument(0), inner)
+
+
+def _declared(engine: Context, thing: Any, called: Called, name: Any, default: Any, kind: str) -> Any:
+    if is_descriptor(default):
+        default = None
+    constant = type_of_constant(default)
+    if constant is not None:
+        kind, default = kind or constant, None
+    if isinstance(default, Obj) and default.type.endswith("ParameterValue"):
+        default = default.fields.get("value")
+    python = called.evidence.path.endswith(".py")
+    held_to = kind or ("" if isinstance(default, Text) else type_of_value(default, python=python))
+    described = described_by((*called.arguments[1:], *called.keywords.values()), held_to)
+    if constant is None and default is None and not kind and python:
+        # rclpy takes what has neither value nor type for one of any type.
+        described = msgspec.structs.replace(described, terms=msgspec.structs.replace(described.terms, dynamic=True))
+    return parameter(
+        engine, thing, called, "declared", name, default=_fitting(default, kind), given=default is not None,
+        kind=kind, described=described,
+    )  # fmt: skip
+
+
+def _fitting(default: Any, kind: str) -> Any:
+    """Return a default in the type that a template argument makes of it."""
+    if kind == "double" and type(default) is int:
+        return float(default)
+    if kind == "double_array" and isinstance(default, list):
+        return TypedList((float(one) if type(one) is int else one for one in default), kind)
+    return default
+
+
+@outer("rclcpp.ParameterValue", "rclcpp.Parameter", *_PYTHON)
+def parameter_value(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A value of a parameter."""
+    if called.name == "rclcpp.ParameterValue":
+        value = called.argument(0, default=Unknown("a value that is not set"))
+    else:
+        place = 2 if called.name in _PYTHON else 1
+        value = called.argument(place, "value", default=Unknown("a parameter"))
+    if isinstance(value, list) and not isinstance(value, TypedList):
+        # Braces around it construct nothing: it is a value.
+        return TypedList(value, type_of_value(value, python=called.name in _PYTHON))
+    return value
+
+
+def _template(called: Called) -> str:
+    return type_of_cpp(called.templates[0]) if called.templates else ""
+
+
+@method("node", "declare_parameters", anywhere=True)
+def declare_all(engine: Context, thing: Any, called: Called) -> Any:
+    """Several parameters are declared at once."""
+    prefix, given, kind = called.argument(0, "namespace"), called.argument(1, "parameters"), _template(called)
+    items = list(given.items()) if isinstance(given, dict) else given
+    if not isinstance(items, list):
+        items = [[unknown("a parameter of a list that is not followed")]]
+    for pair in items:
+        if not isinstance(pair, list | tuple) or not pair:
+            pair = [unknown("a parameter that is not followed")]
+        name = as_text(pair[0])
+        if not isinstance(prefix, Text) or prefix.parts:
+            name = Text.of(as_text(prefix), ".", name)
+        default = pair[1] if len(pair) > 1 else None
+        inner = msgspec.structs.replace(called, arguments=[name, default, *pair[2:]], keywords={}, written=())
+        _declared(engine, thing, inner, name, default, kind)
+    return None
+
+
+@method("node", "get_parameter", "get_parameter_or", anywhere=True)
+def read(engine: Context, thing: Any, called: Called) -> Any:
+    """A parameter is read, into a variable where one is given."""
+    python = called.evidence.path.endswith(".py")
+    default = called.argument(1 if python else 2, "alternative_value")
+    into = None if python else called.argument(1)
+    # A text with holes is what a variable of another type was read into before.
+    told = (isinstance(into, Text) and not into.holes) or (isinstance(into, Obj) and into.type == VECTOR)
+    kind = _template(called) or (type_of_value(into) if told else "")
+    value = parameter(
+        engine, thing, called, "read", called.argument(0, "name"), default=default, given=default is not None, kind=kind
+    )
+    if not python and len(called.written) > 1:
+        engine.assign(called.written[1], value)
+        return Unknown("whether the parameter is set", is_set(value))
+    return value
+
+
+@method("node", "set_parameter", "set_parameters", "has_parameter", anywhere=True)
+def write(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A parameter is written, or asked for; by names that are not followed."""
+    return Unknown(f"result of {called.name}()")

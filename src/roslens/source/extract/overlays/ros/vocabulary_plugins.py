@@ -1,0 +1,96 @@
+"""The vocabulary of pluginlib and class_loader: classes that are loaded by name, and lists that hold them."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj, Unknown, as_text
+from roslens.source.extract.facts.node_facts import PluginFact
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.ir.type_names import type_name
+from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbols.workspace_index import Defined
+from roslens.source.extract.transfer.plugin_choice import deciding_node
+from roslens.source.extract.transfer.plugin_held import held_in, hold
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_LOADER = "pluginlib.ClassLoader"
+_SEPARATOR = re.compile(r"[/:]")
+_MOST = 64
+"""So many plug-ins one evaluation follows."""
+
+
+@outer(_LOADER, "class_loader.ClassLoader", "class_loader.MultiLibraryClassLoader", quiet=True)
+def loader(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A loader of classes."""
+    written = called.argument(1)
+    base = written.known if isinstance(written, Text) and called.name == _LOADER else None
+    return Obj(_LOADER, None, {"base": base or (called.templates[0] if called.templates else "")})
+
+
+@method(_LOADER, "createInstance", "createSharedInstance", "createUniqueInstance", "createUnmanagedInstance",
+        quiet=True)  # fmt: skip
+def instance(engine: Context, thing: Any, called: Called) -> Any:
+    """An object of a class is made by the name of the class: where a configuration is asked for, and it is known."""
+    kind = as_text(called.argument(0))
+    base = called.templates[0] if called.templates else thing.fields.get("base", "")
+    node = deciding_node(engine, kind)
+    name = None if engine.chosen is None else kind.usual
+    defined = _class(engine, name) if name and len(engine.plugged) < _MOST else None
+    fact = PluginFact(kind, called.evidence, base, "" if defined is None else defined.what.qualified_name)
+    if fact not in node.plugins:
+        node.plugins.append(fact)
+        engine.touched()
+    if defined is None:
+        return Unknown(f"a plug-in of {base or 'some class'}")
+    engine.touched()
+    engine.more_steps()
+    made = engine.construct(defined, [], {})
+    if isinstance(made, Obj):
+        engine.plugged.append((made, node))
+    return made
+
+
+@method(_LOADER, "getName", quiet=True)
+def plain_name(_engine: Context, _thing: Any, called: Called) -> Any:
+    """The name of a class without its package (pluginlib, class_loader_imp.hpp): ``a/B`` and ``a::B`` are ``B``."""
+    kind = as_text(called.argument(0))
+    last = None if kind.usual is None else _SEPARATOR.split(kind.usual)[-1]
+    if kind.known is not None:
+        return Text.of(last or "")
+    return unknown(f"name of the plug-in {kind}", default=last)
+
+
+def _class(engine: Context, name: str) -> Defined | None:
+    """Return the class that a name of a plug-in means: as descriptions say, else the class of that name."""
+    whole = type_name(engine.plugin_names.get(name, name).replace("/", "::"))[0]
+    return engine.index.class_of(whole, engine.frame.path, "")
+
+
+@method("std.vector", "push_back", "emplace_back", quiet=True)
+def added(engine: Context, thing: Any, called: Called) -> Any:
+    """Something is put at the end of a list: texts and plug-ins are remembered."""
+    for one in called.arguments:
+        engine.called_outer(one)
+    given = called.argument(0)
+    place = sum(isinstance(key, int) for key in held_in(thing))
+    if isinstance(given, Obj):
+        if any(one is given for one, _ in engine.plugged):
+            hold(engine, thing, place, given)
+    elif isinstance(given, Text) and len(engine.conditions) <= engine.frame.depth + engine.frame.passed:
+        hold(engine, thing, place, given)
+    else:
+        hold(engine, thing, None, Unknown("an item of a list"))
+    return None
+
+
+@method("std.vector", "back", "front", "at", quiet=True)
+def end(_engine: Context, thing: Any, called: Called) -> Any:
+    """One end of a list, or what is at a place of it."""
+    held = held_in(thing)
+    keys = sorted(key for key in held if isinstance(key, int))
+    place = called.argument(0) if called.name == "at" else keys[0 if called.name == "front" else -1] if keys else None
+    return held.get(place, Unknown(f"{called.name} of a list"))

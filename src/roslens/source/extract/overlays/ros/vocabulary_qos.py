@@ -1,0 +1,152 @@
+"""The vocabulary of quality of service of rclcpp and rclpy."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.qos import Qos
+from roslens.source.extract.domain.abstract_value import Named, Obj, QosValue, Unknown
+from roslens.source.extract.domain.quality import (
+    DEFAULT_QUALITY,
+    DURATIONS,
+    INITIALISATION,
+    POLICIES,
+    PRESETS,
+    changed,
+    history_of,
+    keeping,
+    profile_of,
+    quality_by_key,
+    quality_of,
+)
+from roslens.source.extract.interpreter.vocabulary import Called, method, outer
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_NO_DEPTH = QosValue(msgspec.structs.replace(DEFAULT_QUALITY.qos, depth=0))
+
+
+@outer("rclcpp.QoS", "rclpy.qos.QoSProfile", quiet=True)
+def qos(_engine: Context, thing: Any, called: Called) -> Any:
+    """A quality of service."""
+    # What is made is an object of its own, whatever it is made of.
+    value = msgspec.structs.replace(_from_words(called))
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = value
+        return thing
+    return value
+
+
+def _from_words(called: Called) -> QosValue:
+    first = called.argument(0, "depth", "history_depth")
+    if isinstance(first, list):
+        first = Obj(INITIALISATION, None, {"qos": history_of(*first[:2])}) if len(first) == 2 else Unknown("a list")
+    base = _given(first, called)
+    for name, value in called.keywords.items():
+        if name in POLICIES or name in DURATIONS:
+            base = changed(base, name, value)
+    return base
+
+
+def _given(first: Any, called: Called) -> QosValue:
+    """Return what the first argument says, which is a depth, a history, or another quality of service."""
+    if isinstance(first, Obj) and first.type == INITIALISATION:
+        profile = DEFAULT_QUALITY
+        if len(called.arguments) > 1:
+            profile = quality_of(called.argument(1)) or QosValue(Qos(), "a profile of the middleware")
+        return keeping(profile, first.fields["qos"])
+    if isinstance(first, Text | Unknown | Named) and quality_of(first) in (None, QosValue(Qos(), _reason(first))):
+        reason = _reason(first)
+        # Another one may be copied.
+        whole = isinstance(first, Unknown) and ("qos" in reason.lower() or "profile" in reason.lower())
+        return QosValue(Qos(), reason) if whole else QosValue(_NO_DEPTH.qos, f"its depth is {reason}")
+    return quality_of(first) or _NO_DEPTH
+
+
+def _reason(value: Any) -> str:
+    if isinstance(value, Named):
+        return f"the value of {value.name}"
+    return value.reason if isinstance(value, Unknown) else str(value)
+
+
+@outer("rclpy.qos.QoSPresetProfiles.get_from_short_key")
+def by_key(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A preset by the name that command lines have for it."""
+    return quality_by_key(called.argument(0, "name"))
+
+
+@outer("rmw_qos_profile_t")
+def profile(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A profile of the middleware, by its members or empty."""
+    return profile_of(called.arguments)
+
+
+@outer("rclcpp.QoSInitialization")
+def initialisation(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A history and how many messages it keeps."""
+    return Obj(INITIALISATION, None, {"qos": history_of(called.argument(0), called.argument(1))})
+
+
+@outer("rclcpp.KeepLast", "rclcpp.KeepAll", "rclcpp.QoSInitialization.from_rmw")
+def keep(_engine: Context, _thing: Any, called: Called) -> Any:
+    """How many messages are kept."""
+    first = called.argument(0)
+    if called.name.endswith("from_rmw"):
+        value = quality_of(first) or QosValue(Qos(), "a profile of the middleware")
+    elif called.name.endswith("All"):
+        value = QosValue(Qos(history="keep_all", depth=0))
+    else:
+        value = (quality_of(first) if first is not None else None) or QosValue(Qos(), "how many messages are kept")
+    return Obj(INITIALISATION, None, {"qos": keeping(DEFAULT_QUALITY, value)})
+
+
+@outer(*(f"{module}.{name}" for module in ("rclcpp", "rclpy.qos", "rclcpp.qos") for name in PRESETS), quiet=True)
+def preset(_engine: Context, thing: Any, called: Called) -> Any:
+    """A quality of service that has a name, with the history that it is given."""
+    value = QosValue(PRESETS[called.name.rpartition(".")[2]])
+    first = called.argument(0)
+    if isinstance(first, Obj) and first.type == INITIALISATION:
+        value = keeping(value, first.fields["qos"])
+    elif first is not None:
+        value = QosValue(msgspec.structs.replace(value.qos, depth=0), "how many messages it keeps")
+    if isinstance(thing, Obj):
+        thing.fields["qos"] = value
+        return thing
+    return value
+
+
+@method("qos", "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
+        "reliability", "durability", "history", "liveliness", "deadline", "lifespan",
+        "liveliness_lease_duration", "avoid_ros_namespace_conventions", "reliability_best_available",
+        "durability_best_available", "get_rmw_qos_profile")  # fmt: skip
+def refined(engine: Context, thing: Any, called: Called) -> Any:
+    """A quality of service with one policy changed."""
+    base = thing.fields["qos"] if isinstance(thing, Obj) else thing
+    found = _refined(base, called)
+    if isinstance(thing, Obj):
+        engine.changes.put(thing.fields, "qos", found)
+        return thing
+    return found
+
+
+for _name in ("QoS", "rclcpp.QoS", "rclcpp.SensorDataQoS", "rclcpp.SystemDefaultsQoS", "rclcpp.ServicesQoS"):
+    method(_name, "reliable", "best_effort", "transient_local", "durability_volatile", "keep_all", "keep_last",
+           "reliability", "durability", "history", "deadline", "lifespan", "liveliness")(refined)  # fmt: skip
+
+
+def _refined(base: QosValue, called: Called) -> QosValue:
+    name, qos_ = called.name, base.qos
+    fixed = {"reliable": {"reliability": "reliable"}, "best_effort": {"reliability": "best_effort"},
+             "transient_local": {"durability": "transient_local"}, "durability_volatile": {"durability": "volatile"},
+             "keep_all": {"history": "keep_all"}, "reliability_best_available": {"reliability": "best_available"},
+             "durability_best_available": {"durability": "best_available"}}  # fmt: skip
+    if name in fixed:
+        return QosValue(msgspec.structs.replace(qos_, **fixed[name]), base.unknown)
+    first = called.argument(0)
+    if name == "keep_last" and first is not None:
+        return changed(QosValue(msgspec.structs.replace(qos_, history="keep_last"), base.unknown), "depth", first)
+    return changed(base, name, first) if first is not None else base

@@ -1,0 +1,68 @@
+"""The vocabulary of realtime_tools: publishers that controllers use from a loop that must not wait.
+
+That of ROS 1 makes its publisher of a handle, a topic and the length of a queue, at once or by ``init``; that of ROS 2
+is given one (realtime_publisher.h, realtime_publisher.hpp).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Made, Obj, Unknown
+from roslens.source.extract.interpreter.vocabulary import Called, find_method, method, outer
+from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.overlays.ros.vocabulary_shared import handle_of
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_NAME = "realtime_tools.RealtimePublisher"
+_MADE, _TYPE = "-made", "-type"
+
+
+@outer(_NAME)
+def realtime_publisher(engine: Context, _thing: Any, called: Called) -> Any:
+    """A publisher, the one that is given, or none before ``init`` makes it."""
+    given = next((one for one in called.arguments if isinstance(one, Made)), None)
+    if given is not None:
+        return given
+    found = Obj(_NAME, None, {_TYPE: called.templates[0] if called.templates else Unknown("its type")})
+    if len(called.arguments) < 2:
+        # That of ROS 2 is of a publisher that is not known here; somebody else makes it.
+        return found
+    return _made(engine, found, called)
+
+
+@method(_NAME, "init")
+def made_later(engine: Context, thing: Any, called: Called) -> Any:
+    """The publisher is made."""
+    thing.fields[_MADE] = _made(engine, thing, called)
+    return None
+
+
+def _made(engine: Context, thing: Obj, called: Called) -> Made:
+    queue, latched = called.argument(2), called.argument(3)
+    return endpoint(
+        engine, handle_of(engine, called), called, Role.PUBLISHER, called.argument(1), thing.fields[_TYPE],
+        queue=queue if isinstance(queue, int) and not isinstance(queue, bool) else -1, latched=latched is True,
+    )  # fmt: skip
+
+
+@method("made", "unlockAndPublish", "tryPublish", "try_publish")
+def publish(engine: Context, thing: Made, called: Called) -> Any:
+    """What is in the message is published."""
+    return _published(engine, thing, called)
+
+
+@method(_NAME, "unlockAndPublish")
+def publish_of_later(engine: Context, thing: Any, called: Called) -> Any:
+    """What is in the message is published, by what ``init`` made."""
+    made = thing.fields.get(_MADE)
+    return _published(engine, made, called) if isinstance(made, Made) else Unknown("nothing is made yet")
+
+
+def _published(engine: Context, made: Made, called: Called) -> Any:
+    plain = Called("publish", [], {}, (), (), called.evidence)
+    word = find_method(engine, made, plain)
+    return None if word is None else word(engine, made, plain)

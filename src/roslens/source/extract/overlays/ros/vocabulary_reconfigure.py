@@ -1,0 +1,146 @@
+"""The vocabulary of dynamic_reconfigure: a server that declares parameters, and lets them be changed while it runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Class, Handle, Named, Obj, as_text
+from roslens.source.extract.facts.node_facts import Evidence, ParameterFact, Sure
+from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
+from roslens.source.extract.overlays.ros.record import endpoint, origin
+from roslens.source.extract.symbolic.text import Text, unknown
+from roslens.source.extract.symbols.workspace_index import dotted
+
+if TYPE_CHECKING:
+    from roslens.source.extract.overlays.ros.reconfigure_file import Declaration, ReconfigureFile
+    from roslens.source.extract.transfer.context import Context
+
+_PYTHON = "dynamic_reconfigure.server.Server"
+_ENDS = (
+    ("parameter_descriptions", "dynamic_reconfigure::ConfigDescription", Role.PUBLISHER),
+    ("parameter_updates", "dynamic_reconfigure::Config", Role.PUBLISHER),
+    ("set_parameters", "dynamic_reconfigure::Reconfigure", Role.SERVICE_SERVER),
+)
+_CLASS_END = "Config"
+
+
+@outer("dynamic_reconfigure.Server", _PYTHON)
+def reconfigure(engine: Context, _thing: Any, called: Called) -> Any:
+    """A server that lets parameters of a node be changed while it runs."""
+    python = called.evidence.path.endswith(".py") and not called.templates
+    kind: Any = called.argument(0, "type") if python else called.templates[0] if called.templates else ""
+    handle = _space(engine, called) if python else _handle(engine, called)
+    for name, message, role in _ENDS:
+        endpoint(engine, handle, called, role, Text.of(name), message, latched=role is Role.PUBLISHER)
+    _declare(engine, handle, called, _written(engine, kind))
+    if python:
+        engine.called_outer(called.argument(1, "callback"))
+    return Obj("dynamic_reconfigure.Server")
+
+
+@method("dynamic_reconfigure.Server", "setCallback")
+def reconfigured(engine: Context, _thing: Any, called: Called) -> Any:
+    """What is called when parameters are changed."""
+    engine.called_outer(called.argument(0))
+    return None
+
+
+def _handle(engine: Context, called: Called) -> Handle:
+    """Return the namespace of a server in C++, ``~`` where none is given."""
+    given = [one for one in called.arguments if isinstance(one, Handle)]
+    return given[0] if given else Handle(engine.node, Text.of("~"))
+
+
+def _space(engine: Context, called: Called) -> Handle:
+    """Return the namespace of a server in Python: private where it does not begin with ``/`` or ``~`` (server.py)."""
+    engine.node.generation = "ros1"
+    given = called.argument(2, "namespace")
+    if given is None or (isinstance(given, Text) and not given.parts):
+        return Handle(engine.node, Text.of("~"))
+    name = as_text(given)
+    first = name.parts[0]
+    if not isinstance(first, str) or first[:1] not in ("/", "~"):
+        name = Text.of("~", name)
+    return Handle(engine.node, _without_end(name))
+
+
+def _without_end(name: Text) -> Text:
+    last = name.parts[-1]
+    return Text.of(*name.parts[:-1], last.rstrip("/") or "/") if isinstance(last, str) else name
+
+
+def _written(engine: Context, kind: Any) -> str:
+    """Return the class that a server is of, without aliases; in Python it is a module."""
+    if isinstance(kind, str):
+        name = dotted(engine.frame.templates.get(kind, kind))
+        return engine.index.meaning(name, engine.frame.path, engine.frame.scope)
+    if isinstance(kind, Named):
+        return kind.name
+    return kind.defined.what.qualified_name if isinstance(kind, Class) else ""
+
+
+def _declare(engine: Context, handle: Handle, called: Called, kind: str) -> None:
+    """Record the parameters that the ``.cfg`` file of a class declares; without it, that they are unknown."""
+    node = node_of(engine, handle)
+    conditions = tuple(dict.fromkeys(engine.conditions))
+    file, sure = _file_of(engine, kind)
+    place, _ = origin(engine, called, None)
+    known = file is not None and file.whole
+    for one in file.declarations if file is not None else ():
+        fact = _fact(one, below(handle, one.name), place, conditions, sure)
+        if fact not in node.parameters:
+            node.parameters.append(fact)
+    if not known:
+        why = f"not all of {file.path} was understood" if file else f"no .cfg file of {kind or 'its class'} was found"
+        name = below(handle, unknown(f"a parameter of the server of dynamic_reconfigure: {why}"))
+        evidence = msgspec.structs.replace(place, how=why, sure=Sure.POSSIBLE)
+        fact = ParameterFact(name, evidence, "declared", conditions=conditions)
+        if fact not in node.parameters:
+            node.parameters.append(fact)
+
+
+def _fact(one: Declaration, name: Text, place: Evidence, conditions: tuple[str, ...], sure: Sure) -> ParameterFact:
+    how = f"written by the server of dynamic_reconfigure at {place.path}:{place.line}"
+    evidence = msgspec.structs.replace(one.evidence, how=how, sure=sure)
+    writer = msgspec.structs.replace(place, how="default, which the callback may change", sure=Sure.LIKELY)
+    return ParameterFact(
+        name, evidence, "declared", one.type, one.default, one.range,
+        tuple(dict.fromkeys((*conditions, *one.conditions))), one.description, writer=writer,
+    )  # fmt: skip
+
+
+def _file_of(engine: Context, kind: str) -> tuple[ReconfigureFile | None, Sure]:
+    """Return what declares the parameters of a class, and how sure that is: by its package, or what is around it."""
+    from roslens.source.extract.overlays.ros.reconfigure_file import reconfigure_files
+
+    pieces = [piece for piece in kind.split(".") if piece]
+    if not pieces or not pieces[-1].endswith(_CLASS_END):
+        return None, Sure.CERTAIN
+    found = reconfigure_files(engine.index, pieces[-1].removesuffix(_CLASS_END))
+    if not found:
+        return None, Sure.CERTAIN
+    outer_pieces = [piece for piece in pieces[:-1] if piece != "cfg"]
+    for package in outer_pieces[-1:] or _around(engine, pieces[-1]):
+        named = [one for one in found if one.package == package]
+        if named:
+            return named[0], Sure.CERTAIN
+    if outer_pieces:
+        return None, Sure.CERTAIN
+    return (found[0], Sure.LIKELY) if len(found) == 1 else (None, Sure.CERTAIN)
+
+
+def _around(engine: Context, name: str) -> Iterator[str]:
+    """Yield the packages that a class without a namespace may be of: what is around it, used whole, or included."""
+    program = engine.index.programs[engine.frame.path]
+    scope = engine.frame.scope
+    while scope := scope.rpartition(".")[0]:
+        yield scope
+    yield from program.using
+    for header, _line in program.includes:
+        package, _, last = header.strip('<>"').rpartition("/")
+        if last == f"{name}.h":
+            yield package

@@ -1,0 +1,420 @@
+"""The vocabulary of roscpp and rospy: node handles, topics, services, parameters, timers, nodelets."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Building, Callable, Handle, Named, Obj, Unknown, as_text
+from roslens.source.extract.domain.earlier_values import else_before
+from roslens.source.extract.interpreter.vocabulary import Called, below, method, node_of, outer
+from roslens.source.extract.overlays.language.command_words import given_to_ros
+from roslens.source.extract.overlays.ros.record import endpoint, is_set, parameter, timer, type_of_callback
+from roslens.source.extract.overlays.ros.record_write import write_parameter
+from roslens.source.extract.overlays.ros.vocabulary_shared import follow_visitors
+from roslens.source.extract.symbolic.text import Hole, Text, unknown
+from roslens.source.extract.transfer.overload_choice import taking_so_many
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_OPTIONS = ("ros.SubscribeOptions", "ros.AdvertiseOptions", "ros.AdvertiseServiceOptions")
+
+
+@outer("ros.init", "rospy.init_node")
+def init(engine: Context, _thing: Any, called: Called) -> Any:
+    """The process becomes a node."""
+    node = engine.node
+    name = called.argument(0 if called.name.startswith("rospy") else 2, "name")
+    node.generation = "ros1"
+    node.named = True
+    if called.name == "ros.init":
+        given_to_ros(engine, called)
+    node.name = as_text(name) if name is not None else Text((Hole("name of the node"),))
+    anonymous = called.argument(5, "anonymous")
+    flags = called.argument(3)
+    if anonymous is True or (isinstance(flags, Named) and flags.name.endswith("AnonymousName")):
+        node.name = Text.of(node.name, "_", Hole("random end"))
+    return None
+
+
+@outer("ros.NodeHandle", "ros.NodeHandlePtr")
+def handle(engine: Context, _thing: Any, called: Called) -> Any:
+    """Something names are resolved against: a namespace of the node."""
+    return _handle(engine, called)
+
+
+def _handle(engine: Context, called: Called) -> Handle:
+    engine.node.generation = "ros1"
+    prefix = Text()
+    node: Building = engine.node
+    for place, value in enumerate(called.arguments[:2]):
+        if isinstance(value, Handle):
+            node, prefix = value.node, value.prefix
+        elif isinstance(value, Text):
+            prefix = below(Handle(node, prefix), _trimmed(value))
+        elif isinstance(value, Unknown | Obj | Named):
+            # A copy of a handle that somebody gives, or a text: who gives it knows the namespace.
+            given = unknown(f"namespace of the handle: {as_text(value).holes[0].reason}")
+            prefix = below(Handle(node, prefix), given) if place else given
+    return Handle(node, prefix)
+
+
+def _trimmed(name: Text) -> Text:
+    """Return a namespace without ``/`` at its end."""
+    last = name.parts[-1] if name.parts else ""
+    if isinstance(last, str) and len(last) > 1 and last.endswith("/"):
+        return Text((*name.parts[:-1], last.rstrip("/")))
+    return name
+
+
+@method("nodelet.Nodelet", "getNodeHandle", "getMTNodeHandle")
+@method("node", "getNodeHandle", "getMTNodeHandle", anywhere=True)
+def public_handle(engine: Context, _thing: Any, _called: Called) -> Any:
+    """The namespace of the node."""
+    return Handle(engine.node)
+
+
+@method("nodelet.Nodelet", "getPrivateNodeHandle", "getMTPrivateNodeHandle")
+@method("node", "getPrivateNodeHandle", "getMTPrivateNodeHandle", anywhere=True)
+def private_handle(engine: Context, _thing: Any, _called: Called) -> Any:
+    """The private namespace of the node."""
+    return Handle(engine.node, Text.of("~"))
+
+
+@method("nodelet.Nodelet", "getName")
+def nodelet_name(engine: Context, _thing: Any, _called: Called) -> Any:
+    """The name of the nodelet."""
+    return Text((Hole("name of the node", default=engine.node.name.usual),))
+
+
+@outer("nodelet.Nodelet")
+def nodelet(engine: Context, thing: Any, _called: Called) -> Any:
+    """A nodelet is constructed."""
+    engine.node.generation = "ros1"
+    engine.node.kind = "nodelet"
+    if isinstance(thing, Obj):
+        thing.node = engine.node
+    return thing
+
+
+def _queue(value: Any) -> int:
+    return value if isinstance(value, int) and not isinstance(value, bool) else -1
+
+
+@method("handle", "advertise", anywhere=True)
+def advertise(engine: Context, thing: Any, called: Called) -> Any:
+    """A publisher."""
+    if called.arguments and isinstance(called.arguments[0], Handle):
+        # A message of any type is told which handle to use: ``shape_shifter.advertise(node, topic, 10)``.
+        thing = called.arguments[0]
+        called = msgspec.structs.replace(called, arguments=called.arguments[1:], written=called.written[1:])
+    kind = called.templates[0] if called.templates else Unknown("its type")
+    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+        return _by_options(engine, thing, called, Role.PUBLISHER, options)
+    latched = called.argument(2) is True or called.argument(4) is True
+    follow_visitors(engine, called, 2)
+    return endpoint(
+        engine, thing, called, Role.PUBLISHER, called.argument(0), kind, queue=_queue(called.argument(1)),
+        latched=latched,
+    )  # fmt: skip
+
+
+@method("handle", "subscribe", anywhere=True)
+def subscribe(engine: Context, thing: Any, called: Called) -> Any:
+    """A subscription."""
+    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+        return _by_options(engine, thing, called, Role.SUBSCRIPTION, options)
+    if not isinstance(thing, Handle) and not called.templates and len(called.arguments) < 2:
+        return Unknown("result of subscribe()")
+    callback = _callback(engine, called, 2, takes=1)
+    written = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    kind: Any = written or Unknown("the type its callback takes")
+    return endpoint(
+        engine, thing, called, Role.SUBSCRIPTION, called.argument(0), kind, queue=_queue(called.argument(1)),
+        callback=callback,
+    )  # fmt: skip
+
+
+def _callback(engine: Context, called: Called, place: int, takes: int = 0) -> Any:
+    """Return a callback, bound to the object that is given after it; of several of its name the one that takes so many.
+
+    A callback of a topic takes one message, that of a service a request and a response.
+    """
+    callback = called.argument(place)
+    thing = called.argument(place + 1)
+    if isinstance(callback, Callable) and takes and not callback.arguments:
+        callback = taking_so_many(engine.index, callback, takes)
+    if isinstance(callback, Callable) and callback.function.class_name and isinstance(thing, Obj):
+        return Callable(callback.function, callback.path, thing, callback.names, callback.arguments)
+    return callback
+
+
+@method("handle", "advertiseService", anywhere=True)
+def advertise_service(engine: Context, thing: Any, called: Called) -> Any:
+    """A server of a service."""
+    if isinstance(options := called.argument(0), Obj) and options.type in _OPTIONS:
+        return _by_options(engine, thing, called, Role.SERVICE_SERVER, options)
+    callback = _callback(engine, called, 1, takes=2)
+    written = called.templates[0] if called.templates else type_of_callback(engine, callback)
+    kind: Any = written or Unknown("the type its callback takes")
+    return endpoint(engine, thing, called, Role.SERVICE_SERVER, called.argument(0), kind, callback=callback)
+
+
+@method("handle", "serviceClient", anywhere=True)
+def service_client(engine: Context, thing: Any, called: Called) -> Any:
+    """A client of a service."""
+    kind = called.templates[0] if called.templates else Unknown("its type")
+    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, called.argument(0), kind)
+
+
+@outer("ros.service.call", "ros.service.createClient")
+def call_once(engine: Context, _thing: Any, called: Called) -> Any:
+    """A service is called by its name."""
+    kind = called.templates[0] if called.templates else _declared_type(engine, called)
+    return endpoint(engine, Handle(engine.node), called, Role.SERVICE_CLIENT, called.argument(0), kind)
+
+
+def _declared_type(engine: Context, called: Called) -> Any:
+    """Return the type of the request, or of what holds request and response."""
+    value = called.argument(1)
+    del engine
+    return value if isinstance(value, Obj | Named) else Unknown("its type")
+
+
+@outer("ros.topic.waitForMessage", "rospy.wait_for_message")
+def wait_for_message(engine: Context, _thing: Any, called: Called) -> Any:
+    """A topic is subscribed to for one message."""
+    kind = called.templates[0] if called.templates else called.argument(1, "topic_type")
+    endpoint(engine, Handle(engine.node), called, Role.SUBSCRIPTION, called.argument(0, "topic"), kind)
+    return Unknown("a message")
+
+
+_TYPES = {"bool": "bool", "int": "int", "double": "double", "float": "double", "std::string": "string"}
+"""Types of roscpp's parameters by the template argument that asks for them."""
+
+
+@method("handle", "param", "getParam", "getParamCached", "param_cached")
+def read(engine: Context, thing: Any, called: Called) -> Any:
+    """A parameter is read, into a variable where one is given."""
+    default = called.argument(2) if called.name == "param" and len(called.arguments) > 2 else None
+    if called.name == "param" and len(called.arguments) == 2:
+        default = called.argument(1)
+    # What is said in the code decides, not the type of the default: `param<bool>("x", x, "false")` reads a bool.
+    kind = _TYPES.get(called.templates[0], "") if called.templates else ""
+    value = parameter(
+        engine, thing, called, "read", called.argument(0), default=default, given=default is not None, kind=kind
+    )
+    if len(called.written) > 1 and not (called.name == "param" and len(called.arguments) == 2):
+        test = is_set(value)
+        engine.assign(called.written[1], value if default is not None else else_before(value, called.argument(1)))
+        return Unknown("whether the parameter is set", test)
+    return value
+
+
+@outer("ros.param.param", "ros.param.get", "ros.param.getCached")
+def read_by_name(engine: Context, _thing: Any, called: Called) -> Any:
+    """A parameter is read by its name."""
+    named = "param" if called.name.endswith(".param") else "getParam"
+    inner = Called(named, called.arguments, called.keywords, called.templates, called.written, called.evidence)
+    return read(engine, Handle(engine.node), inner)
+
+
+@method("handle", "setParam")
+def write(engine: Context, thing: Any, called: Called) -> Any:
+    """A parameter is written."""
+    write_parameter(engine, thing, called, called.argument(0), called.argument(1))
+    return None
+
+
+@outer("ros.param.set")
+def write_by_name(engine: Context, _thing: Any, called: Called) -> Any:
+    """A parameter is written by its name."""
+    return write(engine, Handle(engine.node), called)
+
+
+@outer("ros.spin", "rospy.spin", "ros.waitForShutdown")
+def spin(engine: Context, _thing: Any, called: Called) -> Any:
+    """The node runs until it is shut down; what is written after it is no part of that."""
+    engine.running = True
+    return Unknown(f"result of {called.name}()")
+
+
+@method("handle", "searchParam")
+def search(engine: Context, _thing: Any, called: Called) -> Any:
+    """A parameter is looked for in the namespaces above too."""
+    name = as_text(called.argument(0))
+    if len(called.written) > 1:
+        engine.assign(called.written[1], Text((Hole(f"the key at which {name} is found", default=name.usual),)))
+    return Unknown("whether the parameter is found")
+
+
+@method("handle", "hasParam", quiet=True)
+def has(engine: Context, thing: Any, called: Called) -> Any:
+    """Whether a parameter is set."""
+    return _has(engine, thing, called)
+
+
+@outer("ros.param.has", "rospy.has_param", quiet=True)
+def has_by_name(engine: Context, _thing: Any, called: Called) -> Any:
+    """Whether a parameter is set, by its name."""
+    return _has(engine, Handle(engine.node), called)
+
+
+def _has(engine: Context, thing: Any, called: Called) -> Unknown:
+    name = below(thing, as_text(called.argument(0)))
+    known = name.known or name.pattern
+    test = is_set(Text((Hole(f"parameter {name}", known),))) if node_of(engine, thing) is engine.node else None
+    return Unknown(f"whether the parameter {name} is set", test)
+
+
+@method("handle", "deleteParam", "ok", "shutdown", quiet=True)
+def ask(_engine: Context, _thing: Any, called: Called) -> Any:
+    """Something is asked that only a run can answer."""
+    return Unknown(f"result of {called.name}()")
+
+
+@method("handle", "getNamespace", "resolveName", "getUnresolvedNamespace")
+def namespace(engine: Context, thing: Any, called: Called) -> Any:
+    """The namespace of a handle, or a name below it."""
+    if called.name == "resolveName":
+        return below(thing, as_text(called.argument(0)))
+    if isinstance(thing, Handle) and thing.prefix.parts:
+        return thing.prefix
+    del engine
+    return Text((Hole("namespace of the node", default=""),))
+
+
+@outer("ros.this_node.getName", "rospy.get_name")
+def own_name(_engine: Context, _thing: Any, _called: Called) -> Any:
+    """The full name of the node."""
+    return Text((Hole("full name of the node", default="~"),))
+
+
+@outer("ros.this_node.getNamespace", "rospy.get_namespace")
+def own_namespace(_engine: Context, _thing: Any, called: Called) -> Any:
+    """The namespace of the node; that of rospy ends with ``/``."""
+    space = Hole("namespace of the node", default="/")
+    return Text.of(space, "/") if called.name.startswith("rospy") else Text((space,))
+
+
+@outer("ros.names.resolve", "rospy.resolve_name", "ros.names.remap")
+def resolve(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A name is resolved: it stays what it is."""
+    return as_text(called.argument(len(called.arguments) - 1))
+
+
+@method("handle", "createTimer", "createWallTimer", "createSteadyTimer", anywhere=True)
+def create_timer(engine: Context, thing: Any, called: Called) -> Any:
+    """A timer."""
+    timer(engine, thing, called, called.argument(0), _callback(engine, called, 1), None)
+    return Obj("ros.Timer")
+
+
+@outer("rospy.Publisher")
+def py_publisher(engine: Context, _thing: Any, called: Called) -> Any:
+    """A publisher of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.PUBLISHER, called.argument(0, "name"), called.argument(1, "data_class"),
+        queue=_queue(called.argument(6, "queue_size")), latched=called.argument(4, "latch") is True,
+    )  # fmt: skip
+
+
+@outer("rospy.Subscriber")
+def py_subscriber(engine: Context, _thing: Any, called: Called) -> Any:
+    """A subscription of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.SUBSCRIPTION, called.argument(0, "name"), called.argument(1, "data_class"),
+        queue=_queue(called.argument(4, "queue_size")), callback=called.argument(2, "callback"),
+    )  # fmt: skip
+
+
+@outer("rospy.Service")
+def py_service(engine: Context, _thing: Any, called: Called) -> Any:
+    """A server of a service of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.SERVICE_SERVER, called.argument(0, "name"),
+        called.argument(1, "service_class"), callback=called.argument(2, "handler"),
+    )  # fmt: skip
+
+
+@outer("rospy.ServiceProxy")
+def py_service_proxy(engine: Context, _thing: Any, called: Called) -> Any:
+    """A client of a service of rospy."""
+    return endpoint(
+        engine, _here(engine), called, Role.SERVICE_CLIENT, called.argument(0, "name"),
+        called.argument(1, "service_class"),
+    )  # fmt: skip
+
+
+@outer("rospy.get_param", "rospy.get_param_cached")
+def py_read(engine: Context, _thing: Any, called: Called) -> Any:
+    """A parameter is read by rospy."""
+    given = len(called.arguments) > 1 or "default" in called.keywords
+    return parameter(
+        engine, _here(engine), called, "read", called.argument(0, "param_name"), default=called.argument(1, "default"),
+        given=given,
+    )  # fmt: skip
+
+
+@outer("rospy.set_param")
+def py_write(engine: Context, _thing: Any, called: Called) -> Any:
+    """A parameter is written by rospy."""
+    value = called.argument(1, "param_value")
+    write_parameter(engine, _here(engine), called, called.argument(0, "param_name"), value)
+    return None
+
+
+@outer("rospy.Timer")
+def py_timer(engine: Context, _thing: Any, called: Called) -> Any:
+    """A timer of rospy."""
+    timer(engine, _here(engine), called, called.argument(0, "period"), called.argument(1, "callback"), None)
+    return Obj("rospy.Timer")
+
+
+def _here(engine: Context) -> Handle:
+    engine.node.generation = "ros1"
+    return Handle(engine.node)
+
+
+def _by_options(engine: Context, thing: Any, called: Called, role: Role, options: Obj) -> Any:
+    fields = options.fields
+    name = fields.get("topic", fields.get("service", Unknown("a name that is not set in the options")))
+    return endpoint(
+        engine, thing, called, role, name, fields.get("-type", Unknown("its type")),
+        queue=_queue(fields.get("queue_size")), latched=fields.get("latch") is True, callback=fields.get("-callback"),
+    )  # fmt: skip
+
+
+@outer(*_OPTIONS, *(f"{name}.create" for name in _OPTIONS))
+def endpoint_options(engine: Context, _thing: Any, called: Called) -> Any:
+    """Options of an endpoint: name, size of the queue and callback in one; of a service it has no queue."""
+    found = Obj(called.name.removesuffix(".create"))
+    if called.name.endswith(".create") or called.arguments:
+        return fill_options(engine, found, called)
+    return found
+
+
+def fill_options(engine: Context, thing: Any, called: Called) -> Any:
+    """Let options hold what they are made of, or what ``init`` gives them."""
+    service = thing.type.endswith("ServiceOptions")
+    thing.fields["service" if service else "topic"] = as_text(called.argument(0))
+    if not service:
+        thing.fields["queue_size"] = called.argument(1)
+    callback = next((one for one in called.arguments if isinstance(one, Callable)), None)
+    thing.fields["-callback"] = callback
+    thing.fields["latch"] = thing.type == "ros.AdvertiseOptions" and called.argument(6) is True
+    # Callbacks of a publisher are told who connects; its type is a text: name, size, checksum, type, definition.
+    by_callback = "" if thing.type == "ros.AdvertiseOptions" else type_of_callback(engine, callback)
+    kind = called.templates[0] if called.templates else by_callback
+    thing.fields["-type"] = kind or Unknown("its type")
+    return thing
+
+
+for _name in _OPTIONS:
+    method(_name, "init", "initByFullCallbackType")(fill_options)
+
+
+__all__ = ["node_of"]

@@ -1,0 +1,279 @@
+"""The vocabulary of rclcpp and rclpy: nodes, endpoints, timers, quality of service."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import (
+    Callable,
+    Group,
+    Handle,
+    Named,
+    Obj,
+    Unknown,
+    as_text,
+)
+from roslens.source.extract.domain.plain_methods import is_namespace
+from roslens.source.extract.domain.quality import quality_of
+from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.overlays.ros.record import endpoint, timer, type_of_callback
+from roslens.source.extract.overlays.ros.vocabulary_options import doubt_options, given_options, take_options
+from roslens.source.extract.overlays.ros.vocabulary_overrides import overrides_of
+from roslens.source.extract.symbolic.text import Hole, Text, unknown
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_NODES = ("rclcpp.Node", "rclpy.node.Node", "rclpy.create_node", "rclcpp.Node.make_shared", "rclpy.Node")
+_LIFECYCLE = ("rclcpp_lifecycle.LifecycleNode", "rclpy.lifecycle.LifecycleNode", "rclpy.lifecycle.Node",
+              "rclpy.lifecycle.node.LifecycleNode")  # fmt: skip
+
+
+@outer(*_NODES)
+def node(engine: Context, thing: Any, called: Called) -> Any:
+    """A node is made, or a class that is one is constructed."""
+    return _node(engine, thing, called, "node")
+
+
+@outer(*_LIFECYCLE)
+def lifecycle_node(engine: Context, thing: Any, called: Called) -> Any:
+    """A managed node."""
+    return _node(engine, thing, called, "lifecycle")
+
+
+def _node(engine: Context, thing: Any, called: Called, kind: str) -> Any:
+    building = engine.node
+    if building.named and (not isinstance(thing, Obj) or thing.node is None):
+        building = engine.further(called.evidence)
+    building.named = True
+    building.conditions = tuple(dict.fromkeys(engine.conditions))
+    building.generation = "ros2"
+    building.kind = kind if building.kind == "node" else building.kind
+    name = called.argument(0, "node_name", "name")
+    building.name = as_text(name) if name is not None else Text((Hole("name of the node"),))
+    namespace = called.argument(1, "namespace")
+    if isinstance(namespace, Text):
+        building.namespace = namespace
+    elif isinstance(namespace, Unknown) and (len(called.arguments) > 2 or "namespace" in called.keywords):
+        building.namespace = unknown(namespace.reason)
+    given = given_options(called)
+    if given is not None:
+        take_options(engine, building, given, called)
+    else:
+        doubt_options(building, called)
+    if isinstance(thing, Obj):
+        thing.node = building
+        return thing
+    return Obj("rclcpp.Node", None, {}, building)
+
+
+def _group(called: Called, *places: int) -> Any:
+    for value in (*(called.argument(place) for place in places), *called.keywords.values()):
+        if isinstance(value, Group):
+            return value
+        if isinstance(value, Obj) and isinstance(value.fields.get("callback_group"), Group):
+            return value.fields["callback_group"]
+    return None
+
+
+def _python(called: Called) -> bool:
+    return called.evidence.path.endswith(".py") or (not called.templates and _is_type(called.argument(0, "msg_type")))
+
+
+def _is_type(value: Any) -> bool:
+    return isinstance(value, Named) and ("." in value.name)
+
+
+@method("node", "create_publisher", "create_lifecycle_publisher", anywhere=True)
+def publisher(engine: Context, thing: Any, called: Called) -> Any:
+    """A publisher."""
+    if not called.templates and _python(called):
+        name, kind, qos = called.argument(1, "topic"), called.argument(0, "msg_type"), called.argument(2, "qos_profile")
+    else:
+        name, kind, qos = (
+            called.argument(0),
+            called.templates[0] if called.templates else Unknown("its type"),
+            called.argument(1),
+        )
+    return endpoint(
+        engine, thing, called, Role.PUBLISHER, name, kind, qos=quality_of(qos), overrides=overrides_of(called)
+    )
+
+
+@method("node", "create_subscription", anywhere=True)
+def subscription(engine: Context, thing: Any, called: Called) -> Any:
+    """A subscription."""
+    if not called.templates and _python(called):
+        name, kind = called.argument(1, "topic"), called.argument(0, "msg_type")
+        callback, qos = called.argument(2, "callback"), called.argument(3, "qos_profile")
+    else:
+        name, qos, callback = called.argument(0), called.argument(1), called.argument(2)
+        if isinstance(qos, Callable):
+            qos, callback = callback, qos
+        kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
+    return endpoint(
+        engine, thing, called, Role.SUBSCRIPTION, name, kind, qos=quality_of(qos), callback=callback,
+        group=_group(called, 3, 4), overrides=overrides_of(called),
+    )  # fmt: skip
+
+
+@method("node", "create_service", anywhere=True)
+def service(engine: Context, thing: Any, called: Called) -> Any:
+    """A server of a service."""
+    if not called.templates and _python(called):
+        name, kind, callback = (
+            called.argument(1, "srv_name"),
+            called.argument(0, "srv_type"),
+            called.argument(2, "callback"),
+        )
+    else:
+        name, callback = called.argument(0), called.argument(1)
+        kind = called.templates[0] if called.templates else type_of_callback(engine, callback) or Unknown("its type")
+    return endpoint(engine, thing, called, Role.SERVICE_SERVER, name, kind, callback=callback, group=_group(called, 3))
+
+
+@method("node", "create_client", anywhere=True)
+def client(engine: Context, thing: Any, called: Called) -> Any:
+    """A client of a service."""
+    if not called.templates and _python(called):
+        name, kind = called.argument(1, "srv_name"), called.argument(0, "srv_type")
+    else:
+        name, kind = called.argument(0), called.templates[0] if called.templates else Unknown("its type")
+    return endpoint(engine, thing, called, Role.SERVICE_CLIENT, name, kind, group=_group(called, 2))
+
+
+@outer("rclcpp.create_publisher", "rclcpp.create_subscription", "rclcpp.create_service", "rclcpp.create_client",
+       "rclcpp.create_timer", "rclcpp.create_wall_timer", "image_transport.create_publisher",
+       "image_transport.create_subscription")  # fmt: skip
+def free_function(engine: Context, _thing: Any, called: Called) -> Any:
+    """A function that makes an endpoint of the node it is given first."""
+    name = called.name.rpartition(".")[2]
+    templates = called.templates or ("sensor_msgs::msg::Image",) * called.name.startswith("image_transport")
+    first = 1
+    # Some take the interfaces of a node one by one; what is a text is the name then.
+    texts = any(isinstance(one, Text) for one in called.arguments)
+    skipped = (Obj, Handle, Unknown) if texts else (Obj, Handle)
+    while first < len(called.arguments) and isinstance(called.arguments[first], skipped):
+        first += 1
+    inner = msgspec.structs.replace(
+        called, name=name, arguments=called.arguments[first:], templates=templates, written=called.written[first:]
+    )
+    if called.name.startswith("image_transport") and name == "create_subscription":
+        given = inner.arguments
+        inner = msgspec.structs.replace(
+            inner, arguments=[*given[:1], given[3] if len(given) > 3 else None, *given[1:2]]
+        )
+    words = {"create_publisher": publisher, "create_subscription": subscription, "create_service": service,
+             "create_client": client}  # fmt: skip
+    word = words.get(name, wall_timer)
+    return word(engine, called.argument(0), inner)
+
+
+@outer("rclcpp_action.create_server", "rclpy.action.ActionServer", "rclpy.action.server.ActionServer")
+def action_server(engine: Context, _thing: Any, called: Called) -> Any:
+    """A server of an action."""
+    return _action(engine, called, Role.ACTION_SERVER)
+
+
+@outer("rclcpp_action.create_client", "rclpy.action.ActionClient", "rclpy.action.client.ActionClient")
+def action_client(engine: Context, _thing: Any, called: Called) -> Any:
+    """A client of an action."""
+    return _action(engine, called, Role.ACTION_CLIENT)
+
+
+def _action(engine: Context, called: Called, role: Role) -> Any:
+    if called.templates:
+        texts = [one for one in called.arguments if isinstance(one, Text)]
+        name, kind = texts[0] if texts else called.argument(1), called.templates[0]
+    else:
+        name, kind = called.argument(2, "action_name"), called.argument(1, "action_type")
+    callbacks = [one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)]
+    for one in callbacks[1:]:
+        engine.called_outer(one)
+    return endpoint(
+        engine, called.argument(0, "node"), called, role, name, kind, callback=callbacks[0] if callbacks else None,
+        group=_group(called, 5, 6),
+    )  # fmt: skip
+
+
+@method("node", "create_wall_timer", "create_timer", "create_ros_timer", anywhere=True)
+def wall_timer(engine: Context, thing: Any, called: Called) -> Any:
+    """A timer."""
+    given = called.arguments
+    callback = next((one for one in (*given, *called.keywords.values()) if isinstance(one, Callable)), None)
+    period = next((one for one in given if isinstance(one, int | float)), called.keywords.get("timer_period_sec"))
+    timer(engine, thing, called, period, callback, _group(called, 2))
+    return Obj("rclcpp.TimerBase")
+
+
+@method("node", "create_callback_group", anywhere=True)
+def callback_group(engine: Context, _thing: Any, called: Called) -> Any:
+    """A callback group, named after where it is made."""
+    del engine
+    kind = called.argument(0)
+    word = kind.name.rpartition(".")[2] if isinstance(kind, Named) else "group"
+    return Group(f"{word}:{called.evidence.line}")
+
+
+@outer("rclpy.callback_groups.ReentrantCallbackGroup", "rclpy.callback_groups.MutuallyExclusiveCallbackGroup")
+def python_group(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A callback group of rclpy."""
+    return Group(f"{called.name.rpartition('.')[2].removesuffix('CallbackGroup')}:{called.evidence.line}")
+
+
+@method("node", "create_sub_node")
+def sub_node(engine: Context, thing: Any, called: Called) -> Any:
+    """A node below another one: its names begin with the namespace."""
+    before = thing.prefix if isinstance(thing, Handle) else Text()
+    name = as_text(called.argument(0))
+    return Handle(node_of(engine, thing), Text.of(before, "/", name) if before.parts else name)
+
+
+@method("node", "get_node_base_interface", "get_node_topics_interface", "get_node_services_interface",
+        "get_node_parameters_interface", "get_node_clock_interface", "get_node_logging_interface",
+        "get_node_waitables_interface", "get_node_graph_interface", "get_node_timers_interface", "shared_from_this",
+        "weak_from_this", "lock", "get")  # fmt: skip
+def interface(engine: Context, thing: Any, _called: Called) -> Any:
+    """A part of a node stands for the node."""
+    return thing if isinstance(thing, Obj | Handle) else Handle(engine.node)
+
+
+@method("node", "get_name", "get_fully_qualified_name", "get_effective_namespace", "get_namespace")
+def own_name(engine: Context, thing: Any, called: Called) -> Any:
+    """The name of the node, which may be given to it from outside."""
+    node_ = node_of(engine, thing)
+    if "namespace" in called.name:
+        return Text((Hole(node_.said("namespace of the node"), default=""),))
+    if "fully" in called.name:
+        return Text((Hole(node_.said("full name of the node"), default="~"),))
+    return Text((Hole(node_.said("name of the node"), default=node_.name.usual),))
+
+
+@method("node", "resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name")
+def resolved(engine: Context, thing: Any, called: Called) -> Any:
+    """A name is resolved: what is relative is below the namespace of the node, where it is remapped."""
+    node_ = node_of(engine, thing)
+    name = as_text(called.argument(0, "topic", "service"))
+    return _expanded(name, node_.said("namespace of the node"), node_.said("full name of the node"))
+
+
+@outer("rclcpp.expand_topic_or_service_name")
+def expanded(_engine: Context, _thing: Any, called: Called) -> Any:
+    """A name is expanded below the namespace that is given."""
+    space = as_text(called.argument(2))
+    reason = space.holes[0].reason if len(space.parts) == 1 and space.holes else ""
+    if not reason.startswith("namespace of the node"):
+        return Unknown("an expanded name")
+    return _expanded(as_text(called.argument(0)), reason, reason.replace("namespace", "full name", 1))
+
+
+def _expanded(name: Text, space: str, whole: str) -> Text:
+    first = name.parts[0] if name.parts else ""
+    if not isinstance(first, str):
+        return name if is_namespace(first) else Text((msgspec.structs.replace(first, below=space), *name.parts[1:]))
+    if first.startswith("~"):
+        return Text.of(Hole(whole, default="~"), first[1:], *name.parts[1:])
+    return name if first.startswith("/") else Text.of(Hole(space, default=""), "/", name)

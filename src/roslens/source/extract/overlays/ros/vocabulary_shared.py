@@ -1,0 +1,168 @@
+"""The vocabulary of libraries of both generations: transforms, filters of messages, actions, diagnostics."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.model.graph import Role
+from roslens.model.qos import Qos
+from roslens.source.extract.domain.abstract_value import Callable, Handle, Made, Obj, QosValue, Unknown
+from roslens.source.extract.interpreter.vocabulary import Called, method, node_of, outer
+from roslens.source.extract.overlays.ros.record import endpoint, is_guessed, sure_of
+from roslens.source.extract.symbolic.text import Hole, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_TF = "tf2_msgs::msg::TFMessage"
+_DYNAMIC = QosValue(Qos("reliable", "volatile", "keep_last", 100))
+_STATIC = QosValue(Qos("reliable", "transient_local", "keep_last", 1))
+
+
+def handle_of(engine: Context, called: Called) -> Any:
+    """Return the first argument that stands for a node; in ROS 2 an unknown one where none is known to."""
+    given = (*called.arguments, *called.keywords.values())
+    for value in given:
+        if isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None):
+            return value
+    if engine.node.generation == "ros2" and given and is_guessed(given[0]):
+        return given[0]
+    return Handle(engine.node)
+
+
+def follow_visitors(engine: Context, called: Called, first: int) -> None:
+    """Follow what a publisher of ROS 1 calls when somebody comes or goes: arguments from ``first`` on."""
+    for one in called.arguments[first:]:
+        engine.called_outer(one, "somebody subscribes" if isinstance(one, Callable) else "")
+
+
+@outer("tf2_ros.TransformListener", "tf.TransformListener", "tf2_ros.transform_listener.TransformListener")
+def listener(engine: Context, _thing: Any, called: Called) -> Any:
+    """A listener to transforms."""
+    node = _listening(engine, called)
+    static = msgspec.structs.replace(_STATIC.qos, depth=100)
+    topic, static_topic = (
+        called.keywords.get(name, Text.of(f"/{name[:-6]}")) for name in ("tf_topic", "tf_static_topic")
+    )
+    endpoint(engine, node, called, Role.SUBSCRIPTION, topic, _TF, qos=_DYNAMIC)
+    endpoint(engine, node, called, Role.SUBSCRIPTION, static_topic, _TF, qos=QosValue(static))
+    return Obj(called.name)
+
+
+def _listening(engine: Context, called: Called) -> Any:
+    """Return the node that listens: in C++ of ROS 2 one of its own where none is given (transform_listener.cpp)."""
+    given = [one for one in called.arguments if isinstance(one, Handle) or (isinstance(one, Obj) and one.node)]
+    if given or engine.node.generation != "ros2" or called.evidence.path.endswith(".py"):
+        return Handle(node_of(engine, handle_of(engine, called)))
+    perhaps = [one for one in called.arguments[1:] if is_guessed(one)]
+    if perhaps:
+        return perhaps[0]
+    name = Text.of("transform_listener_impl_", Hole("random end"))
+    words = (Text.of("--ros-args"), Text.of("-r"), Text.of("__node:=", name))
+    return Handle(engine.further(called.evidence, name, words))
+
+
+@outer("tf2_ros.TransformBroadcaster", "tf.TransformBroadcaster", "tf2_ros.transform_broadcaster.TransformBroadcaster")
+def broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
+    """A broadcaster of transforms."""
+    node = handle_of(engine, called)
+    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf"), _TF, qos=_DYNAMIC, queue=100)
+    return Obj(called.name)
+
+
+@outer("tf2_ros.StaticTransformBroadcaster",
+       "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster")  # fmt: skip
+def static_broadcaster(engine: Context, _thing: Any, called: Called) -> Any:
+    """A broadcaster of transforms that stay."""
+    node = handle_of(engine, called)
+    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/tf_static"), _TF, qos=_STATIC, queue=100, latched=True)
+    return Obj(called.name)
+
+
+@outer("message_filters.Subscriber")
+def filtered(engine: Context, _thing: Any, called: Called) -> Any:
+    """A subscription whose messages are filtered; without arguments it is made by ``subscribe`` later."""
+    found = Obj("message_filters.Subscriber", None, {"templates": list(called.templates)})
+    if called.arguments or called.keywords:
+        _filtered(engine, found, called)
+    return found
+
+
+def _filtered(engine: Context, found: Obj, called: Called) -> None:
+    templates = found.fields.get("templates") or []
+    texts = [place for place, one in enumerate(called.arguments) if isinstance(one, Text)]
+    python = called.evidence.path.endswith(".py")
+    if python and not called.templates:
+        # Subscriber(topic, type) of rospy, Subscriber(node, type, topic) of rclpy.
+        names = [one for one in called.arguments if isinstance(one, Text)]
+        kinds = [one for one in called.arguments if not isinstance(one, Text | Handle | Obj | int | None)]
+        name, kind = names[0] if names else called.keywords.get("topic"), kinds[0] if kinds else Unknown("its type")
+    else:
+        name = called.arguments[texts[0]] if texts else called.argument(1, default=Unknown("its name"))
+        kind = templates[0] if templates else Unknown("its type")
+    quality = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, QosValue)), None)
+    queue = next((one for one in called.arguments if isinstance(one, int) and not isinstance(one, bool)), -1)
+    endpoint(engine, handle_of(engine, called), called, Role.SUBSCRIPTION, name, kind, qos=quality, queue=queue)
+
+
+@method("message_filters.Subscriber", "subscribe")
+def filtered_later(engine: Context, thing: Any, called: Called) -> Any:
+    """A filtered subscription is made."""
+    _filtered(engine, thing, called)
+    return None
+
+
+@outer("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer",
+       "actionlib.action_server.ActionServer")  # fmt: skip
+def action_server(engine: Context, _thing: Any, called: Called) -> Any:
+    """A server of an action of actionlib."""
+    return _action(engine, called, Role.ACTION_SERVER)
+
+
+@outer("actionlib.SimpleActionClient", "actionlib.ActionClient", "actionlib.simple_action_client.SimpleActionClient",
+       "actionlib.action_client.ActionClient")  # fmt: skip
+def action_client(engine: Context, _thing: Any, called: Called) -> Any:
+    """A client of an action of actionlib."""
+    return _action(engine, called, Role.ACTION_CLIENT)
+
+
+def _action(engine: Context, called: Called, role: Role) -> Any:
+    engine.node.generation = "ros1"
+    name = next((one for one in called.arguments if isinstance(one, Text)), None)
+    if name is None:
+        name = called.argument(0, "name", "ns")
+    kind: Any = called.templates[0] if called.templates else called.argument(1, "ActionSpec")
+    callback = next((one for one in (*called.arguments, *called.keywords.values()) if isinstance(one, Callable)), None)
+    return endpoint(engine, handle_of(engine, called), called, role, name, kind, callback=callback)
+
+
+@outer("diagnostic_updater.Updater")
+def updater(engine: Context, _thing: Any, called: Called) -> Any:
+    """A publisher of diagnostics."""
+    node = handle_of(engine, called)
+    kind = "diagnostic_msgs::msg::DiagnosticArray"
+    quality = QosValue(Qos("reliable", "volatile", "keep_last", 1))
+    endpoint(engine, node, called, Role.PUBLISHER, Text.of("/diagnostics"), kind, qos=quality, queue=1)
+    return Obj("diagnostic_updater.Updater")
+
+
+@method("made", "publish", "call", "async_call", "call_async", "async_send_request", "sendGoal", "async_send_goal",
+        "send_goal", "send_goal_async", "publish_feedback")  # fmt: skip
+def use(_engine: Context, thing: Made, called: Called) -> Any:
+    """A message is published, or a service or action called."""
+    fact = thing.node.endpoints[thing.place]
+    place = msgspec.structs.replace(called.evidence, how="written")
+    if place not in fact.sites:
+        thing.node.endpoints[thing.place] = msgspec.structs.replace(fact, sites=(*fact.sites, place))
+    return Unknown(f"result of {called.name}()")
+
+
+@method("made", "get_topic_name", "getTopic", "get_service_name", "getService")
+def topic_of(_engine: Context, thing: Made, _called: Called) -> Any:
+    """The name of an endpoint."""
+    return thing.node.endpoints[thing.place].name
+
+
+__all__ = ["sure_of"]

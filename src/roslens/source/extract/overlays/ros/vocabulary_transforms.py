@@ -1,0 +1,49 @@
+"""The vocabulary of buffers of transforms: the service that shows their frames."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from roslens.model.graph import Role
+from roslens.source.extract.domain.abstract_value import Handle, Obj
+from roslens.source.extract.interpreter.vocabulary import Called, outer
+from roslens.source.extract.overlays.ros.record import endpoint
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_FRAMES, _TYPE = "tf2_frames", "tf2_msgs::srv::FrameGraph"
+
+
+@outer("tf2_ros.Buffer", "tf2_ros.buffer.Buffer")
+def buffer(engine: Context, thing: Any, called: Called) -> Any:
+    """A buffer of transforms.
+
+    In ROS 2 it serves its frames where it is given a node. In ROS 1 it does so where ``debug`` is true, once in a node:
+    by default in Python, and not in C++ (tf2_ros, buffer.py, buffer.h, buffer.cpp).
+    """
+    found = thing if isinstance(thing, Obj) else Obj("tf2_ros.Buffer")
+    if engine.node.generation == "ros2":
+        node = next((one for one in _given(called) if _is_node(one)), None)
+        if node is not None:
+            endpoint(engine, node, called, Role.SERVICE_SERVER, Text.of(_FRAMES), _TYPE)
+        return found
+    debug = called.argument(1, "debug", default=called.evidence.path.endswith(".py"))
+    holds, name = engine.truth(debug), Text.of("~", _FRAMES)
+    if holds is False or any(one.name == name for one in engine.node.endpoints):
+        return found
+    note = [] if holds else ["its buffer of transforms is made with debug"]
+    engine.conditions += note
+    endpoint(engine, Handle(engine.node), called, Role.SERVICE_SERVER, name, _TYPE)
+    del engine.conditions[len(engine.conditions) - len(note) :]
+    return found
+
+
+def _given(called: Called) -> Sequence[Any]:
+    return [called.keywords["node"]] if "node" in called.keywords else called.arguments
+
+
+def _is_node(value: Any) -> bool:
+    return isinstance(value, Handle) or (isinstance(value, Obj) and value.node is not None)

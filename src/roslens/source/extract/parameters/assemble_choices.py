@@ -1,0 +1,191 @@
+"""Texts that are one thing or another: which it is where parameters decide it, else both with their conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Protocol
+
+import msgspec
+
+from roslens.source.extract.facts.node_facts import EndpointFact, Sure
+from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.many_choices import MANY
+from roslens.source.extract.symbolic.text import Asked, Choice, Hole, Text
+
+MOST = 8
+"""So many alternatives of one text are told; of more it is a text with holes."""
+_NO = frozenset({"false", "no", "off", "", "0", "0.0"})
+_NOT_SET = ", which is not set"
+
+
+class Decided(msgspec.Struct, frozen=True):
+    """Whether a condition holds, how sure that is, and in words what decides it; ``holds`` None where it is open."""
+
+    holds: bool | None = None
+    sure: Sure = Sure.CERTAIN
+    how: tuple[str, ...] = ()
+
+
+class Alternative(msgspec.Struct, frozen=True):
+    """A text without choices, the conditions under which it stands there, and how sure it is that it does."""
+
+    text: Text
+    conditions: tuple[str, ...] = ()
+    sure: Sure = Sure.CERTAIN
+    how: tuple[str, ...] = ()
+
+
+class Filled(msgspec.Struct, frozen=True):
+    """A text with values in place of holes, how sure these are, and in words where they come from."""
+
+    text: Text
+    sure: Sure = Sure.CERTAIN
+    how: tuple[str, ...] = ()
+
+
+class Values(Protocol):
+    """What the parameters of a node are set to."""
+
+    @property
+    def generation(self) -> str:
+        """``ros1`` or ``ros2``."""
+
+    def value(self, name: Text) -> object | None:
+        """Return what sets a parameter; None where nothing does."""
+
+    def fill(self, text: Text) -> Filled:
+        """Return a text with the values of parameters, else their defaults, in place of holes."""
+
+
+def alternatives(text: Text, values: Values) -> tuple[Alternative, ...]:
+    """Return what a text may be: one where the parameters of a node decide it, else each with its conditions."""
+    if not any(hole.choice for hole in text.holes):
+        return (Alternative(text),)
+    found = [one for one in _expanded(text, values) if one.text.parts and not _is_not_set(one.text)]
+    if not found or len(found) > MOST or any(_is_of_many(one.text) for one in found):
+        return (Alternative(text),)
+    if len({one.text for one in found}) == 1 and len(found) > 1:
+        return (Alternative(found[0].text, (), doubt(*(one.sure for one in found)), found[0].how),)
+    return tuple(found)
+
+
+def chosen_of(fact: EndpointFact, one: Alternative, name: Text) -> EndpointFact:
+    """Return an endpoint with an alternative for its name."""
+    if not any(hole.choice for hole in fact.name.holes):
+        # An item of a list that is set is as sure as what sets it; what it still lacks says its holes.
+        sure = fact.evidence.sure if name == fact.name else Sure.CERTAIN
+        return msgspec.structs.replace(fact, name=name, evidence=msgspec.structs.replace(fact.evidence, sure=sure))
+    evidence = msgspec.structs.replace(fact.evidence, sure=Sure.CERTAIN, how="written")
+    conditions = tuple(dict.fromkeys((*fact.conditions, *one.conditions)))
+    return msgspec.structs.replace(fact, name=name, evidence=evidence, conditions=conditions)
+
+
+def as_decided(fact: EndpointFact, values: Values) -> EndpointFact | None:
+    """Return an endpoint without the conditions that what is set for its node fulfils; None where it forbids one."""
+    met = set()
+    for condition, asked in fact.asked:
+        decided = _decided(asked, values)
+        if decided.holds is None or decided.sure is not Sure.CERTAIN:
+            continue
+        if not decided.holds:
+            return None
+        met.add(condition)
+    if not met:
+        return fact
+    return msgspec.structs.replace(fact, conditions=tuple(one for one in fact.conditions if one not in met))
+
+
+def _is_not_set(text: Text) -> bool:
+    return len(text.parts) == 1 and isinstance(hole := text.parts[0], Hole) and hole.reason.endswith(_NOT_SET)
+
+
+def _is_of_many(text: Text) -> bool:
+    return any(MANY in hole.reason for hole in text.holes)
+
+
+def _expanded(text: Text, values: Values) -> Iterator[Alternative]:
+    place = next((number for number, part in enumerate(text.parts) if isinstance(part, Hole) and part.choice), None)
+    if place is None:
+        yield Alternative(text)
+        return
+    hole = text.parts[place]
+    if not isinstance(hole, Hole):
+        return
+    choice = hole.choice[0]
+    decided = decided_by(choice, values)
+    for holds in (True, False):
+        if decided.holds is (not holds):
+            continue
+        piece = choice.then if holds else choice.otherwise
+        before = text.parts[:place]
+        if _is_global(piece) and len(before) == 1 and str(before[0]).startswith("~"):
+            # A name that a private handle is given stays global: roscpp, NodeHandle::resolveName.
+            before = ()
+        own = () if decided.holds is not None else (choice.condition if holds else negated(choice.condition),)
+        for rest in _expanded(Text.of(*before, piece, *text.parts[place + 1 :]), values):
+            conditions = tuple(dict.fromkeys((*own, *rest.conditions)))
+            yield Alternative(rest.text, conditions, doubt(decided.sure, rest.sure), (*decided.how, *rest.how))
+
+
+def _is_global(text: Text) -> bool:
+    return bool(text.parts) and isinstance(first := text.parts[0], str) and first.startswith("/")
+
+
+def decided_by(choice: Choice, values: Values) -> Decided:
+    """Return whether the condition of a choice holds."""
+    return _decided(choice.test[0], values) if choice.test else Decided()
+
+
+def _decided(test: Asked, values: Values) -> Decided:
+    if test.kind in ("and", "or"):
+        return _joined(test, values)
+    if test.kind == "not":
+        inner = _decided(test.tests[0], values)
+        return inner if inner.holds is None else msgspec.structs.replace(inner, holds=not inner.holds)
+    if test.kind == "set":
+        return _set(test.texts[0], values)
+    filled = [values.fill(one) for one in test.texts]
+    known = [one.text.known for one in filled]
+    texts = [one for one in known if one is not None]
+    if len(texts) < len(known):
+        return Decided()
+    sure, how = doubt(*(one.sure for one in filled)), tuple(words for one in filled for words in one.how)
+    if test.kind == "true":
+        return Decided(texts[0].strip().lower() not in _NO, sure, how)
+    return Decided(_comparable(texts[0]) == _comparable(texts[1]), sure, how)
+
+
+def _joined(test: Asked, values: Values) -> Decided:
+    inner = [_decided(one, values) for one in test.tests]
+    stops = test.kind == "or"
+    for one in inner:
+        if one.holds is stops:
+            return one
+    if any(one.holds is None for one in inner):
+        return Decided()
+    return Decided(not stops, doubt(*(one.sure for one in inner)), tuple(words for one in inner for words in one.how))
+
+
+def _set(text: Text, values: Values) -> Decided:
+    hole = text.holes[0]
+    if values.value(Text.of(hole.parameter)) is not None:
+        return Decided(holds=True, how=(f"parameter {hole.parameter} is set",))
+    if values.generation == "ros2":
+        # A parameter that is declared has a value.
+        return Decided(holds=True) if hole.default is not None else Decided()
+    return Decided(False, Sure.LIKELY, (f"parameter {hole.parameter} is not set",))
+
+
+def _comparable(text: str) -> str | float:
+    try:
+        return float(text)
+    except ValueError:
+        return {"true": "true", "false": "false"}.get(text.lower(), text)
+
+
+_DOUBT = {Sure.CERTAIN: 0, Sure.LIKELY: 1, Sure.POSSIBLE: 2}
+
+
+def doubt(*sures: Sure) -> Sure:
+    """Return the least sure of several."""
+    return max(sures, key=_DOUBT.__getitem__, default=Sure.CERTAIN)

@@ -1,0 +1,86 @@
+"""Texts with holes that stand for the items of a list which a parameter is: one text for each item."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+
+import msgspec
+
+from roslens.source.extract.symbolic.text import Hole, Text
+from roslens.source.extract.symbolic.text_lists import listed
+
+Items = Callable[[Hole], "list[str | Hole] | None"]
+"""Returns the items that a hole stands for; None where it stands for none, or they are unknown."""
+_PREFIX = re.compile(r"(?:each of |item -?\d+ of )*")
+_WHOLE = re.compile(
+    r"(?:each of |item -?\d+ of )?(?!each of |item -?\d|.*(?:\{| of node no\. | that makes it| of each of ))"
+)
+"""A list of this node, each of its items or one of them; of what else is made of a list nobody knows what it is."""
+_ITEM = re.compile(r"item (-?\d+) of ")
+_DEEPEST = 4
+
+
+def each_of(texts: tuple[Text, ...], items: Items) -> tuple[tuple[Text, ...], ...]:
+    """Return these texts once for each item of the first list in them, with the item in all its places.
+
+    What the item names may be a list as well; lists that have nothing to do with each other are left as they are: they
+    may be gone through side by side, and not each with each.
+    """
+    return tuple(_each(texts, items, frozenset(), 0))
+
+
+def _each(texts: tuple[Text, ...], items: Items, others: frozenset[Hole], depth: int) -> Iterator[tuple[Text, ...]]:
+    holes = [one for text in texts for one in _holes(text)] if depth < _DEEPEST else []
+    for hole in holes:
+        found = None if hole in others else items(hole)
+        if found is not None:
+            for one in found or [Hole(f"{hole.reason}, which is empty")]:
+                filled = tuple(_with(text, hole, one) for text in texts)
+                yield from _each(filled, items, others | frozenset(holes), depth + 1)
+            return
+    yield texts
+
+
+def _holes(text: Text) -> Iterator[Hole]:
+    for hole in text.holes:
+        for one in hole.named:
+            yield from _holes(one)
+        yield hole
+
+
+def _with(text: Text, hole: Hole, item: str | Hole) -> Text:
+    if not text.holes:
+        return text
+    parts: Iterable[str | Hole] = (
+        part if isinstance(part, str) else item if part == hole else _renamed(part, hole, item) for part in text.parts
+    )
+    return Text.of(*parts)
+
+
+def _renamed(part: Hole, hole: Hole, item: str | Hole) -> Hole:
+    """Return a hole of a parameter whose name has an item in it."""
+    named = tuple(_with(one, hole, item) for one in part.named)
+    if named == part.named:
+        return part
+    name = named[0].usual
+    if name is None:
+        return msgspec.structs.replace(part, named=named)
+    found = _PREFIX.match(part.reason)
+    prefix = "" if found is None else found[0]
+    default = part.default if len(named) < 2 or prefix else named[1].usual
+    return Hole(f"{prefix}parameter {name}", name, default, part.below, among=part.among)
+
+
+def items_among(hole: Hole, value: Text | None) -> list[str] | None:
+    """Return the items that a hole stands for where its parameter is set to a value, or to none; None where unknown."""
+    if not _WHOLE.match(hole.reason):
+        return None
+    known = (hole.among or hole.default) if value is None else value.known
+    if known is None or not (known.startswith("[") and known.endswith("]")):
+        return None
+    names, found = listed(known), _ITEM.match(hole.reason)
+    if found is None:
+        return names
+    place = int(found[1])
+    return [names[place]] if -len(names) <= place < len(names) else []

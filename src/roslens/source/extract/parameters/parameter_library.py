@@ -1,0 +1,178 @@
+"""Parameters that generate_parameter_library declares: its YAML, from which a build makes a ``ParamListener``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import msgspec
+
+from roslens.judge.yaml_tree import Items, Node, Place, Scalar, Table, Tree, read_tree
+from roslens.model.errors import DocumentError
+from roslens.source.extract.facts.node_facts import Evidence, Terms
+from roslens.source.extract.parameters.parameter_file import written
+
+MAP = "__map_"
+"""Begins a part of a name that stands for each item of a list which another parameter is."""
+_FIXED = re.compile(r"(\w+?)_fixed_(\d+)")
+_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_TRUE = frozenset({"true", "yes", "on", "y"})
+
+
+class Declaration(msgspec.Struct, frozen=True):
+    """A parameter that is declared: its name with ``__map_`` parts as written, and what is said of it."""
+
+    name: str
+    type: str
+    evidence: Evidence
+    default: str | None = None
+    range: str = ""
+    description: str = ""
+    terms: Terms = Terms()
+
+
+class ParameterLibrary(msgspec.Struct, frozen=True):
+    """What a build makes of one file.
+
+    Attributes:
+        target: name of the library or module, and of its header.
+        namespace: that the ``ParamListener`` is in.
+        package: that builds it.
+        path: of the file.
+        python: whether a module of Python is made, else a header of C++.
+        declarations: in order.
+        unread: why the file could not be read; empty where it could.
+    """
+
+    target: str
+    namespace: str
+    package: str
+    path: str
+    python: bool
+    declarations: tuple[Declaration, ...] = ()
+    unread: str = ""
+
+
+def parameter_library(target: str, package: str, path: str, content: bytes | None, *, python: bool) -> ParameterLibrary:
+    """Return what a build makes of a file; never raises for what is in it.
+
+    Args:
+        target: name of the library or module.
+        package: that builds it.
+        path: of the file.
+        content: of the file; None where there is none.
+        python: whether a module of Python is made.
+    """
+    if content is None:
+        return ParameterLibrary(target, "", package, path, python, unread=f"{path} cannot be read")
+    try:
+        namespace, found = declarations_of(content, path)
+    except DocumentError as error:
+        return ParameterLibrary(target, "", package, path, python, unread=f"{path}: {error.what}")
+    return ParameterLibrary(target, namespace, package, path, python, found)
+
+
+def declarations_of(content: bytes, path: str) -> tuple[str, tuple[Declaration, ...]]:
+    """Return the namespace that a file declares parameters in, and these.
+
+    Raises:
+        DocumentError: it is no YAML that can be read, or has not one outermost key.
+    """
+    # The generator reads with PyYAML, which takes the last of two keys of one name.
+    tree = read_tree(content, path, last_counts=True)
+    root = tree.root
+    if not isinstance(root, Table) or len(root.nodes) != 1:
+        raise DocumentError(
+            "not one outermost key",
+            where=tree.location(Place(1, 0)),
+            expected="one key, the namespace of the parameters",
+            advice="generate_parameter_library refuses the file; put all parameters below one key",
+        )
+    ((namespace, inner),) = root.nodes.items()
+    return namespace, tuple(_declared(inner, (), tree, root.keys[namespace]))
+
+
+def _declared(node: Node, names: tuple[str, ...], tree: Tree, place: Place) -> Iterator[Declaration]:
+    """Yield the parameters below a node; a table whose first value is one holds others (parse_yaml.py, parse_dict)."""
+    if not isinstance(node, Table) or not node.nodes:
+        return
+    if isinstance(next(iter(node.nodes.values())), Table):
+        for key, inner in node.nodes.items():
+            if isinstance(inner, Table):
+                yield from _declared(inner, (*names, key), tree, node.keys[key])
+    elif names and isinstance(kind := node.nodes.get("type"), Scalar) and kind.text != "none":
+        yield _declaration(node, ".".join(names), kind.text, tree, place)
+
+
+def _declaration(node: Table, name: str, written_type: str, tree: Tree, place: Place) -> Declaration:
+    location = tree.location(place)
+    fixed = _FIXED.fullmatch(written_type)
+    kind = fixed[1] if fixed else written_type
+    default, read_only = node.nodes.get("default_value"), node.nodes.get("read_only")
+    described, more = _text(node.nodes.get("description")), _text(node.nodes.get("additional_constraints"))
+    validation = node.nodes.get("validation")
+    checks = dict(_checks(validation)) if isinstance(validation, Table) else {}
+    constraints = [one for name, values in checks.items() if (one := _words(name, values))]
+    constraints += [f"at most {fixed[2]} {'signs' if kind == 'string' else 'items'}"] if fixed else []
+    allowed = checks.get("one_of", ())
+    return Declaration(
+        name,
+        kind,
+        Evidence(location.path, location.line, location.column),
+        None if default is None or (isinstance(default, Scalar) and default.empty) else written(default),
+        _range(checks),
+        " ".join(described.split()),
+        Terms(
+            read_only=isinstance(read_only, Scalar) and read_only.text.lower() in _TRUE,
+            allowed=tuple(allowed),
+            constraints=tuple(one for one in (*constraints, more) if one),
+        ),
+    )
+
+
+def _text(node: Node | None) -> str:
+    return node.text if isinstance(node, Scalar) and not node.empty else ""
+
+
+def _checks(validation: Table) -> Iterator[tuple[str, list[str]]]:
+    """Yield the functions that check a value, and what they are given, one list in another one flattened."""
+    for name, node in validation.nodes.items():
+        items = node.nodes if isinstance(node, Items) else (node,)
+        flat = [two for one in items for two in (one.nodes if isinstance(one, Items) else (one,))]
+        yield name.replace("<>", ""), [written(one) for one in flat if not (isinstance(one, Scalar) and one.empty)]
+
+
+def _range(checks: dict[str, list[str]]) -> str:
+    ends = {"gt": ">", "gt_eq": "", "lt": "<", "lt_eq": ""}
+    found = {name: sign + checks[name][0] for name, sign in ends.items() if _numbers(checks.get(name), 1)}
+    if _numbers(bounds := checks.get("bounds"), 2) and bounds:
+        return f"{bounds[0]}..{bounds[1]}"
+    least, greatest = found.get("gt", found.get("gt_eq", "")), found.get("lt", found.get("lt_eq", ""))
+    return f"{least}..{greatest}" if least or greatest else ""
+
+
+def _numbers(values: list[str] | None, count: int) -> bool:
+    return values is not None and len(values) == count and all(_NUMBER.fullmatch(one) for one in values)
+
+
+def _words(name: str, values: list[str]) -> str:
+    """Return what a function checks in words; empty of what range and values say."""
+    if name in ("bounds", "gt", "gt_eq", "lt", "lt_eq", "one_of"):
+        return "" if name == "one_of" or _range({name: values}) else f"{name} {', '.join(values)}".strip()
+    text = _WORDS.get(name)
+    if text is None:
+        return f"checked by {name}" if "::" in name or "." in name else f"{name} {', '.join(values)}".strip()
+    return text.format(", ".join(values), "..".join(values))
+
+
+_WORDS = {
+    "fixed_size": "size {0}",
+    "size_gt": "size above {0}",
+    "size_lt": "size below {0}",
+    "not_empty": "not empty",
+    "unique": "no item twice",
+    "subset_of": "items among {0}",
+    "element_bounds": "items in {1}",
+    "lower_element_bounds": "items in {0}..",
+    "upper_element_bounds": "items in ..{0}",
+}

@@ -1,0 +1,78 @@
+"""What was looked up before: of the names in a class or at a place, and of expressions as text.
+
+An evaluation asks the same again and again, as functions are followed from many places; what an index says never
+changes. Classes and expressions are known by identity here, which is a lot cheaper than by value: the programs of the
+index, or what is kept beside it, hold each of them, so that no other gets its number.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from roslens.source.extract.ir.makes_endpoints import calls_that_make
+from roslens.source.extract.ir.program import Call, Expression, Field, Function, Statement
+from roslens.source.extract.ir.program_text import expression_text
+
+Found = tuple[Function, str] | None
+"""A function and the path of its file."""
+
+
+class Lookups:
+    """What an index said.
+
+    Attributes:
+        method: of a class, by identity and name.
+        overloads: of a class, by identity, name and how many arguments are given.
+        alone: those of ``overloads`` that no arguments decide, as there is one of the name only.
+        functions: outside of classes, by name, path, scope and how many arguments are given.
+        defined: what a name stands for in a class (0 outside), by name, path and scope.
+        outside: what a called name means that nothing in the workspace has, and what it is an alias of, by class, name,
+            path, scope and how many arguments are given.
+        kinds: what objects are, by their type, class and whether they are nodes.
+        members: of objects of a class, by its identity, with what they are at first.
+        of_modules: statements that change variables of modules of Python, by path and name.
+        set_on_classes: attributes that code of Python sets on classes, by the last name of the class; None before it
+            is asked for.
+        called: last names of what an expression calls, by its identity, with it.
+        set_in_turns: members that methods set which a loop calls, by its identity and that of a class, with it.
+        making: calls in a function that make an endpoint by their name, by its identity, with it.
+        function_names: of all functions with a body; None before it is asked for.
+    """
+
+    def __init__(self) -> None:
+        """Begin with nothing."""
+        self.method: dict[tuple[int, str], Found] = {}
+        self.overloads: dict[tuple[int, str, int], Found] = {}
+        self.alone: set[tuple[int, str, int]] = set()
+        self.functions: dict[tuple[str, str, str, int], Found] = {}
+        self.defined: dict[tuple[int, str, str, str], tuple[str, Any, Any]] = {}
+        self.kinds: dict[tuple[str, int, bool], tuple[str, ...]] = {}
+        self.outside: dict[tuple[int, str, str, str, int], tuple[str, str]] = {}
+        self.members: dict[int, tuple[tuple[Field, Any], ...]] = {}
+        self.of_modules: dict[str, dict[str, tuple[Statement, ...]]] = {}
+        self.set_on_classes: set[tuple[str, str]] | None = None
+        self.called: dict[int, tuple[Expression, tuple[str, ...]]] = {}
+        self.making: dict[int, tuple[Function, tuple[Call, ...]]] = {}
+        self.function_names: set[str] | None = None
+        self.set_in_turns: dict[tuple[int, int], tuple[Statement, tuple[str, ...]]] = {}
+        self._texts: dict[int, tuple[Expression, str]] = {}
+
+    def calls_that_make(self, function: Function) -> tuple[Call, ...]:
+        """Return the calls in a function that make an endpoint, by their name."""
+        known = self.making.get(id(function))
+        if known is None or known[0] is not function:
+            found = tuple(calls_that_make(function.initialisers, function.body))
+            known = self.making[id(function)] = (function, found)
+        return known[1]
+
+    def text(self, expression: Expression) -> str:
+        """Return an expression of a program as text."""
+        known = self._texts.get(id(expression))
+        if known is None or known[0] is not expression:
+            known = self._texts[id(expression)] = (expression, expression_text(expression))
+        return known[1]
+
+    def condition(self, expression: Expression) -> str:
+        """Return a condition as people write it."""
+        written = self.text(expression).strip("`")
+        return written[1:-1] if written.startswith("(") and written.endswith(")") else written

@@ -1,0 +1,38 @@
+"""What the template parameters of the bases of an object stand for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.ir.type_names import dotted
+
+if TYPE_CHECKING:
+    from roslens.source.extract.domain.abstract_value import Obj
+    from roslens.source.extract.transfer.context import Context
+
+
+def bind_bases(engine: Context, thing: Obj) -> None:
+    """Note what the classes of an object give their bases as template arguments: ``class A : public Base<String>``."""
+    for one in engine.index.chain(thing.defined) if thing.defined is not None else ():
+        arguments = getattr(one.what, "base_templates", ())
+        if not arguments:
+            continue
+        name = one.what.qualified_name
+        outer, engine.frame = engine.frame, Frame(one.path, name, thing)
+        engine.frame.templates.update(thing.templates_of(name))
+        for written, given in zip(getattr(one.what, "bases", ()), arguments, strict=False):
+            base = engine.index.class_of(written, one.path, name.rpartition(".")[0])
+            if base is not None and given:
+                names = getattr(base.what, "templates", ())
+                bound = dict(zip(names, (_whole(engine, each) for each in given), strict=False))
+                thing.base_templates.setdefault(base.what.qualified_name, bound)
+        engine.frame = outer
+
+
+def _whole(engine: Context, written: str) -> str:
+    """Return a template argument as it is meant where it is written: elsewhere its name may mean another class."""
+    meant = engine.template(written)
+    plain = dotted(meant)
+    defined = engine.index.class_of(plain, engine.frame.path, engine.frame.scope) if plain.isidentifier() else None
+    return meant if defined is None else defined.what.qualified_name

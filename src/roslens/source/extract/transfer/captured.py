@@ -1,0 +1,104 @@
+"""Variables of the function around a lambda of C++: those it has copies of, and those it sees and sets."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Callable, QosValue, Unknown
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.ir.program import Lambda, Name
+from roslens.source.extract.symbolic.text import Text, unknown
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+class Around(dict[str, Any]):
+    """Variables of which a lambda has copies.
+
+    Attributes:
+        frame: of the function around, whose other variables it sees as they are when it is called.
+    """
+
+    __slots__ = ("frame",)
+
+    def __init__(self, frame: Frame, copies: dict[str, Any]) -> None:
+        """Hold copies of variables of a function."""
+        super().__init__(copies)
+        self.frame = frame
+
+    def __bool__(self) -> bool:
+        """Whether there is anything around: variables that it sees, even if it has copies of none."""
+        return True
+
+
+def names_around(engine: Context, made: Lambda) -> dict[str, Any]:
+    """Return the variables around a lambda that is made now."""
+    frame, holds = engine.frame, made.holds
+    if not holds:
+        return Around(frame, {}) if frame.aliases else frame.names
+    if holds[0] != "=":
+        known = (*frame.names, *frame.aliases)
+        return Around(frame, {name: engine.value(Name(name)) for name in holds if name in known})
+    copies = {**frame.names, **_referred(engine)}
+    for name in holds[1:]:
+        copies.pop(name, None)
+    return Around(frame, copies)
+
+
+def names_now(engine: Context, around: Around) -> dict[str, Any]:
+    """Return what the variables around a lambda are that is called now."""
+    frame = around.frame
+    if not frame.aliases:
+        return {**frame.names, **around}
+    outer, engine.frame = engine.frame, frame
+    try:
+        return {**frame.names, **_referred(engine), **around}
+    finally:
+        engine.frame = outer
+
+
+def _referred(engine: Context) -> dict[str, Any]:
+    return {name: engine.value(one) for name, (one, _) in engine.frame.aliases.items()}
+
+
+def set_around(engine: Context, function: Callable, frame: Frame) -> None:
+    """Forget what variables around a lambda were that it set when it was called.
+
+    Whether a name is that of a variable around, or of one of its own (``auto topic = "b"``), a program does not tell:
+    so nobody knows what the one around is, rather than that it has a value that it may not have.
+    """
+    around, what = function.names, function.function
+    if around is None or engine.index.programs[function.path].language != "cpp":
+        return
+    own = {parameter.name for parameter in what.parameters}
+    holds, names = (around, around.frame.names) if isinstance(around, Around) else ({}, around)
+    for name, after in frame.names.items():
+        before = names.get(name)
+        if before is None or after is before or name in own or name in holds or after == before:
+            continue
+        lost = _lost(name, before)
+        if lost is not None:
+            names[name] = lost
+    if isinstance(around, Around) and around.frame.aliases:
+        _set_referred(engine, around, frame, own)
+
+
+def _set_referred(engine: Context, around: Around, frame: Frame, own: set[str]) -> None:
+    """Forget what other names of variables around lead to where a lambda set it."""
+    outer, engine.frame = engine.frame, around.frame
+    try:
+        for name, before in _referred(engine).items():
+            lost = None if name in own or name in around else _lost(name, before)
+            if lost is not None and frame.names.get(name, before) != before:
+                engine.assign(Name(name), lost)
+    finally:
+        engine.frame = outer
+
+
+def _lost(name: str, before: Any) -> Text | Unknown | None:
+    if isinstance(before, Text):
+        return unknown(f"{name}, which a lambda sets")
+    if isinstance(before, Unknown | bool | int | float | QosValue):
+        return Unknown(f"{name}, which a lambda sets")
+    return None

@@ -1,0 +1,205 @@
+"""Texts of C++, lists and tables that a method changes in place: ``name.append("/raw")``, ``topics.insert(0, "scan")``.
+
+What a change comes to under a condition that is open is not known: whoever reads the value later is told so.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Unknown, as_text
+from roslens.source.extract.domain.table_key import hashable
+from roslens.source.extract.domain.word_list import Words
+from roslens.source.extract.ir.program import Call, Expression, Member, Name
+from roslens.source.extract.symbolic.text import Text, unknown
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_OF_TEXTS = frozenset({"append", "push_back", "insert", "replace", "erase", "assign", "clear", "pop_back", "resize",
+                       "swap", "prepend", "remove"})  # fmt: skip
+_OF_LISTS = frozenset({"insert", "extend", "remove", "pop", "reverse", "sort", "clear", "pop_back", "push_front",
+                       "pop_front", "erase"})  # fmt: skip
+_OF_TABLES = frozenset({"update", "pop", "setdefault", "clear", "popitem", "erase"})
+_GROWING = frozenset({"insert", "push_front", "reverse", "sort"})
+CHANGING = _OF_TEXTS | _OF_LISTS | _OF_TABLES
+_MOST_LENGTH = 10_000
+
+
+def changed_by(
+    engine: Context, written: Expression, of: Any, name: str, arguments: list[Any], keywords: dict[str, Any]
+) -> tuple[Any] | None:
+    """Change a value by a method of it; return the result of the call, None where the method changes nothing.
+
+    Args:
+        engine: that evaluates.
+        written: what the method is called on.
+        of: its value.
+        name: of the method.
+        arguments: of the call.
+        keywords: of the call.
+    """
+    if isinstance(of, Text):
+        cpp = engine.index.programs[engine.frame.path].language == "cpp"
+        return _text(engine, _root(written), of, name, arguments) if cpp and name in _OF_TEXTS else None
+    if isinstance(of, list) and name in _OF_LISTS and not isinstance(of, Words):
+        return _list(engine, of, name, [*arguments, *keywords.values()])
+    if isinstance(of, dict) and name in _OF_TABLES:
+        return _table(engine, of, name, arguments, keywords)
+    return None
+
+
+def is_open(engine: Context) -> str:
+    """Return the innermost condition of the function that nobody can decide; empty where there is none."""
+    frame = engine.frame
+    return engine.conditions[-1] if len(engine.conditions) > frame.depth + frame.passed else ""
+
+
+def put_item(engine: Context, of: dict[Any, Any] | list[Any], key: Any, value: Any) -> None:
+    """Put an item into a table or list."""
+    if isinstance(of, dict):
+        engine.changes.put(of, hashable(key), value)
+    elif isinstance(key, int) and not isinstance(key, bool) and -len(of) <= key < len(of):
+        engine.changes.items(of)
+        of[key] = value
+    else:
+        engine.changes.items(of)
+        _forget(of, "an item of a list that was changed")
+
+
+def _root(written: Expression) -> Expression:
+    """Return what is changed where calls are in a row: ``name.append("a").append("b")``."""
+    while isinstance(written, Call) and isinstance(written.function, Member) and written.function.name in _OF_TEXTS:
+        written = written.function.of
+    return written
+
+
+def _text(engine: Context, written: Expression, of: Text, name: str, arguments: list[Any]) -> tuple[Any] | None:
+    if not isinstance(written, Name | Member | Call):
+        return None
+    listed = of.known is None and name in ("push_back", "insert", "erase", "clear", "pop_back", "resize")
+    if listed and not _is_sign(arguments):
+        # A parameter may be a list, of which nobody knows the items.
+        found = _doubtful(of, name)
+    elif name == "swap" and arguments:
+        found = as_text(arguments[0])
+    else:
+        known = _changed(of, name, arguments)
+        found = _doubtful(of, name) if known is None else known
+    engine.assign(written, found)
+    return (found,)
+
+
+def _is_sign(arguments: list[Any]) -> bool:
+    return len(arguments) == 1 and isinstance(arguments[0], Text) and len(arguments[0].known or "") == 1
+
+
+def _doubtful(of: Text, name: str) -> Text:
+    parameter = next((hole.parameter for hole in of.holes), "")
+    return unknown(f"{of}, which {name}() changed"[:200], parameter=parameter)
+
+
+def _changed(of: Text, name: str, arguments: list[Any]) -> Text | None:
+    """Return a text after a change; None where that is unknown. ``name`` is a method of std::string, or of QString."""
+    texts = [one if isinstance(one, Text) else None for one in arguments]
+    numbers = [one if type(one) is int and one >= 0 else None for one in arguments]
+    if name == "clear":
+        return Text.of("")
+    if name in ("append", "push_back", "prepend") and len(texts) == 1:
+        added = as_text(arguments[0])
+        return Text.of(added, of) if name == "prepend" else Text.of(of, added)
+    if name == "assign" and len(texts) == 1 and texts[0] is not None:
+        return texts[0]
+    if name == "pop_back" and of.parts and isinstance(last := of.parts[-1], str):
+        return Text.of(*of.parts[:-1], last[:-1])
+    known = of.known
+    if known is None or any(one is None and other is None for one, other in zip(texts, numbers, strict=True)):
+        return None
+    if name == "insert" and len(arguments) == 2 and numbers[0] is not None and texts[1] is not None:
+        return Text.of(known[: numbers[0]], texts[1], known[numbers[0] :])
+    if name == "erase" and None not in numbers and len(arguments) <= 2:
+        begin, count = (*numbers, None, None)[:2]
+        begin = begin or 0
+        return Text.of(known[:begin], "" if count is None else known[begin + count :])
+    if name == "resize" and len(arguments) == 1 and numbers[0] is not None and numbers[0] <= len(known):
+        return Text.of(known[: numbers[0]])
+    if name == "replace" and len(arguments) == 3 and None not in numbers[:2] and texts[2] is not None:
+        begin, count = numbers[0] or 0, numbers[1] or 0
+        return Text.of(known[:begin], texts[2], known[begin + count :])
+    plain = [one.known for one in texts if one is not None and one.known]
+    if name in ("replace", "remove") and len(plain) == len(arguments) == (2 if name == "replace" else 1):
+        return Text.of(known.replace(plain[0], plain[1] if name == "replace" else "")[:_MOST_LENGTH])
+    return None
+
+
+def _list(engine: Context, of: list[Any], name: str, arguments: list[Any]) -> tuple[Any]:
+    if name == "extend" and arguments and isinstance(arguments[0], list) and not isinstance(arguments[0], Words):
+        engine.changes.items(of)
+        of += arguments[0]
+        return (None,)
+    first = arguments[0] if arguments else None
+    engine.changes.items(of, less=name not in _GROWING)
+    if not is_open(engine):
+        if name == "insert" and len(arguments) == 2 and type(first) is int:
+            of.insert(first, arguments[1])
+            return (None,)
+        if name == "push_front" and arguments:
+            of.insert(0, first)
+            return (None,)
+        if name in ("pop", "pop_back", "pop_front") and of and (not arguments or _is_place(first, of)):
+            return (of.pop(0 if name == "pop_front" else -1 if first is None else first),)
+        if name == "clear":
+            of.clear()
+            return (None,)
+        if name == "reverse" and not arguments:
+            of.reverse()
+            return (None,)
+        if name == "remove" and _all_known(of) and first in of:
+            of.remove(first)
+            return (None,)
+        if name == "sort" and not arguments and _all_known(of):
+            of.sort(key=lambda one: one.known)
+            return (None,)
+    return (_forget(of, f"an item of a list that {name}() changed"),)
+
+
+def _is_place(value: Any, of: list[Any]) -> bool:
+    return type(value) is int and -len(of) <= value < len(of)
+
+
+def _all_known(of: list[Any]) -> bool:
+    return all(isinstance(one, Text) and one.known is not None for one in of)
+
+
+def _forget(of: list[Any] | dict[Any, Any], reason: str) -> Unknown:
+    """Let nothing be known of the items: who else holds the list or table sees it too."""
+    for place in range(len(of)) if isinstance(of, list) else list(of):
+        of[place] = Unknown(reason)
+    return Unknown(reason)
+
+
+def _table(
+    engine: Context, of: dict[Any, Any], name: str, arguments: list[Any], keywords: dict[str, Any],
+) -> tuple[Any]:  # fmt: skip
+    first = arguments[0] if arguments else None
+    if name == "update" and (first is None or isinstance(first, dict)):
+        for key, value in (*(first or {}).items(), *((Text.of(one), keywords[one]) for one in keywords)):
+            put_item(engine, of, key, value)
+        return (None,)
+    if name == "setdefault" and arguments:
+        if hashable(first) not in of:
+            engine.changes.put(of, hashable(first), arguments[1] if len(arguments) > 1 else None)
+        return (of[hashable(first)],)
+    engine.changes.items(of, less=True)
+    if not is_open(engine):
+        if name == "clear":
+            of.clear()
+            return (None,)
+        if name in ("pop", "erase") and arguments and _is_key(first):
+            otherwise = arguments[1] if len(arguments) > 1 else Unknown("an item")
+            return (of.pop(hashable(first), otherwise),)
+    return (_forget(of, f"an item of a table that {name}() changed"),)
+
+
+def _is_key(value: Any) -> bool:
+    return isinstance(value, int | str) or (isinstance(value, Text) and value.known is not None)

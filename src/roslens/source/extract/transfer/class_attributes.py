@@ -1,0 +1,119 @@
+"""Attributes of classes of Python that code sets: ``Config.topic = "scan"``, ``cls.count = 1``.
+
+Who sets one sets it for all that read it later. What reads it before, or where nobody is seen to set it, does not know
+whether it was set meanwhile: another unit of the program may.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Class, Obj, QosValue, Unknown
+from roslens.source.extract.ir.program import Assign, Call, Evaluate, Member, Name
+from roslens.source.extract.symbolic.text import Text, unknown
+
+if TYPE_CHECKING:
+    from roslens.source.extract.ir.program import Function, Program, Statement
+    from roslens.source.extract.symbols.workspace_index import Defined
+    from roslens.source.extract.transfer.context import Context
+
+Place = tuple[str, str]
+
+
+def set_attribute(engine: Context, of: Class, name: str, value: Any) -> None:
+    """Put a value into an attribute of a class."""
+    place = _place(engine, of.defined, name)
+    if place is not None:
+        before = engine.member_of(of, name, engine)
+        engine.forget_calls()
+        _for_objects(engine, of.defined, name, before, value)
+        engine.changes.put(engine.constants, place, value)
+
+
+def class_of_scope(engine: Context) -> Any:
+    """Return the class in whose method ``cls`` stands."""
+    found = engine.index.class_of(engine.frame.scope.rpartition(".")[0], engine.frame.path, "")
+    return Unknown("cls") if found is None else Class(found)
+
+
+def read_first(engine: Context, name: str, value: Any) -> Any:
+    """Return what an attribute is to whoever reads it first: what the class says, if nothing sets it by its class."""
+    class_name, _, last = name.rpartition(".")
+    if (class_name.rpartition(".")[2], last) not in _all_set(engine):
+        return value
+    reason = f"{last}, which is set for all of {class_name}"
+    if isinstance(value, QosValue):
+        return msgspec.structs.replace(value, unknown=reason)
+    if isinstance(value, Text):
+        return unknown(reason)
+    return Unknown(reason) if isinstance(value, int | float) else value
+
+
+def of_object(engine: Context, defined: Defined, name: str, value: Any) -> Any:
+    """Return what a new object has of its class: what the class says, or what was set for all meanwhile."""
+    if (defined.what.name, name) not in _all_set(engine):
+        return value
+    return engine.member_of(Class(defined), name, engine)
+
+
+def _for_objects(engine: Context, defined: Defined, name: str, before: Any, value: Any) -> None:
+    """Let objects that are at hand have it too, but for those that have one of their own."""
+    thing = engine.frame.self
+    held = [thing, *engine.frame.names.values(), *(thing.fields.values() if isinstance(thing, Obj) else ())]
+    for one in held:
+        of_class = isinstance(one, Obj) and one.defined is not None and defined in engine.index.chain(one.defined)
+        if of_class and one.fields.get(name) == before:
+            engine.changes.put(one.fields, name, value)
+
+
+def _place(engine: Context, defined: Defined, name: str) -> Place | None:
+    for one in engine.index.chain(defined):
+        constant = engine.index.member(one, name)
+        if constant is not None:
+            return constant[0], f"{one.what.qualified_name}.{name}"
+    return None
+
+
+def _all_set(engine: Context) -> set[Place]:
+    """Return the attributes that some function sets on a class, by the last name of that and their own."""
+    lookups = engine.index.lookups
+    if lookups.set_on_classes is None:
+        lookups.set_on_classes = set()
+        for program in engine.index.programs.values():
+            if program.language == "python":
+                lookups.set_on_classes |= _set_in(program)
+    return lookups.set_on_classes
+
+
+def _set_in(program: Program) -> set[Place]:
+    found: set[Place] = set()
+    _gather(program.body, "", found)
+    for function in program.functions:
+        _gather(function.body, _owner(function), found)
+    return found
+
+
+def _owner(function: Function) -> str:
+    return function.class_name.rpartition(".")[2]
+
+
+def _gather(body: tuple[Statement, ...], owner: str, found: set[Place]) -> None:
+    for one in body:
+        if isinstance(one, Assign):
+            target = one.target
+            if isinstance(target, Member) and isinstance(target.of, Name) and target.of.name != "self":
+                found.add((owner if target.of.name == "cls" else target.of.name.rpartition(".")[2], target.name))
+            elif isinstance(target, Member) and _is_own_class(target.of):
+                found.add((owner, target.name))
+        elif not isinstance(one, Evaluate):
+            for part in ("then", "otherwise", "body", "update"):
+                _gather(getattr(one, part, ()), owner, found)
+
+
+def _is_own_class(of: Any) -> bool:
+    """Whether an expression is ``self.__class__`` or ``type(self)``."""
+    if isinstance(of, Member):
+        return of.name == "__class__"
+    return isinstance(of, Call) and of.function == Name("type") and of.arguments == (Name("self"),)

@@ -1,0 +1,44 @@
+"""Functions of Python that a function of the workspace decorates: what is called is what that returns."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Callable, Unknown
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.ir.program import Call, Expression, Name
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+def decorated(engine: Context, function: Callable) -> Any:
+    """Return what a call of a function calls; the function itself where nothing of the workspace decorates it.
+
+    Decorators from elsewhere are taken for such as hand on what they decorate. Of a method only its result is lost: its
+    object is bound before.
+    """
+    what = function.function
+    outer, engine.frame = engine.frame, Frame(function.path, what.qualified_name.rpartition(".")[0])
+    try:
+        known = [one for one in what.decorators if _is_known(engine, one)]
+        if not known:
+            return function
+        bare = engine.bare.setdefault(id(what), (what, msgspec.structs.replace(what, decorators=())))[1]
+        made: Any = Callable(bare, function.path, function.self, function.names, function.arguments)
+        if what.class_name:
+            engine.call(made, [Unknown(f"parameter {one.name} of {what.name}()") for one in what.parameters], {})
+            return Unknown(f"result of {what.name}(), which is decorated")
+        for one in reversed(known):
+            decorator = engine.value(one)
+            made = engine.call(decorator, [made], {}) if isinstance(decorator, Callable) else None
+        return made if isinstance(made, Callable) else Unknown(f"result of {what.name}(), which is decorated")
+    finally:
+        engine.frame = outer
+
+
+def _is_known(engine: Context, decorator: Expression) -> bool:
+    name = decorator.function if isinstance(decorator, Call) else decorator
+    return isinstance(name, Name) and engine.function(name.name, 1) is not None

@@ -1,0 +1,33 @@
+"""Calls of objects that are one or another by conditions: each does what its own class says, under its condition."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function1
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+def each_way(engine: Context, several: Obj, called: Function1[[Obj], Any]) -> Any:
+    """Call a method of each object that it may be, and return what the last one returns."""
+    found = None
+    for conditions, thing in several.ways:
+        with _conditions(engine, conditions):
+            found = called(thing)
+    return found
+
+
+@contextmanager
+def _conditions(engine: Context, conditions: tuple[str, ...]) -> Iterator[None]:
+    for one in conditions:
+        engine.under(one)
+    try:
+        yield
+    finally:
+        for _ in conditions:
+            engine.conditions.pop()

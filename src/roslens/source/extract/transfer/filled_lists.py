@@ -1,0 +1,60 @@
+"""How many items a list of C++ has that its function fills alone: ``words.push_back(argv[i])``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Obj
+from roslens.source.extract.domain.parameter_types import VECTOR
+from roslens.source.extract.ir.program import Assign, Call, Expression, Function, Lambda, Member, Name
+from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.transfer.plugin_held import held_in
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_SIZES = frozenset({"size", "length"})
+_FILLS = frozenset({"push_back", "emplace_back"})
+
+
+def count_of_filled(engine: Context, end: Expression) -> int:
+    """Return the number of items where a loop counts to the size of a list of which each is known; 0 else.
+
+    The list is a variable of the function that is evaluated, and nothing but ``push_back`` changes it there.
+    """
+    call = end.function if isinstance(end, Call) and not end.arguments else None
+    if not isinstance(call, Member) or call.name not in _SIZES or not isinstance(call.of, Name) or not engine.calls:
+        return 0
+    thing = engine.frame.names.get(call.of.name)
+    if not isinstance(thing, Obj) or thing.type != VECTOR:
+        return 0
+    held = held_in(thing)
+    known = all(isinstance(one, Text) and one.known is not None for one in held.values())
+    return len(held) if held and known and None not in held and _filled_here(engine.calls[-1][1], call.of) else 0
+
+
+def _filled_here(function: Function, name: Name) -> bool:
+    """Whether a function declares a list without items, and gives it to nobody."""
+    declared = False
+    waiting: list[object] = [function.body]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, tuple):
+            waiting += one
+        elif isinstance(one, Lambda):
+            return False
+        elif isinstance(one, Assign) and one.target == name:
+            if one.value is not None:
+                return False
+            declared = True
+        elif isinstance(one, Call) and isinstance(one.function, Member) and one.function.of == name:
+            if one.function.name not in (*_FILLS, *_SIZES, "empty", "at"):
+                return False
+            waiting.append(one.arguments)
+        elif isinstance(one, Call) and name in one.arguments:
+            return False
+        elif isinstance(one, msgspec.Struct):
+            waiting += [getattr(one, field) for field in one.__struct_fields__]
+    return declared

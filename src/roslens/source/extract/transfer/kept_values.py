@@ -1,0 +1,71 @@
+"""What outlives the call that uses it: variables that functions of C++ keep, and what returned references lead to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj, QosValue, Unknown
+from roslens.source.extract.ir.assigned_names import assigned_names
+from roslens.source.extract.ir.program import Assign, Name, Return
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_COUNTED = (int, float)
+
+
+def once(engine: Context, statement: Assign) -> Any:
+    """Return what a variable holds that lives on between calls: what the first call made, or a later one put there."""
+    frame, touched = engine.frame, engine.touches
+    key = (frame.path, statement.line, frame.scope, str(statement.target), *frame.templates.values())
+    name = statement.target.name if isinstance(statement.target, Name) else ""
+    frame.kept = {**frame.kept, name: key}
+    if key in engine.once:
+        return engine.once[key]
+    if statement.value is None:
+        engine.written_at(statement.line)
+        value = engine.declared(statement.declared)
+    else:
+        value = engine.converted(statement.declared, engine.value(statement.value))
+    if isinstance(value, _COUNTED) and not isinstance(value, bool) and _is_assigned(engine, name):
+        # Which call it is decides it, and calls in loops are followed once for all turns.
+        value = Unknown(f"{name}, which is kept between calls")
+    if isinstance(value, Obj | QosValue | Text | bool | Unknown) and engine.touches == touched:
+        engine.once[key] = value
+    return value
+
+
+def keep(engine: Context, name: str, value: Any) -> None:
+    """Put a value into a variable of the function that lives on between calls."""
+    engine.frame.names[name] = value
+    engine.forget_calls()
+    engine.changes.put(engine.once, engine.frame.kept[name], value)
+
+
+def returned(engine: Context, statement: Return) -> None:
+    """Note where the value stands that a function returns a reference or pointer to."""
+    hands = bool(engine.calls) and engine.calls[-1][1].hands
+    engine.gave = (engine.frame, statement.value) if hands and statement.value is not None else None
+
+
+def no_place(engine: Context) -> None:
+    """Forget where a value stands: the next call says it, if any does."""
+    engine.gave = None
+
+
+def put_where_it_stands(engine: Context, before: Any, after: Any) -> None:
+    """Put what a returned reference was changed to where it leads; ``before`` is what the call returned."""
+    if engine.gave is None:
+        return
+    outer = engine.frame
+    engine.frame, place = engine.gave
+    try:
+        if engine.value(place) is before:
+            engine.assign(place, after)
+    finally:
+        engine.frame = outer
+
+
+def _is_assigned(engine: Context, name: str) -> bool:
+    return bool(engine.calls) and name in assigned_names(engine.calls[-1][1].body)

@@ -1,0 +1,90 @@
+"""Variables of modules of Python that take more than one statement: lists that are filled, what a branch sets.
+
+Only the statements that set or change a variable are followed, not what else the module does.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.changed_in_ways import Changes
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.ir.program import (
+    Assign,
+    Branch,
+    Call,
+    Evaluate,
+    Expression,
+    Item,
+    Loop,
+    Member,
+    Name,
+    Program,
+    Sequence,
+    Statement,
+)
+from roslens.source.extract.transfer.changed_values import CHANGING
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_ADDING = frozenset({"append", "add"})
+
+
+def changes_of(program: Program) -> dict[str, tuple[Statement, ...]]:
+    """Return the statements outside of functions that set or change each variable for which one is not enough."""
+    found: dict[str, list[Statement]] = {}
+    for statement in program.body:
+        for name in dict.fromkeys(_changed(statement)):
+            found.setdefault(name, []).append(statement)
+    return {name: tuple(all_) for name, all_ in found.items() if len(all_) > 1 or not isinstance(all_[0], Assign)}
+
+
+def module_value(engine: Context, path: str, name: str, first: Expression) -> tuple[Any] | None:
+    """Return what a variable of a module is after all that changes it; None where one statement says it all.
+
+    Args:
+        engine: that evaluates.
+        path: of the module.
+        name: of the variable.
+        first: what it is set to first; another one of this name is an attribute of a class.
+    """
+    lookups = engine.index.lookups
+    known = lookups.of_modules.get(path)
+    if known is None:
+        known = lookups.of_modules[path] = changes_of(engine.index.programs[path])
+    statements = known.get(name, ())
+    if not any(isinstance(one, Assign) and one.value is first for one in statements):
+        return None
+    outer, changes = engine.frame, engine.changes
+    engine.frame, engine.changes = Frame(path, ""), Changes()
+    engine.frame.depth, engine.changes.refined = len(engine.conditions), changes.refined
+    try:
+        engine.block(statements)
+        return (engine.frame.names[name],) if name in engine.frame.names else None
+    finally:
+        engine.frame, engine.changes = outer, changes
+
+
+def _changed(statement: Statement) -> list[str]:
+    """Return the names of the variables that a statement sets or changes."""
+    if isinstance(statement, Assign):
+        return _roots(statement.target) if statement.value is not None else []
+    if isinstance(statement, Evaluate):
+        called = statement.expression.function if isinstance(statement.expression, Call) else None
+        changes = isinstance(called, Member) and (called.name in CHANGING or called.name in _ADDING)
+        return _roots(called.of) if changes and isinstance(called, Member) else []
+    if isinstance(statement, Branch):
+        return [name for one in (*statement.then, *statement.otherwise) for name in _changed(one)]
+    if isinstance(statement, Loop):
+        inside = [name for one in statement.body for name in _changed(one)]
+        return [*inside, *(_roots(statement.target) if statement.target is not None else [])]
+    return []
+
+
+def _roots(target: Expression) -> list[str]:
+    while isinstance(target, Item | Member):
+        target = target.of
+    if isinstance(target, Sequence):
+        return [name for one in target.items for name in _roots(one)]
+    return [target.name] if isinstance(target, Name) else []

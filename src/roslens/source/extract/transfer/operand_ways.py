@@ -1,0 +1,141 @@
+"""Operands that are evaluated only where another one holds: ``on && set(topic)``, ``on ? make("a") : make("b")``.
+
+Few of them do anything but ask. What one changes that calls a function of the workspace is the one or the other after
+it, and what is made in it keeps the condition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence as SequenceOf
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Callable, QosValue, test_of
+from roslens.source.extract.domain.evaluation_frame import join
+from roslens.source.extract.ir.program import Call, Expression, Item, Member, Name, Operation, Sequence
+from roslens.source.extract.symbolic.condition import negated
+from roslens.source.extract.symbolic.text import Asked, Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_KNOWN = (bool, int, float, QosValue, list, dict)
+
+
+def does_something(engine: Context, operand: Expression) -> bool:
+    """Whether an operand calls a function of the workspace, by its name."""
+    if type(operand) is not Call and type(operand) is not Operation:
+        return False
+    lookups = engine.index.lookups
+    names = lookups.called.get(id(operand))
+    if names is None or names[0] is not operand:
+        names = lookups.called[id(operand)] = (operand, _called(operand))
+    if not names[1]:
+        return False
+    if lookups.function_names is None:
+        programs = engine.index.programs.values()
+        lookups.function_names = {one.name for program in programs for one in program.functions if one.body}
+    local = engine.frame.names
+    for one in names[1]:  # noqa: SIM110 - a generator costs more than the search
+        if one in lookups.function_names or (one in local and type(local[one]) is Callable):
+            return True
+    return False
+
+
+def _called(operand: Expression) -> tuple[str, ...]:
+    """Return the last names of what is called in an expression."""
+    found: set[str] = set()
+    waiting: list[Any] = [operand]
+    for one in waiting:
+        kind = type(one)
+        if kind is Call:
+            called = one.function
+            if type(called) is Name:
+                found |= {called.name.rpartition(".")[2]}
+            else:
+                found |= {called.name} if type(called) is Member else set()
+                waiting += (called,)
+            waiting += one.arguments
+        elif kind is Operation:
+            waiting += one.operands
+        elif kind is Member or kind is Item:
+            waiting += (one.of,)
+        elif kind is Sequence:
+            waiting += one.items
+    return tuple(sorted(found))
+
+
+def value_if(engine: Context, operand: Expression, condition: str, test: Asked | None, noted: str = "") -> Any:
+    """Return the value of an operand that is evaluated where a condition holds.
+
+    Args:
+        engine: that evaluates.
+        operand: whose value is asked for.
+        condition: under which it is evaluated.
+        test: what decides that, where it is known.
+        noted: the condition that what is made in it keeps; empty where it keeps none.
+    """
+    frame, changes, here = engine.frame, engine.changes, len(engine.conditions)
+    before, since = frame.snapshot(), changes.count
+    changes.open += 1
+    if noted:
+        engine.under(noted, test)
+    try:
+        value = engine.value(operand)
+    finally:
+        del engine.conditions[here:]
+        changes.open -= 1
+    if not frame.is_as(before):
+        _may_be_as(frame.names, before[0], condition, test)
+        if frame.members is not None:
+            _may_be_as(frame.members, before[1], condition, test)
+    if changes.count > since:
+        way = changes.taken_back(since, frame.members)
+        changes.came_to(way, changes.count, frame.members, (False, False), (condition, ""), test)
+    if not changes.open and changes.count:
+        changes.ended()
+    return value
+
+
+def way_of(engine: Context, operand: Expression, condition: str, decides: Any, *, opposite: bool = False) -> Any:
+    """Return the value of one of two operands of which a condition chooses; the second one with ``opposite``."""
+    test = test_of(decides)
+    if opposite:
+        condition, test = negated(condition), None if test is None else test.opposite
+    return value_if(engine, operand, condition, test, condition)
+
+
+def after_others(
+    engine: Context, operand: Expression, others: SequenceOf[tuple[Any, Expression]], operator: str
+) -> Any:
+    """Return the value of an operand of ``and`` or ``or`` that comes after others of which nobody knows if they hold.
+
+    Where one of these does something itself, that it went well is no condition worth telling.
+    """
+    conditions = [engine.index.lookups.condition(one) for _, one in others]
+    if operator == "or":
+        conditions = [negated(one) for one in conditions]
+    tests = [test if operator == "and" else test.opposite for value, _ in others if (test := test_of(value))]
+    test = None
+    if len(tests) == len(others):
+        test = tests[0] if len(tests) == 1 else Asked("and", (), tuple(tests))
+    whole = " and ".join(conditions)
+    asks = not any(does_something(engine, one) for _, one in others)
+    return value_if(engine, operand, whole, test, whole if asks else "")
+
+
+def _may_be_as(now: dict[str, Any], before: dict[str, Any], condition: str, test: Asked | None) -> None:
+    """Let names hold what they were, or what they are now where a condition holds; what was not known stays as now."""
+    changed = {
+        name: value
+        for name, was in before.items()
+        if (value := now.get(name)) is not was and _is_known(was) and name in now
+    }
+    for name in changed:
+        now[name] = before[name]
+    join(now, changed, condition, test)
+
+
+def _is_known(value: Any) -> bool:
+    if isinstance(value, Text):
+        return bool(value.known) or any(hole.parameter for hole in value.holes)
+    return isinstance(value, _KNOWN)

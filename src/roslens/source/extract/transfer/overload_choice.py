@@ -1,0 +1,145 @@
+"""Which of several functions of one name is meant: by how many arguments there are, then by what they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from roslens.source.extract.domain.abstract_value import Callable, Handle, Obj
+from roslens.source.extract.ir.program import Function
+from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbols.linkage import Near
+from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
+
+_TEXTS = frozenset({"string", "char", "QString", "string_view"})
+_NUMBERS = frozenset({"int", "double", "float", "bool", "size_t", "unsigned", "long", "short", "uint8_t", "uint16_t",
+                      "uint32_t", "uint64_t", "int8_t", "int16_t", "int32_t", "int64_t"})  # fmt: skip
+_TAGS = {"true_type": True, "false_type": False}
+_FITS, _UNFIT = 1, -4
+_HANDLES = frozenset({"NodeHandle", "NodeHandlePtr"})
+
+
+def overload(
+    index: Index, found: list[Defined], count: int, arguments: Sequence[Any] = (), running: tuple[str, int] = ("", 0),
+    at: tuple[str, str] = ("", ""),
+) -> Defined | None:  # fmt: skip
+    """Return the function that takes so many arguments, else the one with the most to say.
+
+    Of functions outside of classes that are those which the file that calls knows; of several files that are linked
+    with it none.
+
+    Args:
+        index: that knows how functions are declared.
+        found: functions of one name.
+        count: how many arguments are given.
+        arguments: those that are known, which decide where several functions take so many.
+        running: path and line of the function that calls: it calls another one of its name, rather than itself.
+        at: path of the file that calls and of the program that it is a part of, where linkage decides.
+    """
+    functions = [one for one in found if isinstance(one.what, Function)]
+    near = _near(index, functions, at)
+    functions = [one for one in functions if (one.path, _line(one)) in near] if at[0] else functions
+    if len(functions) < 2:
+        return functions[0] if functions else None
+    best = taking(index, functions, count) or functions
+    if len(best) > 1 and arguments:
+        fits = [fit(one, arguments) for one in best]
+        most = max(fits)
+        best = [one for one, fitting in zip(best, fits, strict=True) if fitting == most]
+        best = [one for one in best if (one.path, _line(one)) != running] or best
+    if at[0]:
+        nearest = min(near[one.path, _line(one)] for one in best)
+        best = [one for one in best if near[one.path, _line(one)] is nearest]
+        if nearest >= Near.LINKED and len({one.path for one in best}) > 1:
+            return None
+    return max(best, key=lambda one: len(one.what.body) if isinstance(one.what, Function) else 0, default=None)
+
+
+def _line(one: Defined) -> int:
+    return one.what.line
+
+
+def _near(index: Index, found: list[Defined], at: tuple[str, str]) -> dict[tuple[str, int], Near]:
+    """Return how the file that calls knows functions, those that it does not know left out."""
+    path, unit = at
+    program = index.programs.get(path)
+    known = index.linkage.near if program is not None and program.language == "cpp" else None
+    near: dict[tuple[str, int], Near] = {}
+    for one in found:
+        what = one.what
+        if not isinstance(what, Function) or what.class_name or known is None:
+            near[one.path, what.line] = Near.OWN
+        elif (how := known(path, one.path, unit, local=what.local)) is not None:
+            near[one.path, what.line] = how
+    return near
+
+
+def taking(index: Index, found: list[Defined], count: int) -> list[Defined]:
+    """Return the functions that take so many arguments."""
+    functions = [(one, one.what) for one in found]
+    return [
+        one
+        for one, what in functions
+        if isinstance(what, Function) and count <= len(what.parameters) and _least(index, what, one.path) <= count
+    ]
+
+
+def known_function(index: Index, found: list[Defined], at: tuple[str, str]) -> Defined | None:
+    """Return the function of a name that a file knows best, see :func:`overload`; None where several are as near."""
+    near = _near(index, found, at)
+    known = [one for one in found if (one.path, _line(one)) in near]
+    if not known:
+        return None
+    nearest = min(near[one.path, _line(one)] for one in known)
+    best = [one for one in known if near[one.path, _line(one)] is nearest]
+    return best[0] if nearest < Near.LINKED or len({one.path for one in best}) == 1 else None
+
+
+def taking_so_many(index: Index, callback: Callable, count: int) -> Callable:
+    """Return a callback, or one of its name that takes so many arguments where it does not."""
+    function = callback.function
+    if len(function.parameters) == count or function.name == "lambda":
+        return callback
+    several = index.functions_of(function.qualified_name, callback.path, "")
+    near = _near(index, several, (callback.path, "")) if len(several) > 1 else {}
+    found = [one for one in taking(index, several, count) if (one.path, _line(one)) in near]
+    if not found or not isinstance(chosen := found[0].what, Function):
+        return callback
+    return Callable(chosen, found[0].path, callback.self, callback.names, callback.arguments)
+
+
+def _least(index: Index, function: Function, path: str) -> int:
+    """Return how many arguments a function needs, of which its declaration may have defaults."""
+    declared = index.declaration(function, path) or function
+    pairs = zip(function.parameters, declared.parameters, strict=True)
+    return sum(own.default is None and other.default is None for own, other in pairs)
+
+
+def fit(one: Defined, arguments: Sequence[Any]) -> int:
+    """Return how well a function fits to arguments; what is unknown fits anywhere."""
+    parameters = one.what.parameters if isinstance(one.what, Function) else ()
+    return sum(_fit(parameter.type, value) for parameter, value in zip(parameters, arguments, strict=False))
+
+
+def _fit(declared: str, value: Any) -> int:
+    name = type_name(declared)[0].rpartition(".")[2] if declared else ""
+    if not name or name in ("auto", "T"):
+        return 0
+    text, number = name in _TEXTS, name in _NUMBERS
+    if isinstance(value, Text):
+        # A text with a hole may be any parameter.
+        return _FITS if text else 0 if value.holes else _UNFIT if number else 0
+    if isinstance(value, bool):
+        if name in _TAGS:
+            return 2 * _FITS if _TAGS[name] is value else _UNFIT
+        return 2 * _FITS if name == "bool" else _FITS if number else _UNFIT
+    if isinstance(value, int | float):
+        return _FITS if number else _UNFIT if text else 0
+    if isinstance(value, Handle):
+        return _FITS if name in _HANDLES else _UNFIT if text or number else 0
+    if isinstance(value, Obj):
+        same = name == value.type.rpartition(".")[2]
+        return 2 * _FITS if same else _UNFIT if text or number or name in _HANDLES else 0
+    if isinstance(value, Callable):
+        return _UNFIT if text or number else 0
+    return 0

@@ -1,0 +1,52 @@
+"""Lists of C++ that are filled place by place: names of classes that are loaded, and the objects made of them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj, Unknown
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_HELD = "what it holds"
+_EACH = None
+"""Key of what stands for each item, where the place is unknown."""
+
+
+def held_in(thing: Obj) -> dict[int | None, Any]:
+    """Return what is known to be in a list, by its place."""
+    found = thing.fields.get(_HELD)
+    return found if isinstance(found, dict) else {}
+
+
+def hold(engine: Context, thing: Obj, key: Any, value: Any) -> None:
+    """Put something at a place of a list; what is only there under a condition of its function is unknown."""
+    engine.touched()
+    place = key if isinstance(key, int) and not isinstance(key, bool) else _EACH
+    if not isinstance(value, Text | Obj) or (place is _EACH and isinstance(value, Text) and not value.holes):
+        value = Unknown("an item of a list")
+    held = thing.fields.setdefault(_HELD, {})
+    uncertain = len(engine.conditions) > engine.frame.depth + engine.frame.passed
+    if (uncertain or place is _EACH) and held.get(place, value) != value:
+        value = Unknown("an item of a list")
+    engine.changes.put(held, place, value)
+
+
+def item_held(thing: Obj, key: Any) -> Any:
+    """Return what is at a place of a list; None where that is unknown."""
+    held = held_in(thing)
+    if isinstance(key, Unknown):
+        return held.get(_EACH)
+    return held.get(key) if _EACH not in held and isinstance(key, int) else None
+
+
+def plugged_in(engine: Context, value: Any) -> list[Any] | None:
+    """Return the plug-ins that a list holds; None where it holds none, or others too."""
+    if not isinstance(value, Obj) or value.defined is not None:
+        return None
+    held = held_in(value)
+    items = [held[key] for key in sorted(key for key in held if key is not None)]
+    known = len(items) == len(held) and all(any(one is item for one, _ in engine.plugged) for item in items)
+    return items if items and known else None

@@ -1,0 +1,57 @@
+"""Values that have several names, of Python or by reference: what changes one of them changes it for all."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Obj, QosValue
+from roslens.source.extract.ir.program import Member, Name
+from roslens.source.extract.symbols.declared_field import declared_field
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+
+def changed_for_all(engine: Context, holder: Name | Member, before: Any, after: QosValue) -> None:
+    """Let a quality of service be what it was changed to under its other names too."""
+    python = engine.index.programs[engine.frame.path].language == "python"
+    if isinstance(before, QosValue) and before is not after and (python or _is_reference(engine, holder)):
+        engine.forget_calls()
+        engine.changes.refine(before, after)
+        if python:
+            _in_constants(engine, before, after)
+            changed_by_call(engine)
+
+
+def newest(engine: Context, value: Any) -> Any:
+    """Return what an object became of which another name is known too: a name of Python, or a reference."""
+    while isinstance(value, QosValue) and id(value) in engine.refined:
+        value = engine.refined[id(value)][1]
+    return value
+
+
+def changed_by_call(engine: Context) -> None:
+    """In Python names are given to an object: under each of them it is changed, by whoever changes it."""
+    if engine.index.programs[engine.frame.path].language != "python":
+        return
+    thing = engine.frame.self
+    for held in (engine.frame.names, thing.fields if isinstance(thing, Obj) else {}):
+        for name, value in held.items():
+            if isinstance(value, QosValue) and id(value) in engine.refined:
+                engine.changes.put(held, name, newest(engine, value))
+
+
+def _in_constants(engine: Context, before: QosValue, after: QosValue) -> None:
+    """What a module or class holds is changed for all that use it; under a condition it may be."""
+    for place, value in engine.constants.items():
+        if value is before:
+            why = f"it may be changed, if {engine.conditions[-1]}" if engine.conditions else ""
+            engine.constants[place] = QosValue(after.qos, after.unknown or why) if why else after
+
+
+def _is_reference(engine: Context, holder: Name | Member) -> bool:
+    """Whether what is changed is a member that refers to something outside of its object."""
+    thing = engine.frame.self
+    if not isinstance(thing, Obj) or holder.name in engine.frame.names:
+        return False
+    return declared_field(engine.index, thing.defined, holder.name).endswith("&")

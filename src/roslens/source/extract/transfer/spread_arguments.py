@@ -1,0 +1,46 @@
+"""Arguments of Python that are spread out: ``f(*names, **options)``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from roslens.source.extract.domain.abstract_value import Unknown
+from roslens.source.extract.domain.perhaps import is_counted
+from roslens.source.extract.ir.program import Call, Opaque
+from roslens.source.extract.symbolic.text import Text
+
+if TYPE_CHECKING:
+    from roslens.source.extract.transfer.context import Context
+
+_MOST_LEFT = 8
+"""So many arguments stand for those of a list that nobody knows."""
+
+
+def spread(engine: Context, call: Call) -> tuple[list[Any], dict[str, Any]]:
+    """Return the arguments of a call by position and by name, as far as what is spread out is known.
+
+    Where a table is not known, ``**`` stands among the names: any of them may be given.
+    """
+    lists = [engine.value(one) for name, one in call.keywords if name == "*"]
+    arguments: list[Any] = []
+    for one in call.arguments:
+        if not isinstance(one, Opaque) or not one.text.startswith("*"):
+            arguments.append(engine.value(one))
+            continue
+        items = lists.pop(0) if lists else None
+        if not isinstance(items, list) or not is_counted(items):
+            arguments += [Unknown(one.text)] * _MOST_LEFT
+            break
+        arguments += items
+    keywords: dict[str, Any] = {}
+    for name, expression in call.keywords:
+        if name == "*":
+            continue
+        value = engine.value(expression)
+        if name != "**":
+            keywords[name] = value
+        elif isinstance(value, dict) and all(isinstance(key, Text) and key.known for key in value):
+            keywords.update({key.known: item for key, item in value.items()})
+        else:
+            keywords["**"] = value
+    return arguments, keywords

@@ -1,0 +1,426 @@
+"""What in a workspace becomes a node when it is started, and what it makes then."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Callable1
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
+from typing import Any
+
+import msgspec
+
+from roslens.source.extract.domain.abstract_value import Building, Callable, Named, Obj, Unknown
+from roslens.source.extract.domain.evaluation_frame import Frame
+from roslens.source.extract.domain.word_list import words_given
+from roslens.source.extract.facts.chosen import Chosen
+from roslens.source.extract.facts.node_facts import Evidence, NodeFacts, Sure
+from roslens.source.extract.interpreter.evaluated_statements import block
+from roslens.source.extract.interpreter.evaluation import Evaluation, SpentError
+from roslens.source.extract.ir.program import (
+    Assign,
+    Branch,
+    Call,
+    Evaluate,
+    Function,
+    Literal,
+    Loop,
+    Member,
+    Name,
+    Operation,
+    Statement,
+)
+from roslens.source.extract.symbolic.text import Text
+from roslens.source.extract.symbols.node_bases import NODE_BASES, generation_of
+from roslens.source.extract.symbols.reached_functions import Reached
+from roslens.source.extract.symbols.workspace_index import Defined, Index, type_name
+
+NO_NAMES: Mapping[str, str] = MappingProxyType({})
+_FIRST = (
+    "on_init",
+    "on_configure",
+    "on_activate",
+    "onInit",
+    "configure",
+    "initialize",
+    "onInitialize",
+    "init",
+    "activate",
+)
+_ODD = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+"""What values that fit nowhere may raise: source that does not compile must not hide what is found elsewhere."""
+_TREE_REGISTRATIONS = frozenset({"registerNodeType", "registerBuilder"})
+_REGISTRATIONS = {
+    "RCLCPP_COMPONENTS_REGISTER_NODE": 0,
+    "PLUGINLIB_EXPORT_CLASS": 0,
+    "CLASS_LOADER_REGISTER_CLASS": 0,
+    "PLUGINLIB_DECLARE_CLASS": 2,
+}
+
+
+def node_classes(index: Index) -> Iterator[tuple[Defined, str, str]]:
+    """Yield the classes that are nodes, with generation and kind: those that a node is a base of."""
+    for path in sorted(index.programs):
+        for one in index.programs[path].classes:
+            found = Defined(path, one)
+            for base in index.outer_bases(found):
+                if base in NODE_BASES and index.version in ("", NODE_BASES[base][0]):
+                    yield (found, *NODE_BASES[base])
+                    break
+
+
+def registered(index: Index) -> dict[str, Evidence]:
+    """Return the classes that are registered as components, nodelets or plug-ins, and where."""
+    found: dict[str, Evidence] = {}
+    for path, program in index.programs.items():
+        for statement in program.body:
+            if isinstance(statement, Evaluate) and isinstance(call := statement.expression, Call):
+                name = call.function.name if isinstance(call.function, Name) else ""
+                place = _REGISTRATIONS.get(name)
+                if place is not None and place < len(call.arguments):
+                    argument = call.arguments[place]
+                    if isinstance(argument, Name):
+                        found.setdefault(argument.name, Evidence(path, call.line, call.column))
+    return found
+
+
+def facts_of_class(
+    index: Index, defined: Defined, generation: str, kind: str, reached: Reached | None = None, *,
+    chosen: Chosen | None = None, plugin_names: Mapping[str, str] = NO_NAMES,
+) -> list[NodeFacts]:  # fmt: skip
+    """Return the facts of a class that is a node, and of further nodes that it makes.
+
+    ``chosen`` and ``plugin_names`` tell which plug-ins are loaded, see :class:`Evaluation`.
+    """
+    building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, kind)
+    engine = Evaluation(index, building, chosen, plugin_names)
+
+    def run() -> None:
+        engine.frame = Frame(defined.path, defined.what.qualified_name)
+        thing = Obj(defined.what.qualified_name, defined, {}, building if generation == "ros1" else None)
+        engine.prepare(thing)
+        thing.node = thing.node or building
+        building.named = False
+        engine.construct_as(thing, defined, [], {})
+        _run_methods(engine, thing)
+        _run_made(engine, thing)
+        _run_plugged(engine)
+
+    return _finished(
+        engine, run, reached, () if chosen is not None else ("class", index.key(defined), generation, kind)
+    )
+
+
+def facts_of_plugin(index: Index, defined: Defined, generation: str, reached: Reached | None = None) -> list[NodeFacts]:
+    """Return the facts of a class that is loaded into a node as a plug-in: what it adds to whatever node that is."""
+    building = _building(defined.what.qualified_name, defined.path, defined.what.line, generation, "plugin")
+    building.named = True
+    engine = Evaluation(index, building)
+
+    def run() -> None:
+        engine.frame = Frame(defined.path, defined.what.qualified_name)
+        thing = Obj(defined.what.qualified_name, defined, {})
+        engine.prepare(thing)
+        engine.construct_as(thing, defined, [], {})
+        _run_methods(engine, thing)
+        for found in index.methods(defined, defined.what.name):
+            # Constructors that nobody calls are an offer too.
+            if isinstance(found.what, Function) and (found.path, found.what.line) not in engine.reached:
+                other = Obj(defined.what.qualified_name, defined, {})
+                engine.prepare(other)
+                engine.call(Callable(found.what, found.path, other), [], {})
+        engine.run_later()
+
+    return _finished(engine, run, reached)
+
+
+def facts_of_function(
+    index: Index, path: str, function: Function, reached: Reached | None = None, *, prepared: bool = True
+) -> list[NodeFacts]:
+    """Return the facts of a function that nothing is known to call, with arguments and object that are unknown.
+
+    Of the members of its object the types are known, and their values at first, unless it is not ``prepared``.
+    """
+    building = _building(function.qualified_name, path, function.line, generation_of(index, path), "function")
+    building.named = True
+    engine = Evaluation(index, building)
+
+    def run() -> None:
+        defined = index.class_of(function.class_name, path, "") if function.class_name else None
+        thing = None if defined is None else Obj(defined.what.qualified_name, defined, {})
+        engine.frame = Frame(path, "")
+        if thing is not None and prepared:
+            engine.prepare(thing)
+        engine.call(Callable(function, path, thing), [], {})
+        engine.run_later()
+
+    return _finished(engine, run, reached)
+
+
+def facts_of_main(
+    index: Index, path: str, reached: Reached | None = None, words: Sequence[Text] | None = None, *,
+    chosen: Chosen | None = None, plugin_names: Mapping[str, str] = NO_NAMES,
+) -> list[NodeFacts]:  # fmt: skip
+    """Return the facts of a C++ program by its main function: one node of ROS 1, or each node of ROS 2 it makes.
+
+    ``words`` are those of its command line, where they are known; ``chosen`` and ``plugin_names`` tell which plug-ins
+    are loaded, see :class:`Evaluation`.
+    """
+    program = index.programs[path]
+    main = next((one for one in program.functions if one.qualified_name == "main"), None)
+    if main is None:
+        return []
+    building = _building("main", path, main.line, generation_of(index, path), "node")
+    engine = Evaluation(index, building, chosen, plugin_names)
+
+    def run() -> None:
+        engine.frame = Frame(path, "")
+        held = None if words is None else words_given(words)
+        given = [Unknown("argc"), Unknown("argv")] if held is None else [held.length, held]
+        engine.call(Callable(main, path), given, {})
+        _run_callbacks(engine)
+        if len(engine.made) > 1:
+            # Which node of several is which only this evaluation knows.
+            _run_made(engine)
+        _run_plugged(engine)
+
+    found = _finished(engine, run, reached, () if words is not None or chosen is not None else ("main", path))
+    return [one for one in found if one.endpoints or one.parameters or one.name.parts]
+
+
+def facts_of_module(
+    index: Index,
+    path: str,
+    function: str = "",
+    reached: Reached | None = None,
+    words: Sequence[Text] | None = None,
+) -> list[NodeFacts]:
+    """Return the facts of a Python module: of a function of it, else of what it does when it is started.
+
+    ``words`` are those of its command line, where they are known.
+    """
+    program = index.programs[path]
+    building = _building(function or "<module>", path, 1, generation_of(index, path), "node")
+    engine = Evaluation(index, building)
+    engine.words = None if words is None else words_given(words)
+
+    def run() -> None:
+        engine.frame = Frame(path, "")
+        engine.frame.names["__name__"] = Text.of("__main__")
+        chosen: list[Function] = [one for one in program.functions if one.qualified_name == function]
+        if function and chosen:
+            engine.call(Callable(chosen[0], path), [], {})
+        elif not function:
+            for statement in program.body:
+                if isinstance(statement, Branch) and _is_main(statement):
+                    block(engine, statement.then)
+                elif isinstance(statement, Evaluate):
+                    engine.value(statement.expression)
+                elif isinstance(statement, Branch | Loop) or _calls(statement):
+                    block(engine, (statement,))
+        _run_lifecycle(engine)
+        _run_callbacks(engine)
+
+    found = _finished(engine, run, reached, () if words is not None else ("module", path, function))
+    return [one for one in found if one.endpoints or one.parameters or one.name.parts]
+
+
+def _run_lifecycle(engine: Evaluation) -> None:
+    """Run what managed nodes do until they are active: nobody in their own program asks for it."""
+    for one in [made for made in engine.made if made.node is not None and made.node.kind == "lifecycle"]:
+        outer, engine.node = engine.node, one.node or engine.node
+        try:
+            for name in _FIRST[:3]:
+                method = engine.method(one, name)
+                if method is not None:
+                    engine.call(method, [], {})
+        finally:
+            engine.node = outer
+
+
+def _calls(statement: Statement) -> bool:
+    return isinstance(statement, Assign) and isinstance(statement.value, Call)
+
+
+def _is_main(branch: Branch) -> bool:
+    condition = branch.condition
+    return isinstance(condition, Operation) and Literal("__main__") in condition.operands
+
+
+def _run_methods(engine: Evaluation, thing: Obj, *, again: bool = False) -> None:
+    """Run what a node does after it is made: its life cycle first, then what was never called.
+
+    What another object of its class did is done ``again``.
+    """
+    for name in _FIRST:
+        method = engine.method(thing, name)
+        if method is not None and (again or (method.path, method.function.line) not in engine.reached):
+            engine.call(method, [], {})
+    _forget(engine, thing)
+    engine.run_later()
+    if thing.defined is None:
+        return
+    home = engine.index.package(thing.defined.path)
+    for one in engine.index.chain(thing.defined):
+        # What a base in another package could do is not what this node does.
+        if engine.index.package(one.path) == home:
+            for found in engine.index.methods_of(one):
+                if isinstance(found.what, Function) and not _made_by(found.what, one):
+                    engine.later.append((Callable(found.what, found.path, thing), f"{found.what.name}() is called"))
+    engine.run_later()
+
+
+def _run_made(engine: Evaluation, first: Obj | None = None) -> None:
+    """Run what further nodes do that were made on the way: each class of them once."""
+    seen: set[int] = {id(first)}
+    while fresh := [one for one in engine.made if id(one) not in seen and one.node is not None]:
+        for one in fresh:
+            seen.add(id(one))
+            outer, engine.node = engine.node, one.node or engine.node
+            try:
+                _run_methods(engine, one, again=True)
+            finally:
+                engine.node = outer
+
+
+def _run_plugged(engine: Evaluation) -> None:
+    """Run what plug-ins do that nobody was seen to call; they may load others."""
+    done = 0
+    while done < len(engine.plugged):
+        thing, node = engine.plugged[done]
+        outer, engine.node = engine.node, node
+        try:
+            _run_methods(engine, thing)
+        finally:
+            engine.node = outer
+        done += 1
+
+
+def _run_callbacks(engine: Evaluation) -> None:
+    """Run the callbacks of a program: by then, members of their objects may have changed."""
+    for callback, _ in engine.later:
+        if isinstance(callback.self, Obj):
+            _forget(engine, callback.self)
+    engine.run_later()
+
+
+def _forget(engine: Evaluation, thing: Obj) -> None:
+    """Forget truth values that may have changed when a callback runs: those of members that methods set."""
+    waiting, seen = [thing], set[int]()
+    while waiting and len(seen) < 200:
+        one = waiting.pop()
+        if id(one) in seen or one.defined is None:
+            continue
+        seen.add(id(one))
+        # Small programs of C++ leave out functions that only compute: they may set any member.
+        any_member = engine.index.programs[one.defined.path].language == "cpp"
+        changed = engine.index.changed(one.defined)
+        for name, value in one.fields.items():
+            if isinstance(value, bool) and (any_member or name in changed):
+                one.fields[name] = Unknown(name)
+            elif isinstance(value, Obj):
+                waiting.append(value)
+
+
+def _made_by(function: Function, defined: Defined) -> bool:
+    """Whether a function is a constructor or destructor, or makes no sense without its template arguments."""
+    name, of_class = defined.what.name, len(defined.what.templates)
+    return function.name in (name, f"~{name}", "__init__", "lambda") or len(function.templates) > of_class
+
+
+def _finished(
+    engine: Evaluation, run: Callable1[[], None], reached: Reached | None, unit: tuple[str, ...] = ()
+) -> list[NodeFacts]:
+    """Return what ``run`` made; the second time it is the same ``unit``, what it made the first time."""
+    units = engine.index.units if unit else None
+    found, followed = (units or {}).get(unit) or (_made(engine, run), engine.reached)
+    if units is not None:
+        units[unit] = (found, followed)
+    if reached is not None:
+        reached.add_all(followed)
+    return list(found)
+
+
+def _made(engine: Evaluation, run: Callable1[[], None]) -> list[NodeFacts]:
+    try:
+        run()
+    except (SpentError, RecursionError):
+        place = Evidence(engine.node.path, engine.node.line)
+        engine.node.unresolved.append((place, "evaluation took too many steps; what was found until then is here"))
+        for one in (engine.node, *engine.others):
+            _doubt_conditions(one)
+    except _ODD as error:
+        reason = f"what is written at {engine.site.path}:{engine.site.line} is evaluated to nonsense ({error})"
+        engine.node.unresolved.append((engine.site, f"{reason}; what was found until then is here"))
+    return [one.facts() for one in (engine.node, *engine.others)]
+
+
+def _doubt_conditions(node: Building) -> None:
+    """Doubt what is made under conditions: what was not followed may make it under others."""
+    facts: Any
+    for facts in (node.endpoints, node.parameters):
+        for place, fact in enumerate(facts):
+            if fact.conditions and fact.evidence.sure is Sure.CERTAIN:
+                evidence = msgspec.structs.replace(fact.evidence, sure=Sure.LIKELY, how="one of the ways to it")
+                facts[place] = msgspec.structs.replace(fact, evidence=evidence)
+
+
+def _building(unit: str, path: str, line: int, generation: str, kind: str) -> Building:
+    building = Building(unit, path, line, generation, kind)
+    building.endpoints, building.parameters, building.timers = [], [], []
+    building.arguments, building.settings = [], []
+    building.uses, building.unresolved = [], []
+    building.plugins, building.asks = [], []
+    return building
+
+
+def facts_of_registration(
+    index: Index, path: str, function: Function, reached: Reached | None = None
+) -> list[NodeFacts]:
+    """Return the facts of the classes that a function registers as nodes of behaviour trees."""
+    found: list[NodeFacts] = []
+    for statement in function.body:
+        call = statement.expression if isinstance(statement, Evaluate) else None
+        if not isinstance(call, Call) or not isinstance(call.function, Member) or not call.templates:
+            continue
+        if call.function.name in _TREE_REGISTRATIONS:
+            defined = index.class_of(type_name(call.templates[0])[0], path, function.qualified_name)
+            if defined is not None:
+                found += _facts_of_tree_node(index, defined, (path, function, call), reached)
+    return found
+
+
+def _facts_of_tree_node(
+    index: Index, defined: Defined, registered_by: tuple[str, Function, Call], reached: Reached | None
+) -> list[NodeFacts]:
+    path, function, call = registered_by
+    building = _building(defined.what.qualified_name, defined.path, defined.what.line, "ros2", "plugin")
+    building.named = True
+    engine = Evaluation(index, building)
+    unknown = [Unknown("name in the behaviour tree"), Unknown("configuration of the behaviour tree")]
+
+    def run() -> None:
+        engine.frame = Frame(path, function.qualified_name)
+        block(engine, tuple(one for one in function.body if isinstance(one, Assign)))
+        builder = engine.value(call.arguments[1]) if len(call.arguments) > 1 else None
+        if isinstance(builder, Callable):
+            thing = engine.call(builder, unknown, {})
+        else:
+            thing = engine.construct(defined, unknown, {})
+        if isinstance(thing, Obj):
+            _run_methods(engine, thing)
+
+    return _finished(engine, run, reached)
+
+
+__all__ = [
+    "Named",
+    "Reached",
+    "facts_of_class",
+    "facts_of_function",
+    "facts_of_main",
+    "facts_of_module",
+    "facts_of_plugin",
+    "facts_of_registration",
+    "node_classes",
+    "registered",
+]

@@ -1,0 +1,80 @@
+"""One text for each item of a list that a parameter is."""
+
+import pytest
+
+from roslens.source.extract.parameters.assemble_lists import each_of, items_among
+from roslens.source.extract.symbolic.text import Hole, Text, unknown
+
+EACH = Hole("each of parameter names", "names")
+OTHER = Hole("each of parameter others", "others")
+SET = {"names": ["a", "b"], "others": ["x", "y"], "a.parts": ["p", "q"], "b.parts": []}
+
+
+def items(hole):
+    return items_among(hole, Text.of(f"[{', '.join(SET[hole.parameter])}]")) if hole.parameter in SET else None
+
+
+def patterns(*texts):
+    return [tuple(str(one) for one in found) for found in each_of(texts, items)]
+
+
+def named(hole, last, *default, prefix=""):
+    name = Text.of(hole, last)
+    return Hole(f"{prefix}parameter {name}", name.pattern, named=(name, *default))
+
+
+def test_an_item_is_the_same_in_all_its_places():
+    assert patterns(Text.of(EACH, "/", EACH), Text.of("t/", EACH)) == [("a/a", "t/a"), ("b/b", "t/b")]
+
+
+def test_lists_that_have_nothing_to_do_with_each_other_are_not_crossed():
+    assert patterns(Text.of(EACH, "/", OTHER)) == [
+        ("a/{each of parameter others}",), ("b/{each of parameter others}",),
+    ]  # fmt: skip
+
+
+def test_a_parameter_that_an_item_names():
+    (one,), (other,) = each_of((Text.of(named(EACH, ".topic")),), items)
+    assert one == Text((Hole("parameter a.topic", "a.topic"),))
+    assert other == Text((Hole("parameter b.topic", "b.topic"),))
+
+
+def test_its_default_may_have_the_item_in_it():
+    hole = named(EACH, ".topic", Text.of(EACH, "/scan"))
+    (one,), _ = each_of((Text.of(hole),), items)
+    assert one.holes[0].default == "a/scan"
+
+
+def test_a_list_that_an_item_names():
+    parts = named(EACH, ".parts", prefix="each of ")
+    assert patterns(Text.of(EACH, "/", parts)) == [
+        ("a/p",), ("a/q",), ("b/{each of parameter b.parts, which is empty}",),
+    ]  # fmt: skip
+
+
+def test_what_nobody_knows_stays():
+    assert patterns(Text.of("t/", unknown("a file"))) == [("t/{a file}",)]
+    hole = named(Hole("each of parameter more", "more"), ".topic")
+    assert patterns(Text.of(hole)) == [("{parameter {each of parameter more}.topic}",)]
+
+
+@pytest.mark.parametrize(
+    ("hole", "value", "found"),
+    [
+        (EACH, "[a, 'b']", ["a", "b"]),
+        (EACH, "[]", []),
+        (EACH, "a", None),
+        (EACH, None, None),
+        (Hole("each of parameter names", "names", among="[c]"), None, ["c"]),
+        (Hole("item 1 of parameter names", "names"), "[a, b]", ["b"]),
+        (Hole("item -1 of parameter names", "names"), "[a, b]", ["b"]),
+        (Hole("item 2 of parameter names", "names"), "[a, b]", []),
+        (Hole("each of a part of {parameter names}", "names"), "[a, b]", None),
+        (Hole("each of each of parameter names", "names"), "[a, b]", None),
+        (Hole("each of parameter names of node no. 2", "names"), "[a, b]", None),
+        (Hole("type of each of parameter names", "names"), "[{type: a}]", None),
+        (Hole("each of parameter names of the node that makes it", "names"), "[a, b]", None),
+    ],
+)
+def test_the_items_of_a_list(hole, value, found):
+    assert items_among(hole, None if value is None else Text.of(value)) == found

@@ -170,11 +170,13 @@ class Linking:
             evidence = msgspec.structs.replace(one.evidence, sure=sure)
             if not made:
                 self._run.fail(one.library, one.evidence, "the library of a component is not made by the package")
-            shared = {"entry": one.name, "library": one.library, "conditions": one.conditions}
-            sources = tuple(parts.sources)
-            yield Target(TargetKind.COMPONENT, self._package, one.name, sources, evidence, **shared)  # type: ignore[arg-type]
+            component = Target(
+                TargetKind.COMPONENT, self._package, one.name, tuple(parts.sources), evidence,
+                entry=one.name, library=one.library, conditions=one.conditions,
+            )  # fmt: skip
+            yield component
             if one.executable:
-                yield Target(TargetKind.EXECUTABLE, self._package, one.executable, sources, evidence, **shared)  # type: ignore[arg-type]
+                yield msgspec.structs.replace(component, kind=TargetKind.EXECUTABLE, name=one.executable)
 
     def _scripts(self) -> Iterable[Target]:
         for one in self._collected.installed:

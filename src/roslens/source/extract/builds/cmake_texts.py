@@ -29,12 +29,16 @@ def substituted(pattern: str, replacement: str, value: str) -> str:
     found: list[str] = []
     rest = value
     for match in _found_in_turn(pattern, value):
-        found += [rest[: match.start()], _REPLACED.sub(lambda one, match=match: _put(one[0], match), replacement)]  # type: ignore[misc]
+        found += [rest[: match.start()], _filled(replacement, match)]
         rest = rest[match.end() :]
     result = "".join([*found, rest])
     if len(result) > MOST_LENGTH:
         raise ValueError(pattern)
     return result
+
+
+def _filled(replacement: str, match: re.Match[str]) -> str:
+    return _REPLACED.sub(lambda one: _put(one[0], match), replacement)
 
 
 _REPLACED = re.compile(r"\\(?s:.?)")

@@ -55,14 +55,17 @@ def made_by_tool(package: str, tool: str, generation: str, words: Words, values:
         yield from by_words(words) if by_words else _by_parameters(name, values)
 
 
-def _end(role: Role, name: Text, kind: Text | str, source: str, *conditions: str, **more: object) -> EndpointFact:
+def _end(
+    role: Role, name: Text, kind: Text | str, source: str, *conditions: str, queue: int = -1, latched: bool = False
+) -> EndpointFact:
     told = Text.of(kind) if isinstance(kind, str) else kind
     topic = role in (Role.PUBLISHER, Role.SUBSCRIPTION)
     qos = Qos() if topic and not source.startswith("ros/") else None
     why = "it is that of what it is told" if qos is not None else ""
     evidence = Evidence(source, 0, 0, _HOW, Sure.LIKELY)
     return EndpointFact(
-        role, name, told, evidence, conditions=conditions, qos=qos, qos_unknown=why, **more  # type: ignore[arg-type]
+        role, name, told, evidence, conditions=conditions, qos=qos, qos_unknown=why, queue=queue,
+        latched=latched,
     )  # fmt: skip
 
 

@@ -117,7 +117,10 @@ class _Reader:
                     number, len(line[: len(line) - len(line.lstrip())].encode()) + 1, error.found, error.expected
                 )
                 continue
-            (constants if isinstance(found, InterfaceConstant) else fields).append(found)  # type: ignore[arg-type]
+            if isinstance(found, InterfaceConstant):
+                constants.append(found)
+            else:
+                fields.append(found)
         self._check_names([*fields, *constants] if self._generation == 2 else fields)
         return Message(
             tuple(_commented(field, comments) for field in fields),

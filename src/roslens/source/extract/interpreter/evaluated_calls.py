@@ -64,7 +64,7 @@ class Calls(Expressions):
 
     def called(self, expression: Call) -> Any:
         """Return the result of a call."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         function = expression.function
         templates = tuple(map(self.template, expression.templates)) if expression.templates else ()
         if isinstance(function, Member):
@@ -94,7 +94,7 @@ class Calls(Expressions):
     def _called_name(
         self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         thing = engine.frame.self
         if isinstance(thing, Obj) and "." not in name:
             method = engine.methods(thing, name, len(arguments), arguments)
@@ -116,7 +116,7 @@ class Calls(Expressions):
         self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
         """Call a function or class outside of the class of the object, or something outside of the workspace."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         thing = engine.frame.self
         frame, lookups = engine.frame, engine.index.lookups
         of = thing.defined if isinstance(thing, Obj) else None
@@ -147,7 +147,7 @@ class Calls(Expressions):
 
     def _overload(self, found: Callable, name: str, arguments: list[Any]) -> Callable:
         """Return the function of a class that is called by its whole name: ``Base::init(connection)``."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         several = engine.index.functions_of(name, engine.frame.path, engine.frame.scope)
         chosen = overload(engine.index, several, len(arguments), arguments) if len(several) > 1 else None
         if chosen is None or not isinstance(chosen.what, Function):
@@ -158,7 +158,7 @@ class Calls(Expressions):
         self, name: str, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
         """Return the result of calling something outside of the workspace."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         called = self._call_of(expression, name, arguments, keywords, templates)
         known = find_outer(engine, name)
         if known is not None:
@@ -172,7 +172,7 @@ class Calls(Expressions):
 
     def _may_set(self, expression: Call, arguments: list[Any], name: str) -> None:
         """Texts that are empty when they are given to what is not known may be what it sets."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         for written, value in zip(expression.arguments, arguments, strict=False):
             if not isinstance(value, Text) or value.parts or not isinstance(written, _PLACES):
                 continue
@@ -181,20 +181,20 @@ class Calls(Expressions):
 
     def made_outer(self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]) -> Any:
         """Return an object of a class outside of the workspace."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         called = Called(name, arguments, keywords, templates, (), engine.site)
         known = find_outer(engine, name)
         return known(engine, None, called) if known is not None else Obj(name)
 
     def construct_outer(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> None:
         """Construct a base of an object that is outside of the workspace."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         known = find_outer(engine, name)
         if known is not None:
             known(engine, thing, Called(name, arguments, keywords, (), (), engine.site))
 
     def _method(self, expression: Call, function: Member, templates: tuple[str, ...]) -> Any:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         name, on = function.name, function.of
         of_super = type(on) is Call and isinstance(on.function, Name) and on.function.name == "super"
         of = engine.frame.self if of_super else self.value(on)
@@ -231,7 +231,7 @@ class Calls(Expressions):
         templates: tuple[str, ...],
     ) -> Any:  # fmt: skip
         """Call a method of each object that it may be."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
 
         def call(thing: Obj) -> Any:
             method = engine.methods(thing, name, len(arguments) + len(keywords), arguments)
@@ -244,7 +244,7 @@ class Calls(Expressions):
     def _plain_method(
         self, expression: Call, function: Member, of: Any, arguments: list[Any], keywords: dict[str, Any]
     ) -> Any:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         name = function.name
         change = changed_by(engine, function.of, of, name, arguments, keywords) if name in CHANGING else None
         if change is not None:
@@ -264,7 +264,7 @@ class Calls(Expressions):
         templates: tuple[str, ...],
     ) -> Any:  # fmt: skip
         """Call what a module of the workspace has (``import package.module``), or something outside of it."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         inside = engine.function(_dotted(function), len(arguments) + len(keywords)) or self._class_of_module(function)
         if inside is not None:
             return self._apply(inside, expression, arguments, keywords, templates)
@@ -281,16 +281,16 @@ class Calls(Expressions):
 
     def _guessed(self, of: Any, called: Called) -> Any:
         """Return what a method makes that is known by its name alone; None where it is not."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         word = guessed_method(engine, of, called)
         return None if word is None else word(engine, Unknown("an object of a class outside of the workspace"), called)
 
     def _place(self, name: str) -> tuple[str, str, str]:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         return name, engine.frame.path, engine.frame.scope
 
     def _class_of_module(self, function: Member) -> Class | None:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         frame, name = engine.frame, _dotted(function)
         if not name or engine.index.programs[frame.path].language != "python":
             return None
@@ -299,7 +299,7 @@ class Calls(Expressions):
 
     def _of_base(self, thing: Obj, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """Call a method of the next class after the one that is evaluated."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         if thing.defined is None:
             return Unknown(f"{name} of a base")
         chain = engine.index.chain(thing.defined)
@@ -326,7 +326,7 @@ class Calls(Expressions):
 
     def _of_class(self, of: Class, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """Call a function of a class: of a base with the object, or a static one."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         found = engine.index.methods(of.defined, name)
         if name == "__init__" and arguments and isinstance(arguments[0], Obj):
             engine.construct_as(arguments[0], of.defined, arguments[1:], keywords)
@@ -342,7 +342,7 @@ class Calls(Expressions):
     def _apply(
         self, of: Any, expression: Call, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Any:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         if isinstance(of, Callable):
             return engine.call(of, arguments, keywords, expression.arguments, templates)
         if isinstance(of, Class):
@@ -359,7 +359,7 @@ class Calls(Expressions):
             return [value(one) for one in expression.arguments], {}
         keywords = {name: value(one) for name, one in expression.keywords if name[0] != "*"}
         if len(keywords) < len(expression.keywords):
-            return spread(self, expression)  # type: ignore[arg-type]
+            return spread(self, expression)
         return [value(one) for one in expression.arguments], keywords
 
     def _bound(self, expression: Call) -> Any:
@@ -380,13 +380,13 @@ class Calls(Expressions):
     def _call_of(
         self, expression: Call, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...]
     ) -> Called:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         place = Evidence(engine.frame.path, expression.line, expression.column)
         return Called(name, arguments, keywords, templates, expression.arguments, place)
 
     def template(self, written: str) -> str:
         """Return a template argument with the template parameters around it replaced."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         bound = engine.frame.templates
         if bound:
             written = _WORD.sub(lambda found: bound.get(found[0], found[0]), written)

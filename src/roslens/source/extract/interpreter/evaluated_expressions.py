@@ -33,6 +33,7 @@ from roslens.source.extract.ir.program import (
 from roslens.source.extract.symbolic.text import Asked, Text, unknown
 from roslens.source.extract.transfer.captured import names_around
 from roslens.source.extract.transfer.class_attributes import class_of_scope, read_first
+from roslens.source.extract.transfer.context import Context
 from roslens.source.extract.transfer.module_values import module_value
 from roslens.source.extract.transfer.operand_ways import after_others, does_something, way_of
 from roslens.source.extract.transfer.overload_choice import known_function
@@ -40,13 +41,12 @@ from roslens.source.extract.transfer.plugin_held import item_held
 
 if TYPE_CHECKING:
     from roslens.source.extract.symbols.workspace_index import Defined
-    from roslens.source.extract.transfer.context import Context
 
 
 _PACKAGE_NAME = "ROS_PACKAGE_NAME"
 
 
-class Expressions:
+class Expressions(Context):
     """Values of expressions; what they need of the evaluation is in it.
 
     Attributes:
@@ -61,7 +61,7 @@ class Expressions:
 
     def value(self, expression: Expression) -> Any:
         """Return the value of an expression."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         engine.steps += 1
         if engine.steps > engine.most_steps:
             raise SpentError
@@ -78,7 +78,7 @@ class Expressions:
 
     def name(self, expression: Name) -> Any:
         """Return what a name means: a variable, a member, a constant, a function or class, or something outside."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         frame, name = engine.frame, expression.name
         if name in frame.names:
             return frame.names[name]
@@ -99,7 +99,7 @@ class Expressions:
         return self._outside(engine.index.meaning(frame.templates.get(name, name), frame.path, frame.scope))
 
     def _outside(self, name: str) -> Any:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         if name == _PACKAGE_NAME:
             # catkin and rosconsole define it as the name of the project, which is that of the package.
             return Text.of(engine.index.package(engine.frame.path))
@@ -109,7 +109,7 @@ class Expressions:
 
     def defined(self, name: str) -> Any:
         """Return what the workspace defines under a name; None where it does not."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         frame = engine.frame
         of = frame.self.defined if isinstance(frame.self, Obj) and "." not in name else None
         known, key = engine.index.lookups.defined, (0 if of is None else id(of.what), name, frame.path, frame.scope)
@@ -129,7 +129,7 @@ class Expressions:
         return Callable(one, other) if kind == "function" else None
 
     def _constant(self, name: str, found: tuple[str, Expression]) -> Any:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         path, expression = found
         if (path, name) in engine.constants:
             return engine.constants[path, name]
@@ -150,7 +150,7 @@ class Expressions:
 
     def member(self, expression: Member) -> Any:
         """Return a member of an object."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         of = self.value(expression.of)
         return self.member_of(of, expression.name, engine)
 
@@ -189,7 +189,7 @@ class Expressions:
 
     def item(self, expression: Item) -> Any:
         """Return an item."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         of = self.value(expression.of)
         if isinstance(expression.key, Opaque) and is_slice(expression.key.text):
             return part_of(of, expression.key.text)
@@ -209,7 +209,7 @@ class Expressions:
 
     def operation(self, expression: Operation) -> Any:
         """Return the result of an operator."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         operator = expression.operator
         if operator in ("and", "or"):
             return self._boolean(expression)
@@ -240,7 +240,7 @@ class Expressions:
         return self._computed(operator, values, expression)
 
     def _either(self, expression: Operation, decides: Any) -> Any:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         condition = engine.index.lookups.condition(expression.operands[0])
         then, otherwise = expression.operands[1:]
         one = way_of(engine, then, condition, decides) if does_something(engine, then) else self.value(then)
@@ -267,7 +267,7 @@ class Expressions:
 
     def _boolean(self, expression: Operation) -> Any:
         """Return what decides ``and`` or ``or``: in Python one of the operands, in C++ whether it holds."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         python = engine.index.programs[engine.frame.path].language == "python"
         operator, operands = expression.operator, expression.operands
         stops = operator == "or"
@@ -293,12 +293,12 @@ class Expressions:
         return self._open(expression, test if len(tests) == len(open_) else None)
 
     def _open(self, expression: Expression, test: Asked | None = None) -> Unknown:
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         return Unknown(engine.index.lookups.text(expression), test)
 
     def _or_else(self, value: Text, operands: tuple[Expression, ...]) -> Any:
         """Return a text, or where it is empty what comes after ``or``."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         rest = self.value(Operation("or", operands[1:]) if len(operands) > 2 else operands[1])
         other = rest if isinstance(rest, Text) else unknown(as_text(rest).holes[0].reason if rest else "nothing")
         return either(value, other, engine.index.lookups.condition(operands[0]), test_of(value))
@@ -357,7 +357,7 @@ class Expressions:
 
     def closure(self, expression: Lambda) -> Any:
         """Return a function without name."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         frame = engine.frame
         program = engine.index.programs[frame.path]
         names = names_around(engine, expression) if expression.holds or frame.aliases else frame.names

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from roslens.source.extract.domain.abstract_value import Obj, Unknown, test_of
 from roslens.source.extract.domain.evaluation_frame import WayOut, Ways
@@ -262,15 +262,15 @@ def _step(statement: Loop) -> tuple[str, int | float] | None:
         return None
     name, value = one.target.name, one.value
     if one.operator == "+=" and isinstance(value, Literal) and _is_number(value.value):
-        return name, value.value  # type: ignore[return-value]
+        return name, value.value
     if isinstance(value, Operation) and value.operator in ("+", "-") and value.operands[0] == one.target:
         by = value.operands[1]
         if isinstance(by, Literal) and _is_number(by.value):
-            return name, by.value if value.operator == "+" else -by.value  # type: ignore[operator,return-value]
+            return name, by.value if value.operator == "+" else -by.value
     return None
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 

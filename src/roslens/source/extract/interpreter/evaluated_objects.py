@@ -30,7 +30,7 @@ class Objects(Calls):
 
     def constructed(self, declared: str, value: Any) -> Any:
         """Return a member that is initialised with one value: an object of its class made of it, or the value."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         name, inside = type_name(declared)
         if "*" in declared or "&" in declared or "ptr" in declared.lower() or name in _PLAIN:
             return engine.converted(declared, value)
@@ -48,7 +48,7 @@ class Objects(Calls):
         self, defined: Defined, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
     ) -> Any:
         """Make an object of a class of the workspace, its constructor evaluated."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         known = find_class(engine, defined.what.qualified_name, defined.path)
         if known is not None:
             name, word = known
@@ -68,7 +68,7 @@ class Objects(Calls):
 
     def prepare(self, thing: Obj) -> None:
         """Give an object the members that its classes declare."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         bind_bases(engine, thing)
         if thing.type in engine.preparing:
             # By value no class holds itself: what is taken for it here is a pointer, or something else of its name.
@@ -98,7 +98,7 @@ class Objects(Calls):
 
     def _members(self, defined: Defined) -> tuple[tuple[Field, Any], ...]:
         """Return the members of a class that an object has, and what they are at first if that is always the same."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         known = engine.index.lookups.members
         found = known.get(id(defined.what))
         if found is None:
@@ -124,7 +124,7 @@ class Objects(Calls):
 
     def construct_as(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
         """Evaluate the constructor of one class of an object."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         python = engine.index.programs[defined.path].language == "python"
         name = "__init__" if python else defined.what.name
         found = engine.index.methods(defined, name)
@@ -148,13 +148,13 @@ class Objects(Calls):
 
     def base_constructed(self, thing: Obj, defined: Defined, arguments: list[Any], keywords: dict[str, Any]) -> None:
         """Construct the bases that are not in the workspace."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         for base in engine.index.outer_bases(defined):
             engine.construct_outer(thing, base, arguments, keywords)
 
     def declared(self, declared: str) -> Any:
         """Return the value of a declaration without one: an object of a class by value, else what is unknown."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         name, inside = type_name(declared)
         if ("*" in declared or "ptr" in declared.lower()) and name != "std.vector":
             return None
@@ -162,7 +162,7 @@ class Objects(Calls):
 
     def typed(self, declared: str, value: Any) -> Any:
         """Return a value as its declared type makes it: braces construct, numbers become texts of strings."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         if isinstance(value, _MADE_BY_TYPE) and engine.index.programs[engine.frame.path].language == "python":
             # Annotations make nothing.
             return value
@@ -184,7 +184,7 @@ class Objects(Calls):
 
     def converted(self, declared: str, value: Any) -> Any:
         """Return a value as a declaration makes it."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         if isinstance(value, _NUMBER) and type_name(declared)[0] in ("std.string", "string"):
             return value
         return engine.typed(declared, value)
@@ -193,7 +193,7 @@ class Objects(Calls):
         self, name: str, arguments: list[Any], keywords: dict[str, Any], templates: tuple[str, ...] = ()
     ) -> Any:
         """Return an object of a class by its name as written."""
-        engine: Context = self  # type: ignore[assignment]
+        engine: Context = self
         if not name or name in _PLAIN:
             return engine.plain(name, arguments)
         name = engine.frame.templates.get(name, name)

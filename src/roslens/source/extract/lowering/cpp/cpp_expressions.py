@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from functools import lru_cache
+from typing import TypeGuard
 
 from tree_sitter import Node
 
@@ -236,7 +237,7 @@ class Expressions:
         for part in self.several(node):
             last = parts[-1] if parts else None
             if _is_text(part) and _is_text(last):
-                parts[-1] = Literal(f"{last.value}{part.value}")  # type: ignore[union-attr]
+                parts[-1] = Literal(f"{last.value}{part.value}")
             else:
                 parts.append(part)
         return parts[0] if len(parts) == 1 else Operation("+", tuple(parts))
@@ -286,7 +287,7 @@ def _named(written: bytes) -> Expression:
     return name_of(name_and_templates(written)[0])
 
 
-def _is_text(expression: Expression | None) -> bool:
+def _is_text(expression: Expression | None) -> TypeGuard[Literal]:
     return isinstance(expression, Literal) and isinstance(expression.value, str)
 
 

@@ -321,8 +321,8 @@ class Expressions(Reading):
         value = self.expression(children[-1])
         if operator == "+":
             return value
-        if isinstance(value, Literal) and type(value.value) in {int, float}:
-            return Literal(-value.value)  # type: ignore[operator]
+        if isinstance(value, Literal) and isinstance(value.value, int | float) and not isinstance(value.value, bool):
+            return Literal(-value.value)
         return Operation("-", (value,))
 
     def _comparison(self, node: Node) -> Expression:

@@ -11,20 +11,16 @@ EVER = (When.LOADED, When.CALLED)
 
 CALLED = [
     "cli.commands.completion cli.main",
-    "cli.commands.explain cli.completion_words",
     "cli.page.past_page cli.watch_page",
     "cli.read_beside cli.shown_graphs",
     "cli.shared_store cli.workplace",
     "dashboard.graph_model dashboard.site",
-    "report.graph_text report.unstarted_text",
-    "source.tools.table source.tools.tool_rules source.tools.tool_stage source.tools.used",
 ]
 """Circles that imports in functions close: whoever dissolves one takes it off the list, and no new one is put on it."""
 
 CHECKED = [
     "live.connection live.envelope live.topic",
     "source.analyse_package source.part_of_package",
-    "source.dask_engine source.executor",
     (
         "source.rules.cmake_view source.rules.dependency_uses source.rules.launch_view source.rules.package_view "
         "source.rules.profiles source.rules.registered_classes source.rules.rule"

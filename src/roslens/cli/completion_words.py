@@ -116,8 +116,8 @@ def ids(path: str) -> Iterator[str]:
 
     Those of plug-ins that the workspace names are left out, trusted or not: nobody who presses TAB wants them to run.
     """
-    from roslens.cli.commands.explain import known
     from roslens.cli.configuration import find_configuration
+    from roslens.cli.explainable import known
     from roslens.cli.trust import withheld
 
     for kind in known(withheld(find_configuration(Path(path).resolve(), None))):

@@ -15,10 +15,10 @@ from pygls.uris import to_fs_path
 from roslens import __version__
 from roslens.cli.analysed import settings_of
 from roslens.cli.check_watch import look
-from roslens.cli.commands.explain import known
 from roslens.cli.configuration import find_configuration
 from roslens.cli.editor_findings import Shown, failure_as_finding, hover_text, ignore_edits, shown
 from roslens.cli.editor_fixes import EditorFix, FixableFolder
+from roslens.cli.explainable import known
 from roslens.cli.workplace import CACHE, own_folder
 from roslens.model.edit import Edit
 from roslens.model.errors import RoslensError

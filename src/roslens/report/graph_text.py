@@ -36,11 +36,7 @@ _LONGEST_REASON = 120
 
 
 def to_graph_text(configuration: Configuration) -> str:
-    """Return a configuration as lines; marks are told in the last one where there are any."""
-    if configuration.unstarted:
-        from roslens.report.unstarted_text import to_unstarted_text
-
-        return to_unstarted_text(configuration)
+    """Return what is started as lines; marks are told in the last one where there are any."""
     lines = [*_head(configuration)]
     unknown = {one.proof.place for one in configuration.unresolved}
     for one in configuration.nodes:

@@ -20,7 +20,7 @@ from roslens.source.task_batch import batch_size, run_batch
 from roslens.source.task_limits import TaskLimits
 
 if TYPE_CHECKING:
-    from roslens.source.executor import Executor
+    from roslens.source.task_engine import Executor
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")

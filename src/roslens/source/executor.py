@@ -10,28 +10,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import Protocol, TypeVar
 
 from roslens.model.errors import UsageError
+from roslens.source.task_engine import Executor, Result, Task
 from roslens.source.task_limits import TaskLimits, run_limited
-
-Task = TypeVar("Task")
-Result = TypeVar("Result")
 
 ENGINES = ("in-process", "processes")
 """Names of engines; besides, the address of a scheduler is one."""
 
 _AHEAD = 2
 """Tasks that wait for each worker, so that none waits for this process."""
-
-
-class Executor(Protocol):
-    """Runs a function over tasks and yields ``(task, result)`` or ``(task, error)``."""
-
-    def run(
-        self, function: Callable[[Task], Result], tasks: Sequence[Task]
-    ) -> Iterator[tuple[Task, Result | BaseException]]:
-        """Yield each task with its result, or with the exception that ended it."""
 
 
 class InProcess:

@@ -12,8 +12,9 @@ from functools import partial
 import msgspec
 
 from roslens.source.analyse_package import MeasuredPackage, PackageTask, measure_task
-from roslens.source.executor import Executor, InProcess
+from roslens.source.executor import InProcess
 from roslens.source.remembered_facts import RememberedFacts
+from roslens.source.task_engine import Executor
 
 _PACK = msgspec.msgpack.Encoder()
 _TASK = msgspec.msgpack.Decoder(PackageTask)

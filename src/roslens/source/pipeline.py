@@ -35,7 +35,7 @@ from roslens.source.repositories import repositories_of
 from roslens.source.set_aside_in_run import whole_run
 from roslens.source.settings import ProcessSettings, RuleSettings, SourceSettings
 from roslens.source.tools.layout import RULE as LAYOUT
-from roslens.source.tools.used import tool_stage
+from roslens.source.tools.stage_of_run import tool_stage
 from roslens.source.workspace.acceptances import FILE_NAME as ACCEPTED
 from roslens.source.workspace.acceptances import acceptances_of, read_acceptances
 from roslens.source.workspace.find import FoundPackage, Workspace, find_workspace

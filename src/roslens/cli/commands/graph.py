@@ -200,7 +200,7 @@ def _writer(form: str) -> Callable[[Configuration], str]:
 
 
 _WRITERS = {
-    "text": ("graph_text", "to_graph_text"),
+    "text": ("configuration_text", "to_configuration_text"),
     "mermaid": ("to_mermaid", "to_mermaid"),
     "nodl": ("to_nodl", "to_nodl"),
 }

@@ -98,6 +98,17 @@ def test_the_picture_zooms_and_leads_to_the_pages_of_elements(visit_difference: 
     expect(page).to_have_url(re.compile("/nodes/rover/lidar$"))
 
 
+def test_one_goes_from_a_difference_to_the_next(visit_difference: Open) -> None:
+    page = visit_difference("/conformance")
+    marked = page.locator(".difference .node:is(.missing, .added, .differs)")
+    chosen = page.locator(".difference .node.selected")
+    page.get_by_role("button", name="Next difference").click()
+    expect(chosen).to_have_attribute("data-key", marked.nth(0).get_attribute("data-key") or "")
+    expect(chosen).to_be_in_viewport()
+    page.keyboard.press("n")
+    expect(chosen).to_have_attribute("data-key", marked.nth(1).get_attribute("data-key") or "")
+
+
 def test_without_scripts_the_picture_stands(visit_difference: Open) -> None:
     page = visit_difference("/conformance", java_script_enabled=False)
     expect(page.locator(".difference .node.missing .standing")).to_be_visible()

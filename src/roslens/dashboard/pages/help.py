@@ -36,6 +36,7 @@ KEYS = {
         ("s", "open or close the side panel"),
         ("t", "table instead of picture"),
         ("l", "computation graph: to the line that makes what is selected"),
+        ("n", "Diff: to the next difference"),
         ("Esc", "clear selection, then focus"),
     ),
 }

@@ -5,11 +5,12 @@ import { draw, figure, settled } from "../dom.js";
 import { onKey } from "../keys.js";
 import { dependentsOf, around } from "./focus.js";
 import { closeUp, line, stepsFrom } from "./lanes.js";
-import { READABLE, showNames } from "./names.js";
+import { showNames } from "./names.js";
 import { visibleOf } from "./noise.js";
 import { LineNames } from "./line_names.js";
 import { Minimap } from "./minimap.js";
 import { startPictureFiles } from "./picture_file.js";
+import { keepTitles } from "./titles.js";
 import { wayBetween } from "./way.js";
 import { TellingStage } from "./computation_panel.js";
 
@@ -290,26 +291,12 @@ class ComputationView extends TellingStage {
     if (!this.placed) return;
     this.lineNames.show();
     this.minimap.show();
-    this.keepTitles();
+    keepTitles([...this.scene.titles.children], this.boxes, this.camera);
     const near = this.selected < 0 ? [] : [this.selected, ...this.neighbours(this.selected)];
     const weight = (number) => (this.graph.nodes[number].kind === "node" ? 1000 : 0) + this.graph.nodes[number].needs.length + this.dependents[number].length;
     const rest = this.selected < 0 ? [...this.visible].sort((a, b) => weight(b) - weight(a)) : [];
     const order = [...new Set([...near, ...(this.found || []).filter((number) => this.visible.has(number)), ...rest])];
     showNames(this.svg, this.elements, this.graph.nodes, order, this.places, this.camera, SHAPE, this.titles);
-  }
-
-  /** The title of a box of which only a part is in sight stands in that part. */
-  keepTitles() {
-    const { k, x, y } = this.camera;
-    const close = k >= READABLE;
-    [...this.scene.titles.children].forEach((text, number) => {
-      const box = this.boxes[number];
-      const within = (from, least, room) => Math.max(least, Math.min(from, least + room));
-      const left = close ? within(-x / k + 8, box.x + 7, Math.max(0, box.width - 14 - 7.6 * box.title.length)) : box.x + 7;
-      const top = close ? within(-y / k + 6, box.y + 3, Math.max(0, box.height - 22)) : box.y + 3;
-      text.setAttribute("x", left.toFixed(1));
-      text.setAttribute("y", top.toFixed(1));
-    });
   }
 
   /** Give every box its name, as where the picture has the size in which it was laid out. */

@@ -76,13 +76,19 @@ def _trunks(place: Sequence[int], edges: Sequence[tuple[int, int]]) -> dict[tupl
     }
 
 
-def untangle(columns: Columns, sweeps: int = SWEEPS, lanes: Sequence[int] = ()) -> list[list[int]]:
+def untangle(
+    columns: Columns, sweeps: int = SWEEPS, lanes: Sequence[int] = (), *, counted: bool = True
+) -> list[list[int]]:
     """Return the columns reordered so that few edges cross.
 
-    Where ``lanes`` gives each item a number, those of a lower number stay above those of a higher one.
+    Args:
+        columns: to reorder.
+        sweeps: how often all of them are gone through.
+        lanes: a number for each item, where those of a lower one stay above those of a higher one.
+        counted: whether crossings are counted after each sweep and the best order is taken; the last one otherwise.
     """
     order = [sorted(column, key=lanes.__getitem__) if lanes else list(column) for column in columns.columns]
-    best, fewest = [list(column) for column in order], _crossings(order, columns)
+    best, fewest = [list(column) for column in order], _crossings(order, columns) if counted else 1
     for sweep in range(sweeps):
         if fewest == 0:
             break
@@ -92,10 +98,10 @@ def untangle(columns: Columns, sweeps: int = SWEEPS, lanes: Sequence[int] = ()) 
         for number in numbers:
             beside = order[number - 1 if forward else number + 1]
             order[number] = _by_barycentre(order[number], beside, neighbours, lanes)
-        crossings = _crossings(order, columns)
+        crossings = _crossings(order, columns) if counted else fewest
         if crossings < fewest:
             best, fewest = [list(column) for column in order], crossings
-    return best
+    return best if counted else order
 
 
 def _by_barycentre(

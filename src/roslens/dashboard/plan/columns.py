@@ -44,10 +44,19 @@ def ends_of(
 
 def tiers_of(parts: Sequence[Part], wires: Sequence[Wire]) -> dict[int, int]:
     """Return the tier of each node, by the number of its part; what has nothing to do with others fills up."""
+    number = {part.key: place for place, part in enumerate(parts)}
+    return _tiers(parts, number, wires, *ends_of(parts, number, wires))
+
+
+def _tiers(
+    parts: Sequence[Part],
+    number: Mapping[str, int],
+    wires: Sequence[Wire],
+    giving: Mapping[int, Sequence[int]],
+    taking: Mapping[int, Sequence[int]],
+) -> dict[int, int]:
     nodes = [place for place, part in enumerate(parts) if part.node]
     place_of = {node: place for place, node in enumerate(nodes)}
-    number = {part.key: place for place, part in enumerate(parts)}
-    giving, taking = ends_of(parts, number, wires)
     direct = [pair for start, end in wires if (pair := (number[start], number[end])) if _joined(parts, pair)]
     flows: dict[Flow, int] = {(place_of[source], place_of[target]): 1 for source, target in direct}
     for channel, sources in sorted(giving.items()):
@@ -75,9 +84,9 @@ def _joined(parts: Sequence[Part], pair: Flow) -> bool:
 
 def columns_of(parts: Sequence[Part], wires: Sequence[Wire]) -> list[int]:
     """Return columns: what joins nodes stands right behind who gives it, or before the first that takes it."""
-    tier = tiers_of(parts, wires)
     number = {part.key: place for place, part in enumerate(parts)}
     giving, taking = ends_of(parts, number, wires)
+    tier = _tiers(parts, number, wires, giving, taking)
     found = []
     for place in range(len(parts)):
         if place in tier:

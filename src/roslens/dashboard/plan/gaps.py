@@ -9,6 +9,7 @@ from roslens.dashboard.plan.ground import ROOM, WAY, Ground, Stand
 
 _LEVEL = 24.0
 """A wire that would rise or fall by less stays level."""
+_BESIDE = ROOM / 2
 
 
 class Gaps:
@@ -23,20 +24,19 @@ class Gaps:
     def way(self, left: Stand, right: Stand) -> tuple[float, ...]:
         """Return heights for a wire at each column between its ends, near the straight line between them."""
         found = []
-        y, across = left.y, right.column - left.column
-        for step in range(1, across):
-            straight = y + (right.y - y) / (across - step + 1)
-            y = self._near(left.column + step, y if abs(straight - y) < _LEVEL else straight)
+        y, end, last = left.y, right.y, right.column
+        for column in range(left.column + 1, last):
+            # It rises or falls by as much as is left of the way, shared by the columns that are left.
+            rise = (end - y) / (last - column + 1)
+            if not -_LEVEL < rise < _LEVEL:
+                y += rise
+            tops, bottoms = self._columns[column]
+            place = bisect_left(bottoms, y - _BESIDE)
+            if place < len(tops) and y > tops[place] - _BESIDE:
+                above, below = tops[place] - _BESIDE, bottoms[place] + _BESIDE
+                y = above if y - above <= below - y else below
             found.append(y)
         return tuple(found)
-
-    def _near(self, column: int, wanted: float) -> float:
-        tops, bottoms = self._columns[column]
-        place = bisect_left(bottoms, wanted - ROOM / 2)
-        if place == len(tops) or wanted <= tops[place] - ROOM / 2:
-            return round(wanted, 1)
-        above, below = tops[place] - ROOM / 2, bottoms[place] + ROOM / 2
-        return round(above if wanted - above <= below - wanted else below, 1)
 
 
 def _merged(found: Iterable[tuple[float, float]]) -> tuple[list[float], list[float]]:

@@ -36,6 +36,8 @@ LOOSEST = 22.0
 
 _EFFORT = 30_000
 """Elements and wires that are looked at in all sweeps together."""
+_FEW = 3
+"""So many sweeps are made without counting what crosses."""
 _MOST_WAYS = 3000
 """Places kept for wires that pass columns."""
 
@@ -64,7 +66,9 @@ def survey(parts: Sequence[Part], columns: Sequence[int], wires: Sequence[Wire])
     grid = route(members, len(parts), routed)
     work = len(grid.left) + sum(map(len, grid.left))
     lane_of = _lanes_of(lanes, grid)
-    order = untangle(grid, max(2, min(SWEEPS, _EFFORT // work)), lanes=lane_of)
+    sweeps = max(2, min(SWEEPS, _EFFORT // work))
+    # Counting what crosses takes as long as a sweep, and two sweeps make every order better than none.
+    order = untangle(grid, sweeps, lanes=lane_of, counted=sweeps > _FEW)
     heights = [part.height + ROOM for part in parts] + [WAY] * (len(grid.left) - len(parts))
     passes = max(4, min(PASSES, 2 * _EFFORT // work))
     middles, reaches = _stack(order, heights, lane_of, grid, names, passes)

@@ -270,6 +270,24 @@ def test_a_narrow_screen_does_not_scroll_sideways(robot: ScriptedRobot, follow: 
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
+def test_on_a_narrow_screen_the_graph_begins_where_it_is_worst_with_names_to_read(
+    robot: ScriptedRobot, follow: Open
+) -> None:
+    robot.rates["/scan"] = 4
+    robot.run(5)
+    page = follow(viewport={"width": 420, "height": 800})
+    bad = item(page, "topic:/scan")
+    inside = """one => {
+        const [box, room] = [one.getBoundingClientRect(), document.querySelector("#canvas").getBoundingClientRect()];
+        return box.left >= room.left && box.right <= room.right && box.top >= room.top && box.bottom <= room.bottom;
+    }"""
+    expect(page.locator("#picture #scene")).to_have_attribute("transform", re.compile(r"scale\(0\.9"))
+    assert bad.evaluate(inside)
+    page.get_by_role("button", name="Fit").click()
+    for one in page.locator("#items .item").all():
+        assert one.evaluate(inside)
+
+
 def test_dark_and_light_by_key(follow: Open) -> None:
     page = follow(color_scheme="light")
     ground = "getComputedStyle(document.body).backgroundColor"

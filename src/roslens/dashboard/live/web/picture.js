@@ -3,6 +3,7 @@
 
 import { draw } from "../dom.js";
 import { Camera } from "../graph/camera.js";
+import { READABLE } from "../graph/names.js";
 import { sign, span, word } from "./states.js";
 
 /** Below this zoom lines have no words; below the other one they say the rate alone. */
@@ -13,6 +14,9 @@ const MANY = 60;
 const MARK = 20;
 const DIAMOND = 8;
 const NAMED = 40;
+/** A picture of which no name could be read begins with the part of it that is worst, at this zoom. */
+const LEGIBLE = 0.9;
+const GRAVE = ["absent", "high", "low", "unknown"];
 
 export class Picture {
   /** `chose` is called with the id of an entity that was clicked, or with "". */
@@ -27,17 +31,38 @@ export class Picture {
     for (const name of ["wheel", "pointerdown"]) canvas.addEventListener(name, () => { this.left = true; });
     canvas.addEventListener("click", (event) => this.click(event));
     canvas.addEventListener("keydown", (event) => this.key(event));
-    new ResizeObserver(() => this.left || this.fit()).observe(canvas);
+    new ResizeObserver(() => this.left || this.open()).observe(canvas);
   }
 
-  /** Show all of it; the picture is no higher than it needs to be. */
+  /** Show all of it. */
   fit() {
     this.left = false;
+    this.whole = true;
+    this.open();
+  }
+
+  /** Show all of it, or where it begins; the picture is no higher than it needs to be. */
+  open() {
     if (!this.size) return;
     const scale = Math.min(1.25, this.canvas.clientWidth / this.size.width);
     const height = Math.round(Math.max(this.items.size > MANY ? 280 : 150, Math.min(innerHeight * 0.5, this.size.height * scale + 52)));
     if (Math.abs(this.canvas.clientHeight - height) > 2) this.canvas.style.height = `${height}px`;
     this.camera.fit({ x: 0, y: 0, ...this.size });
+    if (!this.whole && this.camera.k < READABLE) this.begin();
+  }
+
+  /** Show what is worst, else what most is joined to, where its names can be read. */
+  begin() {
+    const joined = new Map();
+    for (const one of this.lines.values()) for (const end of [one.start, one.end]) joined.set(end, (joined.get(end) || 0) + 1);
+    const rank = ([key, { is }]) => [GRAVE.includes(is) ? GRAVE.length - GRAVE.indexOf(is) : 0, joined.get(key) || 0];
+    const first = [...this.items].reduce((a, b) => { const [x, y] = [rank(a), rank(b)]; return y[0] > x[0] || (y[0] === x[0] && y[1] > x[1]) ? b : a; });
+    const room = this.camera.size();
+    const [x, y] = this.placeOf(first[0]);
+    const within = (at, size, long) => (size < long ? size / 2 : Math.max(long / 2, Math.min(size - long / 2, at)));
+    this.camera.showAt(LEGIBLE, within(x, this.size.width, room.width / LEGIBLE), within(y, this.size.height, room.height / LEGIBLE));
+    // From now on it moves as the reader moves it.
+    this.left = true;
   }
 
   zoomed() {
@@ -73,7 +98,7 @@ export class Picture {
     this.leftOut.textContent = picture.left_out || "";
     if (moved) {
       this.size = { width: picture.width || 1, height: picture.height || 1 };
-      if (!this.left) this.fit();
+      if (!this.left) this.open();
     }
     if (this.selected) this.light();
   }

@@ -139,7 +139,7 @@ def test_a_trend_as_json_and_csv(made, capsys):
     assert found["packages"]["q"] == [None, None, 0, 1, 1]
     assert found["whole"] == [5, 23, 13, 14, 2]
     rows = out(capsys, "trend", "loc", made.root, "--format", "csv", "--package", "p").splitlines()
-    assert rows[0] == "quantity,package,commit,time_s,name,run,now,value"
+    assert rows[0] == "quantity,package,commit,time_s,name,run,now,value,repository"
     assert [row.split(",")[1] for row in rows[1:]] == ["p"] * 5
     since = json.loads(out(capsys, "trend", "loc", made.root, "--format", "json", "--since", "2020-10-01"))
     assert since["whole"] == [13, 14, 2]

@@ -79,3 +79,15 @@ def test_each_moves_once():
     found = finding_difference(before, after)
     assert [one.after.path for one in found.moved] == ["p/new.py"]
     assert [one.path for one in found.new] == ["p/other.py", "p/third.py"]
+
+
+def test_what_is_measured_of_a_renamed_file_has_moved():
+    def long_function(path):
+        place = msgspec.structs.replace(moved_finding(path, 3), fingerprint=path, message="f is long")
+        return msgspec.structs.replace(place, entity=f"function:{path}#f(int)")
+
+    before, after = long_function("p/old.cpp"), long_function("p/new.cpp")
+    assert finding_difference([before], [after]).new == (after,)
+    found = finding_difference([before], [after], {"p/old.cpp": "p/new.cpp"})
+    assert (found.new, found.gone) == ((), ())
+    assert [(one.before, one.after) for one in found.moved] == [(before, after)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -11,25 +12,34 @@ import msgspec
 
 from roslens.cli.git_repository import commit_of_revision, names_like, repository_of
 from roslens.cli.past_runs import PastRuns, past_runs
+from roslens.cli.process_option import seconds_of
 from roslens.cli.shared_store import shared_address
 from roslens.cli.workplace import FOLDER, STORE, open_store
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from roslens.source.history.past_states import PastState
     from roslens.source.settings import SourceSettings
     from roslens.store.read import RunView
     from roslens.store.runs import Store
+
+_DAY_S = 86_400
 
 NOW = ("now", "last")
 RELEASE = "release"
 
 
 class NamedRun(msgspec.Struct, frozen=True):
-    """A run and what it is called; ``commit`` is empty where it is not known."""
+    """A run and what it is called, with the commit of each repository by its place, as far as that is known."""
 
     title: str
     view: RunView
-    commit: str
+    commits: tuple[tuple[str, str], ...]
+
+    @property
+    def commit(self) -> str:
+        """The commit of the only repository; of several what their commits are known by, empty where none is known."""
+        return self.view.header.commit
 
 
 class NamedRuns:
@@ -54,10 +64,12 @@ class NamedRuns:
             return self._of_tree(name)
         if name == RELEASE:
             past = self._past_runs()
-            newest = max(past.released, key=lambda one: one.time_s, default=None)
+            newest = past.states.newest_release()
             if newest is None:
                 raise UsageError(f'"{RELEASE}": the repository has no release', expected="a tag such as v1.2.3")
-            return self._of_commit(newest.commit, newest.name)
+            return self._of_state(*newest)
+        if not self._past_runs().states.is_one:
+            return self._of_several(name)
         repository = repository_of(str(self.root))
         commit = commit_of_revision(repository, name)
         if not commit:
@@ -67,7 +79,13 @@ class NamedRuns:
                 expected="a number of a kept run, `now`, `release`, or a branch, tag or commit",
                 advice=f"Did you mean {', '.join(near)}?" if near else "",
             )
-        return self._of_commit(commit, name)
+        state = self._past_runs().states.of_commit(commit)
+        if state is None:
+            raise UsageError(
+                f'revision "{name}" is not behind the head', expected="one that the work tree comes from",
+                advice="Check out a branch that has it",
+            )  # fmt: skip
+        return self._of_state(name, state)
 
     def _of_tree(self, name: str) -> NamedRun:
         if self._store is None:
@@ -80,18 +98,28 @@ class NamedRuns:
         view = self._store.view(None if name in NOW else int(name))
         commit = view.header.commit
         at = f" of {commit[:10]}{'+' if commit.endswith('+') else ''}" if commit else ""
-        return NamedRun(f"run {view.id}{at}", view, commit)
+        return NamedRun(f"run {view.id}{at}", view, view.header.commits)
 
-    def _of_commit(self, commit: str, name: str) -> NamedRun:
-        title = name if commit.startswith(name) else f"{name} ({commit[:10]})"
-        past = self._past_runs()
-        found = past.commit(commit)
-        if found is None:
+    def _of_several(self, name: str) -> NamedRun:
+        """Return how several repositories stood on a day, at its end, or at a time."""
+        states = self._past_runs().states
+        try:
+            time_s = seconds_of(name) + (_DAY_S - 1 if re.fullmatch(r"\d{4}-\d{2}-\d{2}", name) else 0)
+        except UsageError:
             raise UsageError(
-                f'revision "{name}" is not behind the head', expected="one that the work tree comes from",
-                advice="Check out a branch that has it",
-            )  # fmt: skip
-        return NamedRun(title, past.store.view(past.run_of(found).run), commit)
+                f'"{name}" is no run: the workspace holds {len(states.repositories)} repositories, '
+                "and a revision is of one of them",
+                expected="a number of a kept run, `now`, `release`, or a date such as 2024-01-31",
+            ) from None
+        state = states.at(time_s)
+        if not any(commit for _, commit in state.commits):
+            raise UsageError(f'"{name}" is before the first commit of all repositories', expected="a later date")
+        return self._of_state(name, state)
+
+    def _of_state(self, name: str, state: PastState) -> NamedRun:
+        title = name if state.id.startswith(name) else f"{name} ({state.id[:10]})"
+        past = self._past_runs()
+        return NamedRun(title, past.store.view(past.run_of(state).run), state.commits)
 
     def _past_runs(self) -> PastRuns:
         if self._past is None:

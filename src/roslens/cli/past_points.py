@@ -8,6 +8,7 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roslens.cli.past_repositories import behind_heads
 from roslens.cli.past_store import kept_past
 from roslens.cli.shared_store import shared_address
 from roslens.cli.workplace import FOLDER, STORE, open_store
@@ -15,17 +16,6 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.store.trends import Trends
-
-
-def commits_behind(root: Path) -> frozenset[str] | None:
-    """Return the commits behind the head of the repository that a workspace is in; None where git cannot tell."""
-    from roslens.cli.git_repository import repository_of
-
-    try:
-        done = repository_of(str(root)).git("rev-list", "HEAD")
-    except UsageError:
-        return None
-    return frozenset(done.stdout.decode("ascii", "replace").split()) if done.returncode == 0 else None
 
 
 @contextmanager
@@ -36,6 +26,7 @@ def trends_of(start: str) -> Iterator[Trends]:
         UsageError: none were analysed.
         StoreError: they cannot be read.
     """
+    from roslens.cli.configuration import find_configuration
     from roslens.store.trends import Trends
 
     kept = kept_past(start)
@@ -51,7 +42,8 @@ def trends_of(start: str) -> Iterator[Trends]:
         if (kept.root / FOLDER / STORE).is_file() or shared_address(start):
             store = opened.enter_context(open_store(start))
             now = store.view() if store.latest() is not None else None
-        trends = Trends(past, now, commits_behind(kept.root))
+        settings = find_configuration(kept.root, None).source.workspace
+        trends = Trends(past, now, behind_heads(kept.root, settings))
         if trends.left_out:
             told = f"{trends.left_out} revisions that were analysed are not behind the head and are left out"
             print(f"roslens: {told}", file=sys.stderr)

@@ -11,19 +11,18 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.cli.git_repository import Repository, repository_of
+from roslens.cli.past_repositories import past_repositories
 from roslens.cli.past_store import open_past
 from roslens.cli.process_option import seconds_of
 from roslens.cli.workplace import CACHE, own_folder
 from roslens.model.errors import UsageError
 from roslens.model.failure import Failure
-from roslens.model.process import Release
 
 if TYPE_CHECKING:
-    from roslens.source.history.commit_log import Commit, CommitLog
-    from roslens.source.history.histories import ReadLog
     from roslens.source.history.past_cache import PastCache
-    from roslens.source.history.past_tree import PastTree
+    from roslens.source.history.past_of_state import PastOfState
+    from roslens.source.history.past_states import PastState, PastStates
+    from roslens.source.history.past_trees import PastTrees
     from roslens.source.settings import SourceSettings
     from roslens.store.runs import Store
 
@@ -40,32 +39,28 @@ class PastRuns:
     """Makes runs of past revisions, one after the other; see :func:`past_runs`."""
 
     def __init__(
-        self, root: Path, repository: Repository, settings: SourceSettings, store: Store, cache: PastCache,
-        tree: PastTree, history: tuple[CommitLog, tuple[Release, ...]],
-    ) -> None:  # fmt: skip
+        self, root: Path, settings: SourceSettings, store: Store, cache: PastCache, trees: PastTrees, states: PastStates
+    ) -> None:
         """Use :func:`past_runs`."""
+        from roslens.source.fetch.fetched_set import read_fetched_set
         from roslens.source.history.parts_of_commits import PartsOfCommits
         from roslens.source.keys import analyser_version, key_of
         from roslens.source.remembered_facts import RememberedFacts
 
         self.root = root
-        self.repository = repository
         self.store = store
-        self.log, self.released = history
+        self.states = states
         self._settings = settings
         self._cache = cache
-        self._tree = tree
+        self._trees = trees
         self._remembered = RememberedFacts()
-        self._parts = PartsOfCommits(self.log)
-        self._key = key_of(analyser_version(), settings)
+        self._parts = {one.place: PartsOfCommits(one.log) for one in states.repositories}
+        wanted = [(path, *sorted(names)) for path, names in sorted(read_fetched_set(str(root)).wanted.items())]
+        self._key = key_of(analyser_version(), settings, *wanted)
         self._known = {one.commit: one.run for one in store.revisions() if one.key == self._key}
 
-    def commit(self, name: str) -> Commit | None:
-        """Return the commit behind the head with this hash."""
-        return next((one for one in self.log.commits if one.id == name), None)
-
-    def run_of(self, commit: Commit) -> MadeRun:
-        """Return the run of a commit, made if there is none of these settings.
+    def run_of(self, state: PastState) -> MadeRun:
+        """Return the run of a state, made if there is none of these settings.
 
         Raises:
             RoslensError: git does not have the revision, or the store cannot be written.
@@ -73,33 +68,33 @@ class PastRuns:
         from roslens.source.history.git_answer import HistoryError
         from roslens.store.revisions import KeptRevision
 
-        if (known := self._known.get(commit.id)) is not None:
+        if (known := self._known.get(state.id)) is not None:
             return MadeRun(known, fresh=False, seconds=0.0)
         begun = time.monotonic()
         try:
-            self._cache.forget(self._tree.show(commit.id))
+            self._cache.forget(self._trees.show(state))
         except HistoryError as error:
             raise UsageError(
-                f'git cannot give the files of revision "{commit.id[:12]}": {error}',
+                f'git cannot give the files of revision "{state.id[:12]}": {error}',
                 expected="a repository that has them",
                 advice="In a partial clone, check the revision out once, so that git fetches them",
             ) from error
-        run = self._analysed(commit, begun)
-        self.store.mark_revision(KeptRevision(run, commit.id, self._key, commit.time_s))
-        self._known[commit.id] = run
+        run = self._analysed(state, begun)
+        commits = () if self.states.is_one else state.commits
+        self.store.mark_revision(KeptRevision(run, state.id, self._key, state.time_s, commits))
+        self._known[state.id] = run
         return MadeRun(run, fresh=True, seconds=time.monotonic() - begun)
 
-    def _analysed(self, commit: Commit, begun: float) -> int:
+    def _analysed(self, state: PastState, begun: float) -> int:
         from datetime import datetime, timezone
 
-        from roslens.source.history.past_of_commit import PastOfCommit
         from roslens.source.history.past_revision import PastRevision
         from roslens.source.pipeline import Clock, analyse
 
         now = time.time()
-        past = PastOfCommit(self.log, commit.id, self.released, self.repository.below, self._lacking(), self._parts)
+        past = self._past(state)
         return analyse(
-            [self._tree.folder],
+            [self._trees.folder],
             self._settings,
             store=self.store,
             cache=self._cache,
@@ -108,21 +103,35 @@ class PastRuns:
                 now,
                 lambda: time.monotonic() - begun,
             ),
-            base=self._tree.folder,
+            base=self._trees.folder,
             jobs=1,
             look_back=lambda _workspace, _cache: past,
-            revision=PastRevision(str(self.root), commit.id, self._remembered),
+            revision=PastRevision(str(self.root), state.id, self._remembered),
             kept_runs=None,
         ).run
+
+    def _past(self, state: PastState) -> PastOfState:
+        from roslens.source.history.past_of_commit import PastOfCommit
+        from roslens.source.history.past_of_state import PastOfState
+
+        commits = dict(state.commits)
+        return PastOfState(
+            tuple(
+                PastOfCommit(one.log, commits[one.place], one.released, one.place, one.below, self._parts[one.place])
+                for one in self.states.repositories
+                if commits[one.place]
+            ),
+            self._lacking(),
+        )
 
     def _lacking(self) -> tuple[Failure, ...]:
         """Return what of the revision on disk is not there."""
         found = []
-        if self._tree.lacking:
+        if self._trees.lacking:
             found.append(
                 Failure(
                     "history",
-                    f'git lacks {len(self._tree.lacking)} files of the revision, such as "{self._tree.lacking[0]}"',
+                    f'git lacks {len(self._trees.lacking)} files of the revision, such as "{self._trees.lacking[0]}"',
                     "a clone with all objects",
                     "Fetch them: git fetch --refetch --no-filter",
                     partial=True,
@@ -142,23 +151,23 @@ def past_runs(root: Path, settings: SourceSettings) -> Iterator[PastRuns]:
     """
     from roslens.source.history.histories import log_reader
     from roslens.source.history.past_cache import PastCache
-    from roslens.source.history.past_tree import PastTree
+    from roslens.source.history.past_states import PastStates
+    from roslens.source.history.past_trees import PastTrees
     from roslens.source.settings import ToolSettings
 
-    repository = repository_of(str(root))
     settings = msgspec.structs.replace(
         settings, tools=ToolSettings(), plugins=(), untrusted=(), options={}, models=_models(settings.models, root)
     )
     folder = own_folder(root)
-    with (
-        TemporaryDirectory(prefix="roslens-past-") as place,
-        open_past(root) as store,
-        PastCache.open(folder / CACHE) as cache,
-        PastTree(repository.root, repository.below, Path(place).resolve()) as tree,
-    ):
+    with PastCache.open(folder / CACHE) as cache:
         assert isinstance(cache, PastCache)  # noqa: S101 - only for the type checker
-        history = _history(repository, log_reader(cache))
-        yield PastRuns(root, repository, settings, store, cache, tree, history)
+        states = PastStates(past_repositories(root, settings.workspace, log_reader(cache)))
+        with (
+            TemporaryDirectory(prefix="roslens-past-") as place,
+            open_past(root) as store,
+            PastTrees(states.repositories, Path(place).resolve()) as trees,
+        ):
+            yield PastRuns(root, settings, store, cache, trees, states)
 
 
 def _models(names: Sequence[str], root: Path) -> tuple[str, ...]:
@@ -166,44 +175,24 @@ def _models(names: Sequence[str], root: Path) -> tuple[str, ...]:
     return tuple(str((root / name).resolve()) if (root / name).is_file() else name for name in names)
 
 
-def _history(repository: Repository, read: ReadLog) -> tuple[CommitLog, tuple[Release, ...]]:
-    from roslens.source.history.git_answer import HistoryError
-    from roslens.source.history.repository_head import head_of
-
-    try:
-        head = head_of(repository.root)
-        if not head.head:
-            raise UsageError(f"{repository.root} has no commit yet", expected="a history", advice="Commit something")
-        if head.is_shallow:
-            raise UsageError(
-                f"{repository.root} is a shallow clone: its older commits are missing",
-                expected="a clone with all commits",
-                advice="git fetch --unshallow",
-            )
-        log = read(head)
-    except HistoryError as error:
-        raise UsageError(
-            f"the history of {repository.root} cannot be read: {error}", expected="a repository that git can read"
-        ) from error
-    known = {commit.id for commit in log.commits}
-    return log, tuple(one for one in head.releases if one.commit in known)
-
-
-def since_of(text: str | None, runs: PastRuns) -> float | None:
-    """Return the time that ``--since`` means: a date, or that of a revision.
+def since_of(text: str | None, states: PastStates) -> float | None:
+    """Return the time that ``--since`` means: a date, or that of a revision of the only repository.
 
     Raises:
         UsageError: it is neither.
     """
-    from roslens.cli.git_repository import commit_of_revision
+    from roslens.cli.git_repository import commit_of_revision, repository_of
 
     if text is None:
         return None
-    if (name := commit_of_revision(runs.repository, text)) and (commit := runs.commit(name)) is not None:
-        return float(commit.time_s)
+    if states.is_one:
+        name = commit_of_revision(repository_of(states.repositories[0].top), text)
+        if (state := states.of_commit(name)) is not None:
+            return float(state.time_s)
     try:
         return seconds_of(text)
     except UsageError:
-        raise UsageError(
-            f"--since {text!r}", expected="a date such as 2024-01-31, or a revision behind the head"
-        ) from None
+        expected = "a date such as 2024-01-31, or a revision behind the head"
+        if not states.is_one:
+            expected = "a date such as 2024-01-31, as revisions are of one of the repositories"
+        raise UsageError(f"--since {text!r}", expected=expected) from None

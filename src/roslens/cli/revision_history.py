@@ -59,28 +59,28 @@ def analyse_past(options: argparse.Namespace, root: Path) -> int:
     from roslens.cli.configuration import find_configuration
     from roslens.cli.past_runs import past_runs, since_of
     from roslens.cli.streams import progress_for
-    from roslens.source.history.chosen_revisions import chosen_revisions
 
     every = every_of(options.every)
     settings = settings_of(options, find_configuration(root, options.config), os.environ)
     progress = progress_for(options)
     with past_runs(root, settings) as runs:
-        chosen = chosen_revisions(runs.log, runs.released, every, since_s=since_of(options.since, runs))
+        chosen = runs.states.chosen(every, since_s=since_of(options.since, runs.states))
         if not chosen:
             raise UsageError(f"no revision since {options.since}", expected="an earlier time")
         made = []
         progress.step("Analysing revisions", len(chosen))
         try:
-            for commit in chosen:
-                made.append(runs.run_of(commit))
-                progress.advance(item=commit.id[:10])
+            for state in chosen:
+                made.append(runs.run_of(state))
+                progress.advance(item=state.id[:10])
         finally:
             progress.finish()
         fresh = sorted(one.seconds for one in made if one.fresh)
         lacking = [failure for one in made if one.fresh for failure in runs.store.view(one.run).failures()]
+        several = "" if runs.states.is_one else f" of {len(runs.states.repositories)} repositories together"
     if not options.quiet:
         took = f", {sum(fresh):.1f} s, median {median(fresh):.2f} s a revision" if fresh else ""
-        print(f"roslens: {len(chosen)} revisions, {len(fresh)} of them analysed now{took}", file=sys.stderr)
+        print(f"roslens: {len(chosen)} revisions{several}, {len(fresh)} of them analysed now{took}", file=sys.stderr)
         if lacking:
             print(f"roslens: {len(lacking)} times something could not be analysed in part", file=sys.stderr)
         print("roslens: see them: roslens trend loc; roslens compare REVISION last; roslens serve", file=sys.stderr)

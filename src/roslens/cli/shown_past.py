@@ -5,9 +5,11 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from roslens.cli.renamed_between import Commits
     from roslens.dashboard.past import Past, Renamed
     from roslens.store.read import RunView
 
@@ -19,7 +21,8 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
     Raises:
         RoslensError: they cannot be read, or somebody else may have made them.
     """
-    from roslens.cli.past_points import commits_behind
+    from roslens.cli.configuration import find_configuration
+    from roslens.cli.past_repositories import behind_heads
     from roslens.cli.past_store import kept_past
     from roslens.dashboard.past import Past
     from roslens.store.trends import Trends
@@ -29,19 +32,15 @@ def shown_past(options: argparse.Namespace, view: RunView) -> Iterator[Past | No
         yield None
         return
     with kept.open() as store:
-        trends = Trends(store, view, commits_behind(kept.root)).load()
+        settings = find_configuration(kept.root, None).source.workspace
+        trends = Trends(store, view, behind_heads(kept.root, settings)).load()
         yield Past(trends, _renamed_in(view.header.root)) if len(trends.points) > 1 else None
 
 
 def _renamed_in(root: str) -> Renamed:
-    def renamed(before: str, after: str) -> Mapping[str, str]:
-        from roslens.cli.git_renames import renamed_files
-        from roslens.cli.git_repository import repository_of
-        from roslens.model.errors import UsageError
+    from roslens.cli.renamed_between import renamed_between
 
-        try:
-            return renamed_files(repository_of(root), before, after) if before and after else {}
-        except UsageError:
-            return {}
+    def renamed(before: Commits, after: Commits) -> Mapping[str, str]:
+        return renamed_between(Path(root), before, after)
 
     return renamed

@@ -76,12 +76,15 @@ def finding_difference(
 
 
 def _said(finding: Finding, renamed: Mapping[str, str]) -> tuple[str, str, str]:
-    """Return what a finding says without places in files, names of files as the later side has them."""
+    """Return what a finding is about and says, without places in files, names of files as the later side has them."""
     message = _PLACE.sub("", finding.message)
     for before, after in renamed.items():
         if before in message:
             message = message.replace(before, after)
-    return finding.rule, finding.entity, message
+    kind, _, rest = finding.entity.partition(":")
+    path, mark, inside = rest.partition("#")
+    entity = f"{kind}:{renamed[path]}{mark}{inside}" if path in renamed else finding.entity
+    return finding.rule, entity, message
 
 
 def _without(findings: Sequence[Finding], own: dict[str, Finding], other: dict[str, Finding]) -> tuple[Finding, ...]:

@@ -10,8 +10,9 @@ from roslens.model.trend import Trend, TrendEvent, TrendPoint
 from roslens.store.read import RunView
 from roslens.store.trends import Trends
 
-Renamed = Callable[[str, str], Mapping[str, str]]
-"""Returns, of two commits, the later path of each file that has another one, by the earlier."""
+Commits = tuple[tuple[str, str], ...]
+Renamed = Callable[[Commits, Commits], Mapping[str, str]]
+"""Returns, of the commits of two points, the later path of each file that has another one, by the earlier."""
 
 
 class Past:
@@ -63,7 +64,7 @@ class Past:
     def _difference(self, before: int, after: int) -> RunDifference:
         views = self._trends.views
         old, new = (_side(views[place]) for place in (before, after))
-        commits = (self.points[place].commit.rstrip("+") for place in (before, after))
+        commits = (self._trends.commits[place] for place in (before, after))
         return run_difference(old, new, self._renamed(*commits))
 
 

@@ -96,6 +96,13 @@ class RunHeader(msgspec.Struct, frozen=True, omit_defaults=True):
     models: tuple[str, ...] = ()
     repositories: tuple[FoundRepository, ...] = ()
 
+    @property
+    def commits(self) -> tuple[tuple[str, str], ...]:
+        """The commit of each repository, as far as known, by its place; ``.`` where the workspace lies in one."""
+        if self.commit:
+            return ((".", self.commit),)
+        return tuple((one.path, one.commit) for one in self.repositories if one.commit)
+
 
 class WorkspaceResult(msgspec.Struct, frozen=True, omit_defaults=True):
     """What only the packages together show.

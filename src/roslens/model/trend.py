@@ -45,11 +45,13 @@ class Trend(msgspec.Struct, frozen=True):
         quantity: key.
         title: as readers call it.
         unit: of the values.
-        whole_is: how ``whole`` is made of the packages: ``sum``, ``median`` or ``repository``, which has its own.
+        whole_is: how ``whole`` is made: ``sum`` or ``median`` of the packages, ``repository``, which has its own, or
+            ``repository_sum`` or ``repository_median`` of several.
         points: the earliest first.
         packages: values by package id, a place for each point; None where it has none.
         whole: of all packages together.
         events: in order of their points.
+        repositories: values by place of the repository, where there are several that have some.
     """
 
     quantity: str
@@ -60,3 +62,4 @@ class Trend(msgspec.Struct, frozen=True):
     packages: dict[str, tuple[float | None, ...]]
     whole: tuple[float | None, ...]
     events: tuple[TrendEvent, ...]
+    repositories: dict[str, tuple[float | None, ...]] = {}

@@ -13,7 +13,7 @@ from roslens.report.to_csv import Cell, Table
 SCHEMA = "roslens-trend/1"
 """Name and version; within a version keys are only added."""
 
-HEAD = ("quantity", "package", "commit", "time_s", "name", "run", "now", "value")
+HEAD = ("quantity", "package", "commit", "time_s", "name", "run", "now", "value", "repository")
 
 
 def trend_json(trend: Trend) -> str:
@@ -30,23 +30,26 @@ def trend_json(trend: Trend) -> str:
         ],
         "whole": [_plain(value) for value in trend.whole],
         "packages": {name: [_plain(value) for value in values] for name, values in trend.packages.items()},
+        "repositories": {name: [_plain(value) for value in values] for name, values in trend.repositories.items()},
         "events": [msgspec.to_builtins(one) for one in trend.events],
     }
     return msgspec.json.format(msgspec.json.encode(document), indent=1).decode() + "\n"
 
 
 def trend_table(trend: Trend) -> Table:
-    """Return a row for each value; that of all packages together has no package."""
+    """Return a row for each value; that of all packages together has no package, and no repository."""
     return HEAD, list(_rows(trend))
 
 
 def _rows(trend: Trend) -> Iterator[tuple[Cell, ...]]:
-    for package, values in (("", trend.whole), *trend.packages.items()):
+    columns = [("", "", trend.whole), *((name, "", values) for name, values in trend.packages.items())]
+    columns += [("", name, values) for name, values in trend.repositories.items()]
+    for package, repository, values in columns:
         for point, value in zip(trend.points, values, strict=True):
             if value is not None:
                 now = "yes" if point.now else "no"
                 place = (point.commit, plain(point.time_s), point.name, point.run, now)
-                yield (trend.quantity, package, *place, plain(value))
+                yield (trend.quantity, package, *place, plain(value), repository)
 
 
 def _plain(value: float | None) -> float | None:

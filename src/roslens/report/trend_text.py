@@ -11,7 +11,13 @@ from roslens.report.terminal import Terminal, left, right
 _BARS = "▁▂▃▄▅▆▇█"
 _ASCII_BARS = "_.-=+*#@"
 _MOST_EVENTS = 12
-_WHOLE = {"sum": "all packages", "median": "median package", "repository": "repository"}
+_WHOLE = {
+    "sum": "all packages",
+    "median": "median package",
+    "repository": "repository",
+    "repository_sum": "all repositories",
+    "repository_median": "median repository",
+}
 
 
 def trend_text(trend: Trend, terminal: Terminal, *, decimals: int, most: int = 20) -> str:
@@ -32,7 +38,10 @@ def _lines(trend: Trend, terminal: Terminal, decimals: int, most: int) -> Iterat
     yield f"{trend.title}{unit}: {len(trend.points)} revisions, {_named(first)} to {_named(last)}"
     yield ""
     rows = [(_WHOLE[trend.whole_is], trend.whole)] if any(one is not None for one in trend.whole) else []
-    packages = sorted(trend.packages.items(), key=lambda item: (-abs(_change(item[1]) or 0), item[0]))
+    repositories = {f"{name}/": values for name, values in trend.repositories.items()}
+    packages = sorted(
+        {**repositories, **trend.packages}.items(), key=lambda item: (-abs(_change(item[1]) or 0), item[0])
+    )
     rows += packages[:most]
     names = max((len(name) for name, _ in rows), default=0)
     names = min(names, 40)

@@ -148,6 +148,8 @@ def analyse(
     manifests.keep()
     fetched = read_fetched_set(workspace.root)
     workspace = fetched.narrowed(workspace)
+    if revision is not None:
+        workspace = read_fetched_set(revision.root).only_wanted(workspace)
     accepted, unread = read_acceptances(base / ACCEPTED)
     known = cache.stats(now_s=clock.epoch_s)
     inventory = take_inventory(workspace, settings.workspace, known)

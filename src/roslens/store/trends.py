@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from datetime import datetime, timezone
 from functools import cached_property
 from statistics import median
+
+import msgspec
 
 from roslens.model.finding import Severity
 from roslens.model.process import Release
@@ -13,7 +17,11 @@ from roslens.model.result import PackageSummary, RunHeader
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.model.trend import Trend, TrendEvent, TrendPoint
 from roslens.store.read import RunView
+from roslens.store.revisions import KeptRevision
 from roslens.store.runs import Store
+
+Commits = tuple[tuple[str, str], ...]
+IsBehind = Callable[[Commits], bool]
 
 COUNTS = {
     "findings": "Findings",
@@ -24,6 +32,8 @@ COUNTS = {
 """What can be followed besides quantities: findings that count for gates, all or of one severity."""
 
 _SEVERITIES = {"errors": Severity.ERROR, "warnings": Severity.WARNING, "notes": Severity.NOTE}
+_OF_REPOSITORIES = {"revisions", "churn", "releases", "revisions_since_release"}
+"""What can be added up over repositories."""
 _SUMS = {"files", "classes", "functions", "rqv", "rcv"}
 
 
@@ -33,41 +43,62 @@ class Trends:
     Everything is read once: summaries of packages are shared by the runs in which a package did not change.
     """
 
-    def __init__(self, past: Store, now: RunView | None = None, behind: Collection[str] | None = None) -> None:
+    def __init__(self, past: Store, now: RunView | None = None, behind: IsBehind | None = None) -> None:
         """Take both.
 
         Args:
             past: the store of past revisions.
             now: the newest run of the tree; None for none.
-            behind: the commits behind the head: others were on another branch, or a forced push took them away, and are
-                left out; None where they are not known.
+            behind: whether commits are behind the heads of today: others were on another branch, or a forced push took
+                them away, and are left out, as are those of other repositories than the newest was made of; None where
+                that is not known.
         """
         self._past = past
         self._now = now
         kept = past.revisions()
-        self._revisions = tuple(one for one in kept if behind is None or one.commit in behind)
+        newest = max(kept, key=lambda one: one.run, default=None)
+        self._revisions = tuple(
+            one for one in kept if _places(one) == _places(newest or one) and (behind is None or behind(_commits(one)))
+        )
         self.left_out = len(kept) - len(self._revisions)
 
     @cached_property
     def points(self) -> tuple[TrendPoint, ...]:
         """All runs, the earliest first."""
+        days = Counter(_form(one.time_s, "%Y-%m-%d") for one in self._revisions)
         tagged = {one.commit: one.name for one in reversed(self.releases)}
         found = [
-            TrendPoint(one.run, one.commit, one.time_s, tagged.get(one.commit, one.commit[:10]))
+            TrendPoint(
+                one.run, one.commit, one.time_s,
+                _moment(one.time_s, days) if one.commits else tagged.get(one.commit, one.commit[:10]),
+            )
             for one in self._revisions
-        ]
+        ]  # fmt: skip
         # A tree that is a revision which is there already says nothing more.
-        if self._now is not None and not any(one.commit == self._now.header.commit for one in self._revisions):
+        if self._now is not None and not any(_is_of(self._now.header, one) for one in self._revisions):
             header = self._now.header
             found.append(TrendPoint(self._now.id, header.commit, _seconds(header.started), "now", now=True))
         return tuple(found)
 
     @cached_property
     def releases(self) -> tuple[Release, ...]:
-        """The releases behind the newest revision, the newest first."""
+        """The releases behind the newest revision, the newest first; of several repositories with their places."""
         if not self._revisions:
             return ()
-        return tuple(one for found in self._past.view(self._revisions[-1].run).process for one in found.releases)
+        several = bool(self._revisions[-1].commits)
+        found = [
+            msgspec.structs.replace(one, name=f"{told.path} {one.name}") if several else one
+            for told in self._past.view(self._revisions[-1].run).process
+            for one in told.releases
+        ]
+        return tuple(sorted(found, key=lambda one: (-one.time_s, one.name)) if several else found)
+
+    @cached_property
+    def commits(self) -> tuple[Commits, ...]:
+        """The commit of each repository, by its place, at each point."""
+        past = {one.run: _commits(one) for one in self._revisions}
+        now = self._now.header.commits if self._now is not None else ()
+        return tuple(now if one.now else past[one.run] for one in self.points)
 
     @cached_property
     def views(self) -> tuple[RunView, ...]:
@@ -82,8 +113,8 @@ class Trends:
         return tuple(now if one.now else past[one.run] for one in self.points)
 
     @cached_property
-    def _repositories(self) -> tuple[dict[str, float], ...]:
-        return tuple(view.process[0].values if view.process else {} for view in self.views)
+    def _repositories(self) -> tuple[dict[str, dict[str, float]], ...]:
+        return tuple({one.path: one.values for one in view.process} for view in self.views)
 
     @cached_property
     def quantities(self) -> Mapping[str, Quantity]:
@@ -94,7 +125,7 @@ class Trends:
     def keys(self) -> tuple[str, ...]:
         """What can be followed, sorted: quantities of packages, of the repository, and counts of findings."""
         found = {key for packages in self._packages for one in packages for key in one.values}
-        found.update(key for values in self._repositories for key in values)
+        found.update(key for told in self._repositories for values in told.values() for key in values)
         return tuple(sorted(found | COUNTS.keys()))
 
     @cached_property
@@ -102,9 +133,12 @@ class Trends:
         """Releases, and changes of what measures and judges."""
         found = []
         headers = [view.header for view in self.views]
-        times = {point.commit: place for place, point in enumerate(self.points)}
+        first: dict[str, int] = {}
+        for place, commits in enumerate(self.commits):
+            for _, commit in commits:
+                first.setdefault(commit, place)
         for release in reversed(self.releases):
-            place = times.get(release.commit)
+            place = first.get(release.commit)
             if place is None:
                 later = (at for at, point in enumerate(self.points) if at and point.time_s >= release.time_s)
                 place = next(later, None)
@@ -125,11 +159,18 @@ class Trends:
         columns: dict[str, list[float | None]] = {name: [] for name in sorted(names)}
         whole: list[float | None] = []
         how = self._how(key)
-        for packages, repository in zip(self._packages, self._repositories, strict=True):
+        repositories: dict[str, list[float | None]] = {
+            path: [] for path in sorted({path for told in self._repositories for path in told})
+        }
+        for packages, told in zip(self._packages, self._repositories, strict=True):
+            for path, column in repositories.items():
+                column.append(told.get(path, {}).get(key))
             values = {one.id: _value(one, key) for one in packages}
             for name, column in columns.items():
                 column.append(values.get(name))
-            whole.append(_whole(how, [one for one in values.values() if one is not None], repository.get(key)))
+            of_repositories = [found[key] for found in told.values() if key in found]
+            among = of_repositories if how.startswith("repository") else values.values()
+            whole.append(_whole(how, [one for one in among if one is not None]))
         base = self.quantities.get(key.partition(".")[0])
         known = {name: tuple(column) for name, column in columns.items() if any(one is not None for one in column)}
         title = COUNTS.get(key) or (base.title if base else key)
@@ -138,11 +179,18 @@ class Trends:
         return Trend(
             key, f"{title} ({fold})" if fold else title, unit, how,
             self.points, known, tuple(whole), self.events,
+            {
+                path: tuple(column)
+                for path, column in repositories.items()
+                if len(repositories) > 1 and any(one is not None for one in column)
+            },
         )  # fmt: skip
 
     def _how(self, key: str) -> str:
-        if any(key in values for values in self._repositories):
-            return "repository"
+        if any(key in values for told in self._repositories for values in told.values()):
+            if all(len(told) <= 1 for told in self._repositories):
+                return "repository"
+            return "repository_sum" if key in _OF_REPOSITORIES else "repository_median"
         base = self.quantities.get(key)
         sums = key in COUNTS or key in _SUMS or (base is not None and base.folds[:1] == (Fold.SUM,))
         return "sum" if sums else "median"
@@ -155,12 +203,35 @@ def _value(package: PackageSummary, key: str) -> float | None:
     return package.values.get(key)
 
 
-def _whole(how: str, values: Sequence[float], repository: float | None) -> float | None:
-    if how == "repository":
-        return repository
+def _whole(how: str, values: Sequence[float]) -> float | None:
     if not values:
         return None
-    return sum(values) if how == "sum" else median(values)
+    return median(values) if how.endswith("median") else sum(values)
+
+
+def _commits(revision: KeptRevision) -> Commits:
+    return revision.commits or ((".", revision.commit),)
+
+
+def _places(revision: KeptRevision) -> list[str]:
+    return [place for place, _ in _commits(revision)]
+
+
+def _is_of(header: RunHeader, revision: KeptRevision) -> bool:
+    """Return whether a run of the tree is of this revision, and of no changed file."""
+    if not revision.commits:
+        return header.commit == revision.commit
+    return {*header.commits} == {one for one in revision.commits if one[1]}
+
+
+def _moment(time_s: int, days: Mapping[str, int]) -> str:
+    """Return the day, and the minute where several are of one day."""
+    day = _form(time_s, "%Y-%m-%d")
+    return day if days[day] == 1 else _form(time_s, "%Y-%m-%d %H:%M")
+
+
+def _form(time_s: float, form: str) -> str:
+    return datetime.fromtimestamp(time_s, tz=timezone.utc).strftime(form)
 
 
 def _changes(place: int, before: RunHeader, after: RunHeader) -> Iterable[TrendEvent]:
@@ -185,8 +256,6 @@ def _changes(place: int, before: RunHeader, after: RunHeader) -> Iterable[TrendE
 
 
 def _seconds(started: str) -> float:
-    from datetime import datetime
-
     try:
         return datetime.fromisoformat(started).timestamp()
     except ValueError:

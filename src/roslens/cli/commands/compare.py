@@ -96,6 +96,7 @@ def _of_runs(options: argparse.Namespace) -> int:
     from roslens.cli.named_run import named_runs
     from roslens.cli.own_results import refuse_foreign
     from roslens.cli.past_store import workspace_root
+    from roslens.cli.renamed_between import renamed_between
     from roslens.cli.streams import write_result
     from roslens.cli.workplace import FOLDER
     from roslens.compare.run_difference import run_difference
@@ -106,7 +107,7 @@ def _of_runs(options: argparse.Namespace) -> int:
     settings = settings_of(options, find_configuration(root, options.config), os.environ)
     with named_runs(root, settings) as runs:
         before, after = runs.find(options.before), runs.find(options.after)
-        found = run_difference(_side(before), _side(after), _renamed(str(root), before.commit, after.commit))
+        found = run_difference(_side(before), _side(after), renamed_between(root, before.commits, after.commits))
         text = _written(options.format, found, before, after)
     write_result(text, options.output)
     if options.fail_on in (None, "never"):
@@ -121,20 +122,6 @@ def _side(one: NamedRun) -> RunSide:
     header = one.view.header
     made_by = {**header.tools, "models": ", ".join(header.models)}
     return RunSide(tuple(one.view.findings()), one.view.packages(), made_by)
-
-
-def _renamed(root: str, before: str, after: str) -> dict[str, str]:
-    """Return files that git says were renamed; none where a run is of no known commit."""
-    from roslens.cli.git_renames import renamed_files
-    from roslens.cli.git_repository import repository_of
-    from roslens.model.errors import UsageError
-
-    if not before or not after:
-        return {}
-    try:
-        return renamed_files(repository_of(root), before.rstrip("+"), after.rstrip("+"))
-    except UsageError:
-        return {}
 
 
 def _written(form: str, found: RunDifference, before: NamedRun, after: NamedRun) -> str:

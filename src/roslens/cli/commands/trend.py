@@ -119,4 +119,5 @@ def _since(trend: Trend, time_s: float) -> Trend:
         trend.quantity, trend.title, trend.unit, trend.whole_is, trend.points[first:],
         {name: values[first:] for name, values in trend.packages.items()}, trend.whole[first:],
         tuple(TrendEvent(one.point - first, one.kind, one.text) for one in trend.events if one.point >= first),
+        {name: values[first:] for name, values in trend.repositories.items()},
     )  # fmt: skip

@@ -13,7 +13,13 @@ from roslens.model.trend import Trend
 MAIN = ("findings", "loc", "cyclomatic_complexity.max", "duplication_ratio", "revisions", "contributors")
 """Quantities whose curves are shown at once."""
 
-WHOLE = {"sum": "all packages", "median": "median of the packages", "repository": "the repository"}
+WHOLE = {
+    "sum": "all packages",
+    "median": "median of the packages",
+    "repository": "the repository",
+    "repository_sum": "all repositories",
+    "repository_median": "median of the repositories",
+}
 
 
 def build(site: Site, request: Request) -> View | None:

@@ -26,12 +26,25 @@ class FetchedSet(msgspec.Struct, frozen=True):
     taken: dict[str, Taken]
     failures: tuple[Failure, ...] = ()
 
+    @property
+    def wanted(self) -> dict[str, frozenset[str]]:
+        """The names of the packages that are wanted, by folder of their repository; of others all are."""
+        return {path: frozenset(one.wanted.packages) for path, one in self.taken.items() if one.wanted.packages}
+
+    def only_wanted(self, workspace: Workspace) -> Workspace:
+        """Return the workspace with only the packages that are wanted; nothing is said of what is missing."""
+        wanted = self.wanted
+        if not wanted:
+            return workspace
+        return msgspec.structs.replace(
+            workspace, packages=tuple(found for found in workspace.packages if _is_wanted(found, wanted))
+        )
+
     def narrowed(self, workspace: Workspace) -> Workspace:
         """Return the workspace with only the packages that are wanted, and with what is missing as failures."""
         if not self.taken and not self.failures:
             return workspace
-        wanted = {path: frozenset(one.wanted.packages) for path, one in self.taken.items() if one.wanted.packages}
-        kept = [found for found in workspace.packages if _is_wanted(found, wanted)]
+        kept = self.only_wanted(workspace).packages
         names: dict[str, set[str]] = {}
         for found in kept:
             names.setdefault(folder_among(found.package.path, self.taken), set()).add(found.package.name)
@@ -40,7 +53,7 @@ class FetchedSet(msgspec.Struct, frozen=True):
             absent = [name for name in one.wanted.packages if name not in names.get(path, ())]
             missing += [_absent(path, one, name) for name in absent if one.commit and not one.failure]
         return msgspec.structs.replace(
-            workspace, packages=tuple(kept), failures=(*workspace.failures, *missing, *self.failures)
+            workspace, packages=kept, failures=(*workspace.failures, *missing, *self.failures)
         )
 
 

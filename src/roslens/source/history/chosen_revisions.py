@@ -14,7 +14,8 @@ from roslens.source.history.commit_log import Commit, CommitLog
 
 Period = Literal["release", "month", "week", "day"]
 PERIODS: tuple[Period, ...] = ("release", "month", "week", "day")
-_FORMS = {"month": "%Y-%m", "week": "%G-%V", "day": "%Y-%m-%d"}
+FORMS = {"month": "%Y-%m", "week": "%G-%V", "day": "%Y-%m-%d"}
+"""How the time of a commit names the period that it is in."""
 
 
 class Every(msgspec.Struct, frozen=True):
@@ -55,7 +56,7 @@ def chosen_revisions(
         tagged = {one.commit for one in released}
         found = [commit for number, commit in enumerate(log.commits) if commit.id in tagged or number == 0]
     elif every.period is not None:
-        found = list(_last_of_each(main_line(log), _FORMS[every.period]))
+        found = list(last_of_each(main_line(log), FORMS[every.period]))
     else:
         found = main_line(log)[:: every.step]
     return [one for one in reversed(found) if since_s is None or one.time_s >= since_s]
@@ -72,7 +73,8 @@ def main_line(log: CommitLog) -> list[Commit]:
     return found
 
 
-def _last_of_each(newest_first: Sequence[Commit], form: str) -> Iterator[Commit]:
+def last_of_each(newest_first: Sequence[Commit], form: str) -> Iterator[Commit]:
+    """Yield the last commit of each period."""
     seen = set()
     for commit in newest_first:
         period = datetime.fromtimestamp(commit.time_s, tz=timezone.utc).strftime(form)

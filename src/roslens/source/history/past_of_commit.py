@@ -23,22 +23,22 @@ class PastOfCommit(msgspec.Struct, frozen=True):
         log: of a later head that has the commit behind it.
         commit: that is looked at.
         released: releases behind the later head.
+        place: of the repository below the root of the workspace; ``.`` where the workspace lies in it.
         below: the folder of the repository that is looked at; empty or ending with ``/``.
-        failures: of the revision.
         parts: of the commits of the log, which all revisions share.
     """
 
     log: CommitLog
     commit: str
     released: tuple[Release, ...]
+    place: str = "."
     below: str = ""
-    failures: tuple[Failure, ...] = ()
     parts: PartsOfCommits | None = None
 
     @property
     def key(self) -> str:
         """A key of all that shapes what is told."""
-        return key_of(self.commit, self.released, self.failures)
+        return key_of(self.place, self.commit, self.released)
 
     def tell(
         self,
@@ -49,13 +49,23 @@ class PastOfCommit(msgspec.Struct, frozen=True):
         """Return what the history says, and what it cannot say."""
         then = behind(self.log, self.commit)
         known = {commit.id for commit in then.commits}
-        folders = {
-            one: f"{self.below}{path}" if path != "." else self.below.rstrip("/") for one, path in packages.items()
-        }
-        folders.pop(OUTSIDE_PACKAGES, None)
+        folders = self._folders(packages)
         found = measure_history(
-            then, [one for one in self.released if one.commit in known], path=".", packages=folders, files={},
+            then, [one for one in self.released if one.commit in known], path=self.place, packages=folders, files={},
             complexity=complexity, parts=self.parts,
         )  # fmt: skip
-        lacking = () if then.has_lines else (without_contents(".", has_changes=then.has_changes),)
+        lacking = () if then.has_lines else (without_contents(self.place, has_changes=then.has_changes),)
         return (found,), lacking
+
+    def _folders(self, packages: Mapping[str, str]) -> dict[str, str]:
+        """Return the folder of each package of the repository, below its root."""
+        inside = {one: path for one, path in packages.items() if one != OUTSIDE_PACKAGES}
+        if self.place == ".":
+            return {
+                one: f"{self.below}{path}" if path != "." else self.below.rstrip("/") for one, path in inside.items()
+            }
+        return {
+            one: path[len(self.place) + 1 :]
+            for one, path in inside.items()
+            if path == self.place or path.startswith(f"{self.place}/")
+        }

@@ -8,11 +8,11 @@ from roslens.source.remembered_facts import RememberedFacts
 
 
 class PastRevision(msgspec.Struct, frozen=True):
-    """Which commit of which workspace the folders of a run hold.
+    """Which past state of which workspace the folders of a run hold.
 
     Attributes:
         root: of the workspace.
-        commit: git's hash.
+        commit: git's hash; of a workspace of several repositories a hash of all of theirs.
         remembered: what was learned of the revisions before, in this process.
     """
 

@@ -77,12 +77,12 @@ class PastTree:
             self._process = None
 
     def show(self, commit: str) -> list[str]:
-        """Make the folder hold the files of a commit; return the paths that were written or removed.
+        """Make the folder hold the files of a commit, none of an empty one; return the paths written or removed.
 
         Raises:
             HistoryError: git does not have the list of files.
         """
-        wanted = {entry.path: entry for entry in _entries(self._top, self._below, commit)}
+        wanted = {entry.path: entry for entry in _entries(self._top, self._below, commit)} if commit else {}
         self.submodules = tuple(path for path, entry in wanted.items() if entry.mode == _SUBMODULE)
         wanted = {path: entry for path, entry in wanted.items() if entry.mode != _SUBMODULE}
         gone = [path for path in self._there if wanted.get(path) != self._there[path]]

@@ -21,7 +21,7 @@ from roslens.source.answer import Answer
 from roslens.source.changed_packages import left_out_of, with_changes
 from roslens.source.chosen_models import chosen_models, model_key
 from roslens.source.executor import executor_for
-from roslens.source.fetch.fetched_set import FetchedSet, read_fetched_set
+from roslens.source.fetch.fetched_set import FetchedSet, only_fetched
 from roslens.source.inventory import Inventory, take_inventory
 from roslens.source.keys import analyser_version, key_of
 from roslens.source.known_manifests import KnownManifests
@@ -146,10 +146,7 @@ def analyse(
     manifests = KnownManifests(cache)
     workspace = find_workspace(paths, settings.workspace, read=manifests.read)
     manifests.keep()
-    fetched = read_fetched_set(workspace.root)
-    workspace = fetched.narrowed(workspace)
-    if revision is not None:
-        workspace = read_fetched_set(revision.root).only_wanted(workspace)
+    fetched, workspace = only_fetched(workspace, revision.root if revision else None)
     accepted, unread = read_acceptances(base / ACCEPTED)
     known = cache.stats(now_s=clock.epoch_s)
     inventory = take_inventory(workspace, settings.workspace, known)

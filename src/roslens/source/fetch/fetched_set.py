@@ -57,6 +57,20 @@ class FetchedSet(msgspec.Struct, frozen=True):
         )
 
 
+def only_fetched(workspace: Workspace, past_of: str | None = None) -> tuple[FetchedSet, Workspace]:
+    """Return what the lock of a workspace says, and the workspace with only what it wants.
+
+    Args:
+        workspace: with all its packages.
+        past_of: where it holds a past revision of another workspace, the root of that, whose lock says what is wanted;
+            what is missing today is then no failure.
+    """
+    if past_of is not None:
+        return FetchedSet({}), read_fetched_set(past_of).only_wanted(workspace)
+    fetched = read_fetched_set(workspace.root)
+    return fetched, fetched.narrowed(workspace)
+
+
 def read_fetched_set(root: str) -> FetchedSet:
     """Return what the lock in the root of a workspace says; nothing where it has none."""
     try:

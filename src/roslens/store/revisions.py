@@ -40,6 +40,8 @@ def write_revision(connection: sqlite3.Connection, one: KeptRevision) -> None:
 def read_revisions(connection: sqlite3.Connection) -> tuple[KeptRevision, ...]:
     """Return all of them, the earliest first; of several runs of a commit the newest."""
     rows = connection.execute('SELECT run, "commit", key, time_s, commits FROM revision ORDER BY time_s, run')
-    kept = (KeptRevision(run, *facts, _read_commits(commits)) for run, *facts, commits in rows)
+    kept = (
+        KeptRevision(run, commit, key, time_s, _read_commits(commits)) for run, commit, key, time_s, commits in rows
+    )
     newest = {one.commit: one for one in kept}
     return tuple(sorted(newest.values(), key=lambda one: (one.time_s, one.run)))

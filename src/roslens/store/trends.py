@@ -134,9 +134,9 @@ class Trends:
         found = []
         headers = [view.header for view in self.views]
         first: dict[str, int] = {}
-        for place, commits in enumerate(self.commits):
+        for at, commits in enumerate(self.commits):
             for _, commit in commits:
-                first.setdefault(commit, place)
+                first.setdefault(commit, at)
         for release in reversed(self.releases):
             place = first.get(release.commit)
             if place is None:

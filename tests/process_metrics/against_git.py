@@ -67,6 +67,7 @@ def differences(folder: Path, *, most_files: int = 40) -> tuple[int, list[Differ
     ]
     entities += [(EntityKind.PACKAGE, one, _pathspec(paths[one], paths.values()), found.packages[one]) for one in paths]
     files = sorted(found.files, key=lambda path: -found.files[path]["revisions"])[:most_files]
+    files = [path for path in files if not was_copied(folder, path)]
     entities += [(EntityKind.FILE, path, [f":(literal){path}"], found.files[path]) for path in files]
     compared, wrong = 0, []
     for kind, name, pathspec, values in entities:
@@ -77,6 +78,8 @@ def differences(folder: Path, *, most_files: int = 40) -> tuple[int, list[Differ
             if not same:
                 wrong.append(Difference(f"{kind.value}:{name}", quantity, ours, gits))
     for pair in found.coupled_files[:20]:
+        if was_copied(folder, pair.first) or was_copied(folder, pair.second):
+            continue
         compared += 1
         if (gits := _shared(folder, pair.first, pair.second)) != pair.shared:
             wrong.append(Difference(f"file:{pair.first} with {pair.second}", "change_coupling", pair.shared, gits))
@@ -92,8 +95,8 @@ def _pathspec(path: str, others: Sequence[str]) -> list[str]:
 def _answers(
     folder: Path, kind: EntityKind, pathspec: list[str], found: RepositoryProcess
 ) -> Iterator[tuple[str, float]]:
-    which = "repository" if kind is EntityKind.REPOSITORY else "path"
     for metric in PROCESS_METRICS:
+        which = "path" if kind is EntityKind.PACKAGE else kind.value
         if metric in (hotspot, change_coupling) or kind not in metric.QUANTITY.kinds or which not in metric.COMMANDS:
             continue
         command = metric.COMMANDS[which]
@@ -112,13 +115,21 @@ def _tagged(found: RepositoryProcess) -> str:
 
 def _shared(folder: Path, first: str, second: str) -> int:
     """Return how many commits change both, of those that are no merge and change few enough files."""
-    form = "git rev-list --no-merges --full-history HEAD -- {} | sort"
+    form = "git log --follow --topo-order --no-merges --format=%H HEAD -- {} | sort"
     both = asked(folder, f"comm -12 <({form.format(shlex.quote(first))}) <({form.format(shlex.quote(second))})").split()
     sizes = (
         asked(folder, f"git diff-tree --root --no-commit-id --no-renames --name-only -r {commit} | wc -l")
         for commit in both
     )
     return sum(int(size) <= change_coupling.LARGEST_COMMIT for size in sizes)
+
+
+def was_copied(folder: Path, path: str) -> bool:
+    """Return whether git follows a file to one that it was copied from, which is no renaming."""
+    said = asked(
+        folder, f"git log --follow --topo-order --no-merges --name-status --format= HEAD -- {shlex.quote(path)}"
+    )
+    return any(line.startswith("C") for line in said.splitlines())
 
 
 def asked(folder: Path, command: str) -> str:

@@ -36,7 +36,8 @@ def test_values_worked_out_by_hand(small):
     assert (a["revisions"], a["contributors"], a["age"], a["time_since_last_commit"]) == (8, 4, 12, 5)
     assert inner["revisions"] == 7
     assert found.packages["outer"]["revisions"] == 12  # not README; the file inside the inner package is not its own
-    assert found.files["outer/src/moved.cpp"]["revisions"] == 1
+    assert found.files["outer/src/moved.cpp"]["revisions"] == 2  # and as one.cpp
+    assert found.files["outer/src/moved.cpp"]["churn"] == 4  # moving changed no line
     assert found.files["outer/src/grün & blau.py"]["churn"] == 1
     assert found.coupled_packages == (Coupling("inner", "outer", 7, round(14 / 19, 4)),)
     assert found.coupled_files == (Coupling("outer/inner/b.cpp", "outer/src/a.cpp", 7, round(14 / 15, 4)),)
@@ -180,3 +181,70 @@ def test_a_clone_that_lost_an_object_tells_what_it_can(empty):
             {"p": "."}, {}, {}, log_reader(cache)
         )
     assert (found.values["revisions"], found.packages["p"]["revisions"], "churn" in found.values) == (2, 2, False)
+
+
+def test_a_file_keeps_its_past_under_the_names_it_had(empty):
+    ann, bob = "Ann Ott <ann@x.org>", "Bob <bob@x.org>"
+    empty.commit("first", day=0, who=ann, p__package_DOT_xml=MANIFEST.format("p"), p__a_DOT_cpp=function("a", 20))
+    empty.commit("second", day=1, who=bob, p__a_DOT_cpp=function("a", 21))
+    empty.git("mv", "p/a.cpp", "p/b.cpp")
+    empty.commit("renamed and changed", day=2, who=ann, p__b_DOT_cpp=function("a", 23))
+    (empty.root / "q").mkdir()
+    empty.git("mv", "p/b.cpp", "q/c.cpp")
+    empty.commit("renamed again", day=3, who=ann, q__package_DOT_xml=MANIFEST.format("q"))
+    empty.commit("and changed", day=4, who=ann, q__c_DOT_cpp=function("a", 24))
+    compared, wrong = differences(empty.root)
+    assert not wrong
+    assert compared > 30
+    found = process_of(empty.root).files["q/c.cpp"]
+    assert (found["revisions"], found["contributors"], found["age"]) == (5, 2, 4)
+    assert found["churn"] == 23 + 1 + 2 + 0 + 1
+    assert found["ownership"] == 0.8
+
+
+def test_a_path_that_another_file_takes_over(empty):
+    first, second = function("first", 20), "".join(f"#define A{number} {number}\n" for number in range(40))
+    empty.commit("first", day=0, package_DOT_xml=MANIFEST.format("p"), a_DOT_cpp=first, b_DOT_cpp=second)
+    empty.commit("second", day=1, a_DOT_cpp=first + "int more;\n")
+    # a.cpp was there before and afterwards, so to git it is a file that changed, and c.cpp a copy of what it was.
+    empty.git("mv", "a.cpp", "c.cpp")
+    empty.git("mv", "b.cpp", "a.cpp")
+    empty.commit("third", day=2)
+    compared, wrong = differences(empty.root)
+    assert not wrong
+    assert compared
+    files = process_of(empty.root).files
+    assert {path: files[path]["revisions"] for path in ("a.cpp", "c.cpp")} == {"a.cpp": 3, "c.cpp": 1}
+
+
+def test_a_path_that_is_used_again(empty):
+    empty.commit("first", day=0, package_DOT_xml=MANIFEST.format("p"), a_DOT_cpp=function("a", 20))
+    empty.git("mv", "a.cpp", "b.cpp")
+    empty.commit("renamed", day=1)
+    empty.commit("another", day=2, a_DOT_cpp="".join(f"#define A{number} {number}\n" for number in range(40)))
+    empty.commit("both", day=3, a_DOT_cpp="// none\n", b_DOT_cpp=function("a", 21))
+    compared, wrong = differences(empty.root)
+    assert not wrong
+    assert compared
+    assert process_of(empty.root).files["b.cpp"]["revisions"] == 3
+
+
+def test_a_renaming_on_a_branch_that_is_merged(empty):
+    empty.commit("first", day=0, package_DOT_xml=MANIFEST.format("p"), a_DOT_cpp=function("a", 20))
+    empty.git("checkout", "-q", "-b", "side")
+    empty.git("mv", "a.cpp", "b.cpp")
+    empty.commit("renamed", day=1)
+    empty.git("checkout", "-q", "-")
+    empty.commit("elsewhere", day=2, c_DOT_cpp=function("c", 1))
+    empty.git("merge", "-q", "--no-ff", "-m", "merged", "side", day=3)
+    _, wrong = differences(empty.root)
+    assert not wrong
+    assert process_of(empty.root).files["b.cpp"]["revisions"] == 2
+
+
+def test_a_partial_clone_follows_what_was_renamed_without_a_change(small, tmp_path):
+    from roslens.source.history.read_log import read_log
+
+    log = read_log(str(small.root), "HEAD", contents=False)
+    renames = [(log.paths[one.old], log.paths[one.new]) for commit in log.commits for one in commit.renames]
+    assert renames == [("outer/src/one.cpp", "outer/src/moved.cpp")]

@@ -21,6 +21,22 @@ class Change(msgspec.Struct, frozen=True, array_like=True, gc=False):
     deleted: int = 0
 
 
+class Rename(msgspec.Struct, frozen=True, array_like=True, gc=False):
+    """A file that a commit gave another path, as git finds it by how alike the contents are.
+
+    Attributes:
+        old: place of the path before in :attr:`CommitLog.paths`.
+        new: place of the path afterwards.
+        added: lines that the content before has not.
+        deleted: lines that the content afterwards has not.
+    """
+
+    old: int
+    new: int
+    added: int = 0
+    deleted: int = 0
+
+
 class Commit(msgspec.Struct, frozen=True, array_like=True):
     """One commit.
 
@@ -29,7 +45,8 @@ class Commit(msgspec.Struct, frozen=True, array_like=True):
         parents: their hashes; none of a first commit, two or more of a merge.
         time_s: when it was committed, in seconds since 1970, as the committer's clock had it.
         people: author and co-authors, as places in :attr:`CommitLog.people`; each once.
-        changes: against its parent, without following renames; empty for a merge.
+        changes: against its parent, those of a renamed file under both paths; empty for a merge.
+        renames: which of these are of one file.
     """
 
     id: str
@@ -37,6 +54,7 @@ class Commit(msgspec.Struct, frozen=True, array_like=True):
     time_s: int
     people: tuple[int, ...]
     changes: tuple[Change, ...] = ()
+    renames: tuple[Rename, ...] = ()
 
     @property
     def is_merge(self) -> bool:

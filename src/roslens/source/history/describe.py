@@ -15,14 +15,20 @@ What git's history says of repositories, packages and files. This page is made f
 `src/roslens/source/history/metrics/`; `make docs` writes it anew.
 
 `roslens check --process-metrics` measures them (or `metrics = true` below `[process]` in `roslens.toml`), for every
-repository that the workspace lies in or holds, with one `git log` each; nothing is fetched, checked out or started.
-What the log of a commit says is kept, so that a second run does not ask again. They are not measured unless asked: a
-check of `rclcpp` takes 1.24 times the processor with them (`python benchmarks/history_speed.py CLONE`), and what a
-clone has of history differs from machine to machine: continuous integration mostly has one commit of it.
+repository that the workspace lies in or holds, with two `git log` each, one of them for renames; nothing is fetched,
+checked out or started. What the log of a commit says is kept, so that a second run does not ask again. They are not
+measured unless asked: a check of `rclcpp` takes 1.24 times the processor with them (`python
+benchmarks/history_speed.py CLONE`), and what a clone has of history differs from machine to machine: continuous
+integration mostly has one commit of it.
 
 - Of a repository every commit behind its head counts; of a package or file those that are **no merge** and change
   something of it. Merges, octopus merges among them, bring together what is counted already.
-- A package is all below its folder, but for packages inside it. Renames are not followed.
+- A package is all below its folder, but for packages inside it.
+- **Files that were renamed are followed**, by git's own detection (`git log --find-renames`: contents that are alike by
+  half; at most 1,000 files that came by 1,000 that went in a commit): a file keeps its commits, people and lines under
+  the names that it had before. A file that was copied begins anew, which `git log --follow` sees otherwise (`C` in its
+  `--name-status`). A package whose folder was moved begins anew, too. In a partial clone only files that were renamed
+  without a change are followed.
 - **Ages are told at the date of the head**, not today's: the same commit has the same ages on every day.
   `--as-of 2026-01-31` (or `as_of` below `[process]`) tells them at another time; the time stands with the run.
 - Dates are those of the committers' clocks. Commits dated before a parent of theirs are counted as `skewed`, with the
@@ -31,7 +37,7 @@ clone has of history differs from machine to machine: continuous integration mos
   and the check ends with exit code 3 unless `--accept-partial` is given. So it does for a repository without a commit.
 - Names of people are compared and not kept: neither reports nor what roslens stores has any.
 
-Each metric has the **command** of git that answers the same, for a repository, and for a package or file as `PATH`
+Each metric has the **command** of git that answers the same, for a repository, and for a file or package as `PATH`
 (of a package with packages inside it, behind it `':(exclude)PATH/INNER'` for each). `tests/process_metrics` holds all
 of them against git:
 
@@ -74,5 +80,6 @@ def process_page(metrics: Sequence[ModuleType]) -> str:
 def _described(metric: ModuleType) -> str:
     lines = ["", "```sh"]
     for what, command in metric.COMMANDS.items():
-        lines += [f"# of a {'package or file' if what == 'path' else what}", command]
+        both = "package" if "file" in metric.COMMANDS else "package or file"
+        lines += [f"# of a {both if what == 'path' else what}", command]
     return section(metric.QUANTITY) + "\n".join([*lines, "```", ""])

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from roslens.model.entity import EntityKind
 from roslens.model.process import Coupling, Release, RepositoryProcess
 from roslens.source.history.commit_log import Change, Commit, CommitLog, skewed
+from roslens.source.history.followed_files import followed_files
 from roslens.source.history.metrics import change_coupling, hotspot, releases, revisions_since_release
 from roslens.source.history.metrics.table import PROCESS_METRICS
 from roslens.source.history.parts_of_commits import PartsOfCommits
@@ -42,18 +43,16 @@ def measure_history(
     head = log.commits[0]
     at_s = head.time_s if as_of_s is None else as_of_s
     layout = (parts or PartsOfCommits(log)).of(packages)
-    wanted = [name in files for name in log.paths]
     of_package: dict[str, Commits] = defaultdict(list)
-    of_path: dict[int, Commits] = defaultdict(list)
+    of_file: dict[str, Commits] = defaultdict(list)
     for commit in log.commits:
         if commit.is_merge:
             continue
-        if files:
-            for change in commit.changes:
-                if wanted[change.path]:
-                    of_path[change.path].append((commit, [change]))
         for owner, changes in layout.parts(commit).changes:
             of_package[owner].append((commit, changes))
+    for commit, changed in followed_files(log, files) if files else ():
+        for name, change in changed.items():
+            of_file[name].append((commit, [change]))
     whole: Commits = [(commit, commit.changes) for commit in log.commits]
     coupled_files = change_coupling.couplings(_coupled_files(log, files)) if files else ()
     coupled_packages = change_coupling.couplings(
@@ -66,9 +65,7 @@ def measure_history(
         touched = Touched(kind, commits, as_of_s=at_s, head_s=head.time_s)
         return dict(_values(touched, lines=log.has_lines))
 
-    file_values = {
-        files[name]: values(EntityKind.FILE, of_path[place]) for place, name in enumerate(log.paths) if place in of_path
-    }
+    file_values = {name: values(EntityKind.FILE, of_file[name]) for name in files.values() if name in of_file}
     for one, known in file_values.items():
         if "churn" in known and (product := hotspot.of_file(known["churn"], complexity.get(one))) is not None:
             known[hotspot.QUANTITY.key] = product
@@ -112,10 +109,10 @@ def _values(touched: Touched, *, lines: bool) -> Iterator[tuple[str, float]]:
 
 def _coupled_files(log: CommitLog, files: Mapping[str, str]) -> Iterator[tuple[int, frozenset[str]]]:
     """Yield how many files each commit changes, and those among them that are measured and no mere release."""
-    names = ["" if change_coupling.RELEASE_FILES.fullmatch(name) else files.get(name, "") for name in log.paths]
-    for commit in log.commits:
-        if not commit.is_merge and commit.changes:
-            yield len(commit.changes), frozenset(names[change.path] for change in commit.changes) - {""}
+    coupling = {path: name for path, name in files.items() if not change_coupling.RELEASE_FILES.fullmatch(path)}
+    for commit, changed in followed_files(log, coupling):
+        if commit.changes:
+            yield len(commit.changes), frozenset(changed)
 
 
 def _add_partners(values: dict[str, dict[str, float]], found: Iterable[Coupling]) -> None:

@@ -8,11 +8,20 @@ from hashlib import blake2b
 
 import msgspec
 
-from roslens.source.history.commit_log import Change, Commit, CommitLog
+from roslens.source.history.commit_log import Change, Commit, CommitLog, Rename
 from roslens.source.history.git_answer import HistoryError, git_answer
 
 _FORMAT = "--format=%x01%H%x1f%P%x1f%ct%x1f%aN%x1f%(trailers:key=Co-authored-by,valueonly,separator=%x1e,unfold)"
 _PLAIN = ("--topo-order", "--no-renames", "--ignore-submodules=none", "-z")
+_RENAMES = (
+    "--topo-order",
+    "--no-merges",
+    "--ignore-submodules=none",
+    "--diff-filter=R",
+    "-l1000",
+    "-z",
+    "--format=%x01%H",
+)
 _CONTACT = re.compile(r"[^<>\n]*<[^<>\n]*>")
 
 
@@ -39,13 +48,16 @@ def read_log(folder: str, head: str, *, contents: bool = True) -> CommitLog:
     """
     if contents:
         raw = list(_commits(git_answer(folder, "log", *_PLAIN, "--numstat", _FORMAT, head), _counted))
-        return _log(folder, raw, has_lines=True, has_changes=True)
+        renames = git_answer(folder, "log", *_RENAMES, "--find-renames", "--numstat", head)
+        return _log(folder, raw, _renamed(renames), has_lines=True, has_changes=True)
     try:
         raw = list(_commits(git_answer(folder, "log", *_PLAIN, "--raw", "--no-abbrev", _FORMAT, head), _named))
-        return _log(folder, raw, has_lines=False, has_changes=True)
+        # Of contents that are not there only whether they are the same is known.
+        renames = git_answer(folder, "log", *_RENAMES, "--find-renames=100%", "--name-status", head)
+        return _log(folder, raw, _renamed(renames), has_lines=False, has_changes=True)
     except HistoryError:
         raw = list(_commits(git_answer(folder, "log", *_PLAIN, "--no-patch", _FORMAT, head), _named))
-        return _log(folder, raw, has_lines=False, has_changes=False)
+        return _log(folder, raw, {}, has_lines=False, has_changes=False)
 
 
 Row = tuple[str, int, int]
@@ -87,11 +99,35 @@ def _named(pieces: list[bytes]) -> Iterator[Row]:
         yield path.decode("utf-8", "replace"), 0, 0
 
 
+Renamed = tuple[str, str, int, int]
+"""Path before, path afterwards, lines added, lines deleted."""
+
+
+def _renamed(answer: bytes) -> dict[str, list[Renamed]]:
+    """Return the renames of each commit, by its hash.
+
+    Each is a row of ``--numstat`` without a path, or the letter of ``--name-status``, and two paths.
+    """
+    found: dict[str, list[Renamed]] = {}
+    pieces = iter(answer.split(b"\0"))
+    rows: list[Renamed] = []
+    for piece in pieces:
+        if piece.startswith(b"\x01"):
+            rows = found.setdefault(piece[1:].decode("ascii", "replace").strip(), [])
+        elif facts := piece.strip(b"\n"):
+            old, new = (next(pieces, b"").decode("utf-8", "replace") for _ in range(2))
+            added, _, deleted = facts.partition(b"\t")
+            rows.append((old, new, _number(added), _number(deleted.strip())))
+    return found
+
+
 def _number(text: bytes) -> int:
     return int(text) if text.isdigit() else 0
 
 
-def _log(folder: str, raw: list[_Raw], *, has_lines: bool, has_changes: bool) -> CommitLog:
+def _log(
+    folder: str, raw: list[_Raw], renamed: dict[str, list[Renamed]], *, has_lines: bool, has_changes: bool
+) -> CommitLog:
     of_contact = _mapped(folder, sorted({one for commit in raw for one in commit.others}))
     people: dict[str, int] = {}
     paths: dict[str, int] = {}
@@ -100,7 +136,11 @@ def _log(folder: str, raw: list[_Raw], *, has_lines: bool, has_changes: bool) ->
         names = dict.fromkeys((commit.author, *(of_contact[one] for one in commit.others)))
         who = tuple(people.setdefault(_person(name), len(people)) for name in names)
         changes = tuple(Change(paths.setdefault(path, len(paths)), added, gone) for path, added, gone in commit.changes)
-        commits.append(Commit(commit.id, commit.parents, commit.time_s, who, changes))
+        renames = tuple(
+            Rename(paths.setdefault(old, len(paths)), paths.setdefault(new, len(paths)), added, gone)
+            for old, new, added, gone in renamed.get(commit.id, ())
+        )
+        commits.append(Commit(commit.id, commit.parents, commit.time_s, who, changes, renames))
     return CommitLog(tuple(commits), tuple(paths), tuple(people), has_lines, has_changes)
 
 

@@ -24,6 +24,8 @@ QUANTITY = Quantity(
 COMMANDS = {
     "repository": "echo $((($(git log -1 --format=%ct HEAD) - $(git log --format=%ct HEAD | sort -n | head -1)) / "
     "86400))",
+    "file": "echo $((($(git log -1 --format=%ct HEAD) - $(git log --follow --topo-order --no-merges --format=%ct HEAD "
+    "-- PATH | sort -n | head -1)) / 86400))",
     "path": "echo $((($(git log -1 --format=%ct HEAD) - $(git log --no-merges --full-history --format=%ct HEAD -- PATH "
     "| sort -n | head -1)) / 86400))",
 }

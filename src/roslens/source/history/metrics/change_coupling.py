@@ -33,6 +33,8 @@ QUANTITY = Quantity(
 )
 
 COMMANDS = {
+    "file": "comm -12 <(git log --follow --topo-order --no-merges --format=%H HEAD -- PATH | sort) "
+    "<(git log --follow --topo-order --no-merges --format=%H HEAD -- OTHER | sort) | wc -l    (less what is too large)",
     "path": "comm -12 <(git rev-list --no-merges --full-history HEAD -- PATH | sort) "
     "<(git rev-list --no-merges --full-history HEAD -- OTHER | sort) | wc -l    (less what is too large)",
 }

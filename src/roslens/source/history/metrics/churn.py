@@ -15,12 +15,15 @@ QUANTITY = Quantity(
     better=Better.NEITHER,
     formula="lines added + lines deleted, over all commits that are no merge",
     source="Nagappan and Ball, Use of Relative Code Churn Measures to Predict System Defect Density, ICSE 2005",
-    limits="A line that changed counts twice, a file that was moved all its lines twice; binary files count none. A "
+    limits="A line that changed counts twice; binary files count none. Of a file that was renamed only lines that are "
+    "other count, of its package and the repository all its lines twice. A "
     "clone without the contents of past files (`--filter=blob:none`) has none.",
 )
 
 COMMANDS = {
     "repository": "git log --no-merges --no-renames --numstat --format= HEAD | awk '{n += $1 + $2} END {print n}'",
+    "file": "git log --follow --topo-order --no-merges --numstat --format= HEAD -- PATH "
+    "| awk '{n += $1 + $2} END {print n}'",
     "path": "git log --no-merges --full-history --no-renames --numstat --format= HEAD -- PATH "
     "| awk '{n += $1 + $2} END {print n}'",
 }

@@ -22,6 +22,8 @@ QUANTITY = Quantity(
 
 COMMANDS = {
     "repository": "git shortlog -s --group=author --group=trailer:co-authored-by HEAD | wc -l",
+    "file": "git shortlog -s --no-walk --group=author --group=trailer:co-authored-by "
+    "$(git log --follow --topo-order --no-merges --format=%H HEAD -- PATH) | wc -l",
     "path": "git shortlog -s --no-merges --full-history --group=author --group=trailer:co-authored-by HEAD -- PATH "
     "| wc -l",
 }

@@ -17,7 +17,7 @@ QUANTITY = Quantity(
     limits="Grows with the size and age of a file. A file without functions has none.",
 )
 
-COMMANDS = {"path": "the command of `churn`, times the file's complexity as `roslens check` measures it"}
+COMMANDS = {"file": "the command of `churn`, times the file's complexity as `roslens check` measures it"}
 
 
 def of_file(churn: float, complexity: float | None) -> float | None:

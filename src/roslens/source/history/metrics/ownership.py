@@ -24,6 +24,9 @@ QUANTITY = Quantity(
 COMMANDS = {
     "repository": "git shortlog -sn --group=author --group=trailer:co-authored-by HEAD "
     "| awk 'NR == 1 {m = $1} {t += $1} END {print m / t}'",
+    "file": "git shortlog -sn --no-walk --group=author --group=trailer:co-authored-by "
+    "$(git log --follow --topo-order --no-merges --format=%H HEAD -- PATH) "
+    "| awk 'NR == 1 {m = $1} {t += $1} END {print m / t}'",
     "path": "git shortlog -sn --no-merges --full-history --group=author --group=trailer:co-authored-by HEAD -- PATH "
     "| awk 'NR == 1 {m = $1} {t += $1} END {print m / t}'",
 }

@@ -15,11 +15,13 @@ QUANTITY = Quantity(
     better=Better.NEITHER,
     formula="number of commits; of a package or file those that are no merge and change something of it",
     source="Santos et al., A Framework for Quality Assessment of ROS Repositories, IROS 2016 (#Rev)",
-    limits="Renames are not followed: a file that was moved begins anew. A history that was squashed has few.",
+    limits="A package that was moved begins anew, a file that was renamed does not. A history that was squashed "
+    "has few.",
 )
 
 COMMANDS = {
     "repository": "git rev-list --count HEAD",
+    "file": "git log --follow --topo-order --no-merges --format=%H HEAD -- PATH | wc -l",
     "path": "git rev-list --count --no-merges --full-history HEAD -- PATH",
 }
 

@@ -21,6 +21,8 @@ QUANTITY = Quantity(
 )
 
 COMMANDS = {
+    "file": "echo $((($(git log -1 --format=%ct HEAD) - $(git log --follow --topo-order --no-merges --format=%ct HEAD "
+    "-- PATH | sort -n | tail -1)) / 86400))",
     "path": "echo $((($(git log -1 --format=%ct HEAD) - $(git log --no-merges --full-history --format=%ct HEAD -- PATH "
     "| sort -n | tail -1)) / 86400))",
 }

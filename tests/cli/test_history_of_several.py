@@ -166,6 +166,14 @@ def test_only_the_packages_that_are_wanted(workspace, capsys):
     assert set(trend(capsys, root, "loc")["packages"]) == {"a", "b"}
 
 
+def test_releases_before_the_first_revision_are_no_events(workspace, capsys):
+    root, *_ = workspace
+    assert main(["history", str(root), "--every", "1", "--since", "2020-10-20", "-q"]) == 0
+    assert trend(capsys, root, "loc")["events"] == []
+    text = out(capsys, "trend", "loc", root).splitlines()
+    assert text[0] == "Lines of code (lines): 2 revisions, 2020-10-23 to 2020-10-24"
+
+
 def test_time_is_that_of_the_commits(workspace):
     root, *_ = workspace
     assert main(["history", str(root), "--every", "1", "-q"]) == 0

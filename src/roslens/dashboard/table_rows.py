@@ -39,6 +39,7 @@ def rows_html(table: Table, link: Link) -> Markup:
 def _classes(column: Column) -> str:
     names = [
         *(("num",) if column.kind == "number" else ()),
+        *(("day",) if column.kind == "day" else ()),
         *(("optional",) if column.optional else ()),
         *(("barred",) if column.bar else ()),
     ]

@@ -92,7 +92,8 @@ def date_of(point: TrendPoint) -> str:
 
 
 def _named(point: TrendPoint) -> str:
-    return f"{point.name} ({date_of(point)})"
+    day = date_of(point)
+    return point.name if point.name.startswith(day) else f"{point.name} ({day})"
 
 
 def _change(values: Sequence[float | None]) -> float | None:

@@ -138,6 +138,8 @@ class Trends:
             for _, commit in commits:
                 first.setdefault(commit, at)
         for release in reversed(self.releases):
+            if release.time_s < self.points[0].time_s:
+                continue
             place = first.get(release.commit)
             if place is None:
                 later = (at for at, point in enumerate(self.points) if at and point.time_s >= release.time_s)

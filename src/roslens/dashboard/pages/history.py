@@ -8,7 +8,7 @@ from roslens.dashboard.past import Past
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
-from roslens.model.trend import Trend
+from roslens.model.trend import Trend, TrendPoint
 
 MAIN = ("findings", "loc", "cyclomatic_complexity.max", "duplication_ratio", "revisions", "contributors")
 """Quantities whose curves are shown at once."""
@@ -55,7 +55,15 @@ def build(site: Site, request: Request) -> View | None:
 
 def options(past: Past) -> list[tuple[str, str]]:
     """Return the revisions to choose from, the newest first: commit and text."""
-    return [(one.commit, f"{one.name}, {day(one)}") for one in reversed(past.points)]
+    return [
+        (one.commit, one.name if one.name.startswith(day(one)) else f"{one.name}, {day(one)}")
+        for one in reversed(past.points)
+    ]
+
+
+def revision_of(point: TrendPoint) -> str:
+    """Return what a table calls a point beside its day."""
+    return point.commit[:10] if point.name.startswith(day(point)) else point.name
 
 
 def whole_chart(trend: Trend) -> LineChart | None:
@@ -86,7 +94,7 @@ def _revisions(past: Past, request: Request) -> Table:
         rows.append(
             (
                 Cell(day(point)),
-                Cell(point.name, ref=compared if request.medium == "served" else None),
+                Cell(revision_of(point), ref=compared if request.medium == "served" else None),
                 Cell(", ".join(events.get(place, ()))),
                 Cell(findings),
                 Cell(change, text=f"{change:+,.0f}" if change else ""),
@@ -95,7 +103,7 @@ def _revisions(past: Past, request: Request) -> Table:
         )
     limit = len(rows) if request.complete else request.limits.rows
     columns = (
-        Column("date", "Date"),
+        Column("date", "Date", "day"),
         Column("revision", "Revision", "code"),
         Column("events", "Events"),
         Column("findings", "Findings", "number", bar=True),

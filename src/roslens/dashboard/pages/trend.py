@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from roslens.dashboard.address import PageRef
 from roslens.dashboard.line_chart import day, line_chart
-from roslens.dashboard.pages.history import WHOLE, digits_of, options
+from roslens.dashboard.pages.history import WHOLE, digits_of, options, revision_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
@@ -54,14 +54,14 @@ def _values(trend: Trend, names: list[str], digits: int) -> Table:
     rows = tuple(
         (
             Cell(day(point)),
-            Cell(point.name),
+            Cell(revision_of(point)),
             Cell(trend.whole[place]),
             *(Cell(trend.packages[name][place]) for name in names),
         )
         for place, point in reversed(list(enumerate(trend.points)))
     )
     columns = (
-        Column("date", "Date"),
+        Column("date", "Date", "day"),
         Column("revision", "Revision", "code"),
         Column("whole", WHOLE[trend.whole_is].capitalize(), "number", decimals=digits),
         *(Column(name, name, "number", decimals=digits) for name in names),

@@ -23,10 +23,10 @@ def test_no_key_is_taken_twice():
 @pytest.mark.parametrize("metric", PROCESS_METRICS, ids=lambda metric: metric.QUANTITY.key)
 def test_every_metric_names_the_command_of_git(metric):
     whole = EntityKind.REPOSITORY in metric.QUANTITY.kinds
-    parts = set(metric.QUANTITY.kinds) - {EntityKind.REPOSITORY}
     told_elsewhere = metric.QUANTITY.key == "time_since_last_commit"
     assert ("repository" in metric.COMMANDS) == (whole and not told_elsewhere)
-    assert ("path" in metric.COMMANDS) == bool(parts)
+    assert ("path" in metric.COMMANDS) == (EntityKind.PACKAGE in metric.QUANTITY.kinds)
+    assert ("file" in metric.COMMANDS) == (EntityKind.FILE in metric.QUANTITY.kinds)
     for command in metric.COMMANDS.values():
         assert "\n" not in command
         assert metric.QUANTITY.key == "hotspot" or "git" in shlex.split(command.replace("<(", " ").replace("(", " "))

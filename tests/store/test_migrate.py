@@ -110,6 +110,8 @@ def test_old_stores_can_be_read_and_written(tmp_path, dump, sample, write_small)
         process = [(one.head, one.files) for one in view.process]
         told = ("c0ffee", {"src/drive/src/drive.cpp": {"revisions": 3.0}})
         assert process == ([told] if dump.stem >= "schema_0006" else [])
+        commits = [one.commits for one in store.revisions()]
+        assert commits == ([(("arm", "c0ffee"), ("drive", ""))] if dump.stem >= "schema_0009" else [])
         assert store.view(write_small(store, "key-2")).packages() == view.packages()
 
 

@@ -122,7 +122,7 @@ def robot_served(connections: int) -> None:
     watching.start()
     while made < TURNS:
         time.sleep(0.05)
-    with LivePage(page.newest, detail=page.detail, past=page.past) as live:
+    with LivePage(page.newest, detail=page.detail, past=page.past, state=page.state) as live:
         print(live.url, flush=True)
         for _ in sys.stdin:
             found = {

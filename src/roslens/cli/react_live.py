@@ -183,7 +183,7 @@ class _Reacting:
         if topic:
             self._journal.publish = partial(hands.say, topic)
         self._wait_until_ready(hands)
-        shown = self._page(session)
+        address, shown = self._page(session)
         actor = self._actor(hands, started)
         renewal = Renewal(self._files, session, actor.reactor, hands, self._journal, steady=time.monotonic)
         ended = when_stopped(self._stack)
@@ -191,7 +191,7 @@ class _Reacting:
         names = [one.name for one in self._reference.reactions]
         self._journal.add(
             "began", started, mode=self._options.mode, reactions=names, host=platform.node(), observers=tools,
-            references=[str(one) for one in self._options.reference],
+            references=[str(one) for one in self._options.reference], page=address,
         )  # fmt: skip
         try:
             run(
@@ -234,9 +234,9 @@ class _Reacting:
         if shown is not None:
             shown(step)
 
-    def _page(self, session: Session) -> Callable[[Step], None] | None:
+    def _page(self, session: Session) -> tuple[str, Callable[[Step], None] | None]:
         if self._options.serve is None:
-            return None
+            return "", None
         return serve_reacting(self._stack, session, platform.node(), self._options, self._path, self._questions)
 
     def _actor(self, hands: AllHands, started: float) -> Actor:

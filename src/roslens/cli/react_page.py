@@ -55,8 +55,8 @@ def journal_pages(
 def serve_reacting(
     stack: contextlib.ExitStack, session: Session, title: str, options: argparse.Namespace, journal: Path,
     questions: Questions | None,
-) -> Callable[[Step], None]:  # fmt: skip
-    """Serve until ``stack`` is left, say where, and return what to tell each step.
+) -> tuple[str, Callable[[Step], None]]:  # fmt: skip
+    """Serve until ``stack`` is left, say where, and return that and what to tell each step.
 
     Raises:
         UsageError: the address is none, or cannot be listened on, or tokens or certificates are wrong.
@@ -69,7 +69,7 @@ def serve_reacting(
 
     door = door_of(options, address[0], acting=questions is not None, told=told)
     pages = journal_pages(journal, title, questions, lambda: session.monitor.reference.reactions)
-    return page_beside(stack, session, title, address, time_of_day, door, pages)[1]
+    return page_beside(stack, session, title, address, time_of_day, door, pages)
 
 
 class AskEverywhere:

@@ -89,7 +89,8 @@ class PageSource:
         self._asked = -math.inf
         self._made = -math.inf
         self._took = 0.0
-        self._newest = b""
+        self._shown: Snapshot | None = None
+        self._written: tuple[Snapshot | None, bytes] = (None, b"")
         self._looked: Looked | None = None
         self._recall: Recall | None = None
         self.past: PastPage | None = None
@@ -114,7 +115,7 @@ class PageSource:
             return False
         view, moment = seen
         self._looked = Looked(view, moment.verdicts, moment.graph, Reference(""), time)
-        self._newest = msgspec.json.encode(msgspec.structs.replace(shown, live=False))
+        self._shown = msgspec.structs.replace(shown, live=False)
         return True
 
     @property
@@ -123,9 +124,17 @@ class PageSource:
         return self._looked.reference.reactions if self._looked is not None else ()
 
     def newest(self) -> bytes:
-        """Return the newest snapshot; the same object while there is no newer one."""
+        """Return the newest snapshot as JSON; the same object while there is no newer one, empty before the first."""
+        shown = self.state()
+        if shown is not None and self._written[0] is not shown:
+            # Written when it is asked for: pages that follow are told what changed of it.
+            self._written = shown, msgspec.json.encode(shown)
+        return self._written[1]
+
+    def state(self) -> Snapshot | None:
+        """Return the newest snapshot; None before the first."""
         self._asked = self._steady()
-        return self._newest
+        return self._shown
 
     def detail(self, entity: str) -> bytes:
         """Return all that is known of an entity, as of the newest snapshot; empty where it is not there."""
@@ -161,7 +170,7 @@ class PageSource:
         begun = self._steady()
         looked = _look(session, now)
         # One reference is replaced by another: a reader has the old snapshot or the new one, never half of each.
-        self._newest = msgspec.json.encode(self._snapshot(looked, cost))
+        self._shown = self._snapshot(looked, cost)
         self._looked = looked
         self._made = self._steady()
         self._took = self._made - begun

@@ -24,7 +24,7 @@ from roslens.dashboard.live.app import Facts, create_live_app, no_graph, nothing
 from roslens.dashboard.live.board import Board
 from roslens.dashboard.live.further import Further
 from roslens.dashboard.live.past import Past
-from roslens.dashboard.live.snapshot import names_in
+from roslens.dashboard.live.snapshot import Snapshot, names_in
 from roslens.dashboard.pages.entity import page_of
 from roslens.dashboard.render import WEB, Renderer
 from roslens.dashboard.review_routes import review_routes
@@ -51,6 +51,7 @@ def create_app(
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
     board: Board | None = None,
+    state: Callable[[], Snapshot | None] | None = None,
     further: Further | None = None,
     stopped: Callable[[], bool] = lambda: False,
     access: Access | None = None,
@@ -65,6 +66,7 @@ def create_app(
         graph: returns its computation graph as JSON.
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
+        state: returns what `snapshot` returns before it is JSON.
         further: pages beside these.
         stopped: whether streams of snapshots should end.
         access: who may view and who may act; by default everybody may view and nobody act.
@@ -108,7 +110,9 @@ def create_app(
             names, advice=_ADVICE, pages=lambda: renderer.navigation(site, links), access=access,
             further=Further(links=further.links),
         )  # fmt: skip
-        live = create_live_app(snapshot, facts, detail=detail, graph=graph, past=past, board=board, stopped=stopped)
+        live = create_live_app(
+            snapshot, facts, detail=detail, graph=graph, past=past, board=board, state=state, stopped=stopped
+        )
         beside = [Route(_LIVE.rstrip("/"), lambda _: RedirectResponse(_LIVE)), Mount(_LIVE, live)]
     app = Starlette(
         routes=[
@@ -172,6 +176,7 @@ def serve(
     graph: Callable[[], bytes] = no_graph,
     past: Past | None = None,
     board: Board | None = None,
+    state: Callable[[], Snapshot | None] | None = None,
     further: Further | None = None,
     access: Access | None = None,
     tls: Tls | None = None,
@@ -188,6 +193,7 @@ def serve(
         graph: returns its computation graph as JSON; called from this thread too.
         past: of what runs; None where nothing is kept.
         board: its references, and notes on its alerts.
+        state: returns what `snapshot` returns before it is JSON.
         further: pages beside these.
         access: who may view and who may act; by default everybody may view and nobody act.
         tls: certificate and key to encrypt with.
@@ -209,7 +215,7 @@ def serve(
     names = frozenset({host.lower()})
     app = create_app(
         site, names, snapshot=snapshot, detail=detail, graph=graph, past=past, board=board,
-        further=further, stopped=lambda: bool(stopping), access=access,
+        state=state, further=further, stopped=lambda: bool(stopping), access=access,
     )  # fmt: skip
     local, free = (
         "Leave --host out to listen on this machine only",

@@ -144,6 +144,10 @@ class _Running:
         return self._topics[name]
 
 
+_NOTHING: tuple[None, dict[str, int]] = (None, {})
+"""What nothing judges; one for all, and nobody writes into it."""
+
+
 class _Tree:
     def __init__(self, parts: Parts, states: dict[EntityId, list[State]]) -> None:
         self._parts = parts
@@ -229,16 +233,20 @@ class _Tree:
     def _view(
         self, entity: EntityId, below: set[EntityId], children: tuple[SystemView, ...], name: str = ""
     ) -> SystemView:
-        worst, counts = self._sum(below | {entity})
-        state, _ = self._sum({entity})
-        _, others = self._sum(below - {entity})
+        state, own = self._sum({entity}) if entity in self._states else _NOTHING
+        worst, counts, others = state, own, _NOTHING[1]
+        if len(below) > 1 or entity not in below:
+            worst, counts = self._sum(below | {entity})
+            others = self._sum(below - {entity})[1]
         values, observer = self._parts.values_of(entity)
         shown = name or entity.name
         kind = entity.kind.value
         return SystemView(str(entity), shown, kind, state, counts, values, observer, children, others, worst)
 
     def _sum(self, entities: set[EntityId]) -> tuple[State | None, dict[str, int]]:
-        states = [state for entity in entities for state in self._states.get(entity, ())]
+        states = [state for entity in entities if entity in self._states for state in self._states[entity]]
+        if not states:
+            return _NOTHING
         counts = {state.value: states.count(state) for state in State if state in states}
         return max(states, key=_WORSE.__getitem__, default=None), counts
 

@@ -59,7 +59,7 @@ def test_each_countermeasure_is_said_in_words(shown):
     client, _ = shown
     first, second = client.get("/plan.json").json()
     assert (first["name"], first["when"]) == ("rover.lidar", "node /lidar is gone or stopped")
-    assert first["steps"][1] == "restart node:/lidar; if that does not help within 15 s, the next step"
+    assert first["steps"][1] == "restart node:/lidar; if that does not help within 15 s, it is given up"
     assert "not while host base is absent" in first["limits"]
     assert first["mode"] == "ask"
     assert second["when"] == "topic /scan is absent"
@@ -88,3 +88,23 @@ def test_without_reactions_it_says_where_they_are_written(site, tmp_path):
     client = Client(create_app(site, further=Further(routes, journal_links(acting=False, base="/"))))
     assert "The reference has no <code>reactions:</code>" in client.get("/plan").text
     assert "cannot read the journal" in client.get("/journal").text
+
+
+def test_who_reacts_now_is_led_to(shown):
+    client, path = shown
+    lead = '<a href="http://127.0.0.1:8123/questions">'
+    with Journal(path) as journal:
+        journal.add("began", 100.0, mode="ask", page="http://127.0.0.1:8123/")
+    assert lead in client.get("/plan").text
+    assert lead in client.get("/journal").text
+    with Journal(path) as journal:
+        journal.add("ended", 101.0, text="nothing is done any more")
+    assert lead not in client.get("/plan").text
+
+
+@pytest.mark.parametrize("page", ["javascript:alert(1)", "", None, 7])
+def test_what_is_no_address_leads_nowhere(shown, page):
+    client, path = shown
+    with Journal(path) as journal:
+        journal.add("began", 100.0, mode="ask", page=page)
+    assert "What is asked before it is done" not in client.get("/plan").text

@@ -8,8 +8,9 @@ import msgspec
 import pytest
 from dashboard.live.made_up_snapshots import walk
 
+from roslens.dashboard.live import changes
 from roslens.dashboard.live.changes import Change, change, held
-from roslens.dashboard.live.snapshot import Picture, Row, Snapshot
+from roslens.dashboard.live.snapshot import Item, Link, Picture, Row, Snapshot
 
 _LINK_TOLD = ("state", "rate", "latency", "bandwidth", "age", "lag")
 
@@ -63,3 +64,19 @@ def test_two_rows_of_one_key_are_told_whole():
     row = Row("a", "topic:/a", "/a", "topic", 0, "ok")
     before = Snapshot(2, 0.0, "0", "", True, "ok", {}, "", (), (row, row), (), Picture(), (), ())
     assert change(before, before) is None
+
+
+def test_no_field_is_forgotten():
+    """Whatever a row or the picture gets besides is told, too."""
+    told = {
+        Row: (changes._BESIDES_VALUES, {"key", "counts", "values", "shown"}),
+        Item: (changes._PLACE_OF_ITEM, {"state"}),
+        Link: (changes._PLACE_OF_LINK, {*_names(changes._OF_LINK)}),
+        Picture: (changes._OF_PICTURE, {"items", "links"}),
+    }
+    for kind, (compared, others) in told.items():
+        assert {*_names(compared), *others} == {*kind.__struct_fields__}, kind
+
+
+def _names(getter):
+    return getter.__reduce__()[1]

@@ -120,6 +120,7 @@ def run(options: argparse.Namespace) -> int:
                 graph=page.graph if page else no_graph,
                 past=page.past if page else None,
                 board=page.board if page else None,
+                state=page.state if page else None,
                 further=_journal(options, site.name, page),
                 access=door.access,
                 tls=door.tls,

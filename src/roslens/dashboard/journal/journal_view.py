@@ -86,6 +86,7 @@ class JournalView:
         self._stamp = (0, 0, 0)
         self._rows: list[JournalRow] = []
         self._about: dict[str, str] = {}
+        self._page = ""
         self._verified: tuple[tuple[int, int, int], float, Verified] | None = None
 
     def version(self) -> str:
@@ -130,6 +131,15 @@ class JournalView:
                     found[name] = count + (one.what == "decided"), one
             return found
 
+    def page(self) -> str:
+        """Return where who reacts now shows its own page, with the questions that it asks; empty where nobody does."""
+        with self._lock:
+            try:
+                self._read()
+            except StoreError:
+                return ""
+            return self._page
+
     def _look(self) -> tuple[int, int, int]:
         try:
             found = self.path.stat()
@@ -142,12 +152,15 @@ class JournalView:
         # Another file in its place, or one that was cut: what was read is no part of it.
         if self._reader is not None and (stamp[0] != self._stamp[0] or stamp[1] < self._stamp[1]):
             self._reader.close()
-            self._reader, self._rows, self._about = None, [], {}
+            self._reader, self._rows, self._about, self._page = None, [], {}, ""
         if self._reader is None:
             self._reader = JournalReader(self.path)
         self._stamp = stamp
         for entry in self._reader.entries():
             self._rows.append(self._row(entry))
+            if entry.what in ("began", "ended"):
+                told = str(entry.fields.get("page", ""))
+                self._page = told if entry.what == "began" and told.startswith(("http://", "https://")) else ""
         if len(self._rows) > 2 * MOST_KEPT:
             self._rows = self._rows[-MOST_KEPT:]
             kept = {one.decision for one in self._rows}

@@ -44,8 +44,9 @@ def plan_of(reactions: Sequence[Reaction], decided: Mapping[str, tuple[int, Jour
 
 
 def _countermeasure(one: Reaction, count: int, last: JournalRow | None) -> Countermeasure:
+    steps = tuple(_step(step, last=step is one.steps[-1]) for step in one.steps)
     return Countermeasure(
-        one.name, condition_words(one.when), tuple(_limits(one)), tuple(map(_step, one.steps)),
+        one.name, condition_words(one.when), tuple(_limits(one)), steps,
         one.mode.value if one.mode else "", one.text, one.place, count, last,
     )  # fmt: skip
 
@@ -65,8 +66,9 @@ def _limits(one: Reaction) -> list[str]:
     return found
 
 
-def _step(step: EscalationStep) -> str:
+def _step(step: EscalationStep, *, last: bool) -> str:
     action = action_text(msgspec.to_builtins(step.action))
     if step.verify_within_s is None:
         return action
-    return f"{action}; if that does not help within {step.verify_within_s:g} s, the next step"
+    then = "it is given up" if last else "the next step follows"
+    return f"{action}; if that does not help within {step.verify_within_s:g} s, {then}"

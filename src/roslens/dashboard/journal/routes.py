@@ -112,6 +112,9 @@ class _Pages:
         """Return the same for programs."""
         return Response(msgspec.json.encode(self._plan()), media_type="application/json")
 
+    def _elsewhere(self) -> str:
+        return self._view.page() if self._asked is None else ""
+
     def _plan(self) -> tuple[Countermeasure, ...]:
         return plan_of(self._reactions(), self._view.decided())
 
@@ -177,8 +180,8 @@ class _Pages:
     def _shown(self, request: Request, template: str, page: str, status: int = 200, **told: Any) -> HTMLResponse:
         waiting = len(self._asked.open()) if self._asked is not None else 0
         text = self._environment.get_template(template).render(
-            page=page, title=self._title, links=request.app.state.navigation(), waiting=waiting,
-            release=roslens.__version__, **told,
+            page=page, title=self._title, elsewhere=self._elsewhere(), waiting=waiting,
+            links=request.app.state.navigation(), release=roslens.__version__, **told,
         )  # fmt: skip
         return HTMLResponse(text, status_code=status)
 

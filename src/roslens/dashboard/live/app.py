@@ -87,7 +87,7 @@ def no_graph() -> bytes:
 def create_live_app(
     snapshot: Callable[[], bytes], facts: Facts | None = None, *, detail: Callable[[str], bytes] = nothing,
     graph: Callable[[], bytes] = no_graph, past: Past | None = None, board: Board | None = None,
-    state: Callable[[], Snapshot] | None = None, stopped: Callable[[], bool] = lambda: False,
+    state: Callable[[], Snapshot | None] | None = None, stopped: Callable[[], bool] = lambda: False,
 ) -> Starlette:  # fmt: skip
     """Return the application.
 

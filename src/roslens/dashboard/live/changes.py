@@ -16,7 +16,7 @@ _LARGE = ("rows", "picture")
 _WHOLE = tuple(name for name in Snapshot.__struct_fields__ if name not in _LARGE)
 _BESIDES_VALUES = attrgetter("entity", "name", "kind", "depth", "state", "observer", "worst", "below")
 _PLACE_OF_ITEM = attrgetter("entity", "name", "kind", "x", "y", "label", "w", "h")
-_PLACE_OF_LINK = attrgetter("start", "end", "path", "by")
+_PLACE_OF_LINK = attrgetter("start", "end", "path", "by", "word")
 _OF_LINK = attrgetter("state", "rate", "latency", "bandwidth", "age", "lag")
 _OF_PICTURE = attrgetter("version", "width", "height", "left_out", "boxes", "as_lines")
 

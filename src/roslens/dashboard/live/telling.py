@@ -13,12 +13,16 @@ from typing import NamedTuple
 import msgspec
 
 from roslens.dashboard.live.changes import change, held
-from roslens.dashboard.live.snapshot import Snapshot
+from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Picture, Snapshot
 
 MOST_KEPT = 240
 """Changes that are kept for who comes back: a minute of four a second."""
 MOST_BYTES = 2_000_000
 """In kept changes; who is further behind is told all of it."""
+
+
+NOTHING = Snapshot(VERSION, 0.0, "", "", True, UNJUDGED, {}, "", (), (), (), Picture(), (), ())
+"""Before anything was seen."""
 
 
 class Piece(NamedTuple):
@@ -31,8 +35,8 @@ class Piece(NamedTuple):
 class Telling:
     """Numbers the snapshots that it sees, and tells what changed between them; for one thread."""
 
-    def __init__(self, state: Callable[[], Snapshot]) -> None:
-        """Tell of what ``state`` returns: the same object while nothing is new."""
+    def __init__(self, state: Callable[[], Snapshot | None]) -> None:
+        """Tell of what ``state`` returns: the same object while nothing is new, None before anything is."""
         self._state = state
         self._begun = secrets.token_hex(4)
         self._newest: Snapshot | None = None
@@ -45,7 +49,7 @@ class Telling:
     def look(self) -> int:
         """Return the number of the newest snapshot."""
         newest = self._state()
-        if newest is self._newest:
+        if newest is self._newest or newest is None:
             return self._number
         before, self._newest = self._newest, newest
         self._number += 1
@@ -78,10 +82,8 @@ class Telling:
         return self.whole()
 
     def newest(self) -> Snapshot:
-        """Return the newest snapshot as a page holds it."""
-        if self._newest is None:
-            self.look()
-        return held(self._newest or self._state())
+        """Return the newest snapshot as a page holds it; one of nothing before the first."""
+        return held(self._newest or NOTHING)
 
     def whole(self) -> bytes:
         """Return all of the newest snapshot."""

@@ -220,7 +220,7 @@ def _conditions(site: Site) -> Table:
                     (
                         Cell("high" if side == "max" else "low") if broken else Cell("ok"),
                         Cell(
-                            f"{constraint.subject or constraint.quantity} of a {constraint.kind.value}",
+                            _of_what(constraint.subject or constraint.quantity, constraint.kind.value),
                             ref=metric,
                         ),
                         Cell(constraint.limit_text(side)),
@@ -241,3 +241,7 @@ def _conditions(site: Site) -> Table:
         Column("broken", "Own code beyond it", "number"),
     )
     return Table("conditions", "Limits", columns, tuple(rows), total=len(rows), empty="No models.")
+
+
+def _of_what(subject: str, kind: str) -> str:
+    return subject if subject.endswith(kind) else f"{subject} of a {kind}"

@@ -12,7 +12,8 @@ function label(button) {
   button.title = `Show the pages ${isDark() ? "light" : "dark"} (d)`;
 }
 
-function startTheme() {
+/** Let the button, and its key, turn light and dark. */
+export function startTheme() {
   const button = document.querySelector('[data-do="theme"]');
   label(button);
   const turn = () => {
@@ -30,6 +31,14 @@ function startTheme() {
   onKey("d", turn);
 }
 
+/** Bring the page that is shown into sight where the navigation scrolls. */
+export function showPlace() {
+  const nav = document.querySelector(".top nav");
+  const here = nav?.querySelector("[aria-current]");
+  // With the first picture: to ask for places before would lay out the page twice.
+  if (here) requestAnimationFrame(() => { nav.scrollLeft = here.offsetLeft - nav.offsetLeft - (nav.clientWidth - here.offsetWidth) / 2; });
+}
+
 function startHelp() {
   const shown = document.getElementById("help-window");
   const open = (event) => {
@@ -45,5 +54,6 @@ function startHelp() {
 
 export function startShell() {
   startTheme();
+  showPlace();
   startHelp();
 }

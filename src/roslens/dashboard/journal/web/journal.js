@@ -1,36 +1,16 @@
 // Follows the journal and the questions: asks once a second whether there is anything new, and takes the same page again.
 // The server makes every row, so that what is shown is what was escaped there.
 
+import { startKeys } from "../keys.js";
+import { showPlace, startTheme } from "../shell.js";
+
 const LOOK_MS = 1000;
 const main = document.getElementById("main");
 const lost = document.getElementById("lost");
 
-for (const button of document.querySelectorAll("[data-do=theme]")) button.addEventListener("click", theme);
-document.addEventListener("keydown", (event) => {
-  const typing = ["INPUT", "SELECT", "TEXTAREA"].includes(event.target.tagName);
-  if (event.key === "d" && !typing && !event.ctrlKey && !event.metaKey && !event.altKey) theme();
-});
-name_theme();
-
-function dark() {
-  const chosen = document.documentElement.dataset.theme;
-  return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-}
-
-function name_theme() {
-  for (const button of document.querySelectorAll("[data-do=theme]")) button.textContent = dark() ? "Light" : "Dark";
-}
-
-function theme() {
-  const next = dark() ? "light" : "dark";
-  document.documentElement.dataset.theme = next;
-  try {
-    localStorage.setItem("roslens.theme", next);
-  } catch (refused) {
-    // Storage may be forbidden: it holds for this page.
-  }
-  name_theme();
-}
+startTheme();
+showPlace();
+startKeys();
 
 async function look() {
   try {
@@ -59,6 +39,7 @@ async function renew() {
   }
   const nav = fresh.querySelector(".top nav");
   if (nav) document.querySelector(".top nav").replaceWith(document.adoptNode(nav));
+  showPlace();
   main.dataset.version = fresh.getElementById("main").dataset.version;
   if (held) refocus(held);
 }

@@ -1,0 +1,181 @@
+"""Every screen of one site: the rules of axe-core, the keyboard, a narrow screen, eyes that see few colours."""
+
+from __future__ import annotations
+
+import itertools
+import re
+import subprocess
+from collections.abc import Callable, Iterator
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser.whole_site import KEY, SCREENS, WholeSite, signed_in
+from playwright.sync_api import Browser, Page, expect
+
+from roslens.dashboard.listener import Tls
+
+Open = Callable[..., Page]
+DEFICIENCIES = ("protanopia", "deuteranopia", "tritanopia", "achromatopsia", "blurredVision")
+TABS = 25
+SCHEMES = ("light", "dark")
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Iterator[WholeSite]:
+    """Serve the site."""
+    site = WholeSite(tmp_path_factory.mktemp("whole"))
+    yield site
+    site.close()
+
+
+@pytest.fixture
+def visit(whole: WholeSite, browser: Browser, request: pytest.FixtureRequest) -> Iterator[Open]:
+    """Open its screens; fails the test on any problem that they show."""
+    visitor = request.getfixturevalue("visitor_class")(browser, whole.url)
+    yield visitor.open
+    visitor.close()
+    assert not visitor.problems
+
+
+@pytest.fixture(scope="session")
+def axe() -> str:
+    """Return axe-core."""
+    package = pytest.importorskip("axe_playwright_python", reason="axe-core comes with the extra `dev`")
+    return (resources.files(package) / "axe.min.js").read_text("utf-8")
+
+
+def go(page: Page, whole: WholeSite, path: str) -> None:
+    """Open another screen in the same page, and wait until nothing is asked for any more."""
+    page.goto(whole.url + path)
+    page.wait_for_load_state()
+    if path.startswith("/live/") and not re.search("references|compared", path):
+        expect(page.locator("#tree-count")).to_contain_text("rows")
+    if "select=" in path:
+        expect(page.locator("#plots canvas").first).to_be_visible()
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_no_screen_breaks_a_rule_of_axe(whole: WholeSite, visit: Open, axe: str, scheme: str) -> None:
+    page = visit(signed_in("/"), color_scheme=scheme)
+    broken = {}
+    for path in SCREENS:
+        go(page, whole, path)
+        page.evaluate(axe)
+        found = page.evaluate("() => axe.run(document, { resultTypes: ['violations'] })")
+        if found["violations"]:
+            broken[path] = {
+                one["id"]: [node["html"][:160] for node in one["nodes"][:3]] for one in found["violations"]
+            }  # fmt: skip
+    assert broken == {}
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_no_screen_scrolls_sideways_at_420_pixels(whole: WholeSite, visit: Open, scheme: str) -> None:
+    page = visit(signed_in("/"), viewport={"width": 420, "height": 800}, color_scheme=scheme)
+    wide = {}
+    for path in SCREENS:
+        go(page, whole, path)
+        width = page.evaluate("document.documentElement.scrollWidth")
+        if width > 420:
+            wide[path] = width
+    assert wide == {}
+
+
+def test_the_tab_key_walks_through_every_screen(whole: WholeSite, visit: Open) -> None:
+    """Each step reaches something else that can be seen and says that it has the focus."""
+    page = visit(signed_in("/"))
+    stuck = {}
+    for path in SCREENS:
+        go(page, whole, path)
+        seen = []
+        for _ in range(TABS):
+            page.keyboard.press("Tab")
+            seen.append(
+                page.evaluate(
+                    """() => {
+                      const one = document.activeElement;
+                      window.walked ??= [];
+                      const again = window.walked.includes(one) && one !== document.body;
+                      window.walked.push(one);
+                      const box = one.getBoundingClientRect();
+                      const style = getComputedStyle(one);
+                      const shown = box.width > 0 && box.height > 0;
+                      const marked = style.outlineStyle !== "none" || style.boxShadow !== "none";
+                      const what = one.outerHTML.slice(0, 90);
+                      if (one === document.body || again) return again ? "again" : "end";
+                      return !shown ? `unseen ${what}` : !marked ? `unmarked ${what}` : "";
+                    }"""
+                )
+            )
+        wrong = [one for one in itertools.takewhile(lambda one: one not in ("end", "again"), seen) if one]
+        if wrong or len([one for one in seen if not one]) < 4:
+            stuck[path] = wrong or seen
+    assert stuck == {}
+
+
+@pytest.mark.parametrize("deficiency", DEFICIENCIES)
+def test_states_are_told_apart_by_sign_and_word(whole: WholeSite, visit: Open, deficiency: str) -> None:
+    page = visit(signed_in("/live/"))
+    go(page, whole, "/live/")
+    page.context.new_cdp_session(page).send("Emulation.setEmulatedVisionDeficiency", {"type": deficiency})
+    marks = page.locator("#counts .mark")
+    signs = marks.evaluate_all("all => all.map(one => one.querySelector('use').getAttribute('href'))")
+    words = [text.split(" ", 1)[1] for text in marks.all_text_contents()]
+    assert len(signs) == len(set(signs)) >= 3
+    assert len(words) == len(set(words))
+    # The form of each sign is another one, whatever its colour is.
+    forms = page.evaluate("signs => signs.map(one => document.querySelector(one).innerHTML)", signs)
+    assert len(forms) == len(set(forms))
+    pictures = [one.screenshot() for one in page.locator("#counts .mark svg").all()]
+    assert len(pictures) == len(set(pictures))
+
+
+def test_a_finding_is_accepted_and_taken_back_on_its_list(whole: WholeSite, visit: Open) -> None:
+    page = visit(signed_in("/findings?severity=error"))
+    first = page.locator(".finding").first
+    first.locator("summary").click()
+    first.get_by_label("Why it stays").fill("the caller checks it")
+    first.get_by_role("button", name="Accept").click()
+    expect(page).to_have_url(re.compile("severity=error"))
+    expect(page.locator(".finding").first.locator("summary")).to_contain_text("accepted")
+    assert 'reason = "the caller checks it"' in whole.accepted.read_text("utf-8")
+    page.goto(whole.url + "/findings")
+    page.locator(".reviewed summary").click()
+    expect(page.locator(".reviewed li")).to_contain_text("the caller checks it")
+    page.locator(".reviewed").get_by_role("button", name="Take it back").click()
+    expect(page.locator(".reviewed")).to_have_count(0)
+    assert not whole.accepted.exists()
+
+
+def test_a_session_over_https(tmp_path: Path, browser: Browser, request: pytest.FixtureRequest) -> None:
+    key, certificate = tmp_path / "key.pem", tmp_path / "certificate.pem"
+    subprocess.run(
+        ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-days", "2",
+         "-subj", "/CN=localhost", "-keyout", key, "-out", certificate],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    site = WholeSite(tmp_path, Tls(certificate, key))
+    visitor: Any = request.getfixturevalue("visitor_class")(browser, site.url)
+    try:
+        page = visitor.open(signed_in("/live/"), ignore_https_errors=True)
+        assert page.url == f"{site.url}/live/"
+        (cookie,) = page.context.cookies()
+        assert (cookie["secure"], cookie["httpOnly"], cookie["sameSite"]) == (True, True, "Lax")
+        assert KEY not in cookie["value"]
+        expect(page.locator("#pulse-word")).to_have_text("live")
+        site.robot.rates["/scan"] = 10
+        site.robot.run(6)
+        expect(page.locator("#when")).to_have_text(f"12:00:{site.robot.now:04.1f}")
+        expect(page.locator('#rows tr[data-entity="topic:/scan"]').first).to_have_class(re.compile(r"\bok\b"))
+        # Who holds a token acts: the page may acknowledge.
+        site.robot.rates["/scan"] = 3
+        site.robot.run(6)
+        page.locator("#alerts").get_by_role("button", name="Acknowledge").first.click()
+        site.robot.run(1)
+        expect(page.locator("#alerts")).to_contain_text("acknowledged by Ada")
+        visitor.close()
+        assert not visitor.problems
+    finally:
+        site.close()

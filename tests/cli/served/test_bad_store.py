@@ -1,0 +1,69 @@
+"""`roslens serve` where the store is missing, newer, somebody else's or held by who writes."""
+
+from __future__ import annotations
+
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from roslens.cli.main import main
+from roslens.cli.workplace import CACHE, STORE, open_store
+
+Said = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def checked(tmp_path: Path, capsys: Said) -> Path:
+    """A workspace of one package that was checked."""
+    package = tmp_path / "ws" / "tiny"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text(
+        '<package format="3"><name>tiny</name><version>1.0.0</version><description>d</description>'
+        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>\n"
+    )
+    main(["check", str(tmp_path / "ws"), "--quiet"])
+    capsys.readouterr()
+    return tmp_path / "ws"
+
+
+def test_a_workspace_that_was_never_checked_is_said(tmp_path: Path, capsys: Said) -> None:
+    assert main(["serve", str(tmp_path), "--port", "0"]) == 2
+    assert "roslens check" in capsys.readouterr().err
+    assert not (tmp_path / ".roslens").exists()
+
+
+def test_a_store_of_a_newer_roslens_is_said_and_left_as_it_is(checked: Path, capsys: Said) -> None:
+    store = checked / ".roslens" / STORE
+    with sqlite3.connect(store) as connection:
+        connection.execute("PRAGMA user_version = 999")
+    assert main(["serve", str(checked), "--port", "0"]) == 2
+    said = capsys.readouterr().err
+    assert "written by a newer roslens (schema 999)" in said
+    assert "Upgrade roslens" in said
+    with sqlite3.connect(store) as connection:
+        assert connection.execute("PRAGMA user_version").fetchone() == (999,)
+
+
+def test_a_store_of_another_program_is_said(checked: Path, capsys: Said) -> None:
+    store = checked / ".roslens" / STORE
+    store.write_bytes(b"this is no database, whoever wrote it" * 100)
+    assert main(["serve", str(checked), "--port", "0"]) == 2
+    assert str(store) in capsys.readouterr().err
+
+
+def test_who_writes_keeps_nobody_from_reading(checked: Path) -> None:
+    writer = sqlite3.connect(checked / ".roslens" / STORE, isolation_level=None)
+    writer.execute("BEGIN IMMEDIATE")
+    try:
+        with open_store(str(checked)) as store:
+            assert [one.name for one in store.view(None).packages()] == ["tiny"]
+    finally:
+        writer.execute("ROLLBACK")
+        writer.close()
+
+
+def test_a_cache_that_is_gone_is_not_missed(checked: Path) -> None:
+    (checked / ".roslens" / CACHE).unlink(missing_ok=True)
+    with open_store(str(checked)) as store:
+        assert store.view(None).packages()

@@ -59,7 +59,7 @@ def test_a_watch_forgets_connections_that_no_graph_had_but_not_what_is_judged(re
         for report in range(reports):
             now = number + 0.4 * report + 0.4
             once = Moments(1, 0.15, 0.15**2, 0.15, 0.15)
-            tallies = [Tally(name, "/node", "", now - 0.15, now, 1, 100, now, now, once) for name in names]
+            tallies = [Tally(name, f"{name}_node", "", now - 0.15, now, 1, 100, now, now, once) for name in names]
             session.take([Frame(VERSION, "base/agent", reports * number + report, now, tallies)])
             session.look(now)
     session.look(many + 1.0)
@@ -67,3 +67,4 @@ def test_a_watch_forgets_connections_that_no_graph_had_but_not_what_is_judged(re
     assert f"/tool_{many - 1}" in tools
     assert len(tools) <= MOST_GONE + FORGET_GONE_S + SWEEP_S + 1
     assert "/expected" in {topic for topic, _, _ in world.connections}
+    assert len(session.monitor._presences.existing) <= 3 * (len(tools) + 1)

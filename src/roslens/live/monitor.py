@@ -453,12 +453,20 @@ class Monitor:
 
     def _sweep(self, now: float) -> None:
         """Let go of what is gone for long, so that memory stays bounded."""
-        for connection in self._world.outdated(now):
+        outdated = self._world.outdated(now)
+        for connection in outdated:
             self._world.forget(connection)
             self._known.clear()
             self._existence.vanish((connection.id.kind, connection.id.name), now)
             self._retire(connection.judged, now)
-            self._lookout.wait_all((self._world.topics[connection.topic],))
+            topic = self._world.topics[connection.topic]
+            if not (topic.known or topic.connections):
+                self._existence.vanish((EntityKind.TOPIC, topic.name), now)
+            self._lookout.wait_all((topic,))
+        if self._world.graph is None:
+            ends = {node for one in self._world.connections.values() for node in (one.publisher, one.subscriber)}
+            for node in {node for one in outdated for node in (one.publisher, one.subscriber)} - ends:
+                self._existence.vanish((EntityKind.NODE, node), now)
         for sampled in self._world.outdated_samples(now):
             del self._world.sampled[sampled.id]
             self._retire(sampled.judged, now)

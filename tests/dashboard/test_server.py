@@ -16,7 +16,6 @@ from dashboard.live.scripted_robot import ScriptedRobot
 
 from roslens.dashboard.address import PageRef, ServedLinks
 from roslens.dashboard.export import pages_of
-from roslens.dashboard.render import WEB
 from roslens.dashboard.routes import OF_THE_PAST, PAGES, SERVED_ALONE
 from roslens.dashboard.server import create_app, serve
 from roslens.dashboard.site import Site
@@ -164,8 +163,3 @@ def test_the_computation_graph_is_a_picture_too(client: Any) -> None:
     assert found.headers["content-type"] == "image/svg+xml"
     assert found.text.startswith("<svg")
     assert client.get("/computation/nothing.svg").status_code == 404
-
-
-def test_the_scripts_of_all_pages_together_are_small() -> None:
-    found = [path for path in WEB.rglob("*.js") if path.name != "theme.js"]
-    assert sum(path.stat().st_size for path in found) < 120 * 1024

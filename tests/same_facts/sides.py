@@ -7,9 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
-import tarfile
 from collections.abc import Iterator, Mapping, Sequence
-from io import BytesIO
 from pathlib import Path
 
 import msgspec
@@ -91,8 +89,8 @@ def revision(name: str, root: Path = ROOT, kept: Path = KEPT) -> Side:
         beside = source.with_name(f".{tree}")
         shutil.rmtree(beside, ignore_errors=True)
         packed = subprocess.run(["git", "-C", root, "archive", name, SOURCE], check=True, capture_output=True).stdout
-        with tarfile.open(fileobj=BytesIO(packed)) as archive:
-            archive.extractall(beside, filter="data")
+        beside.mkdir(parents=True)
+        subprocess.run(["tar", "-x", "-C", str(beside)], input=packed, check=True)
         beside.rename(source)
     return Side(name, source / "src", _out(kept, tree), True)
 

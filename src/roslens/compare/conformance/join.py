@@ -59,7 +59,11 @@ def _same_generation(real: Sequence[Side]) -> None:
     known = {one.generation: one.title for one in real if one.generation in ("ros1", "ros2")}
     if len(known) > 1:
         said = " and ".join(f"{title} of {name.replace('ros', 'ROS ')}" for name, title in sorted(known.items()))
-        raise UsageError(f"{said} were given", expected="sides of one generation of ROS")
+        raise UsageError(
+            f"{said} were given",
+            expected="sides of one generation of ROS",
+            advice="Choose a configuration, or record a robot, of the same generation",
+        )
 
 
 class _Join:

@@ -76,9 +76,10 @@ quick: lint
 	ROSLENS_QUICK=1 $(BIN)/pytest -n auto -m "not slow and not heavy and not real and not browser and not nightly" \
 		--ignore=tests/scenarios --ignore=tests/native --ignore=tests/cli --ignore=tests/dashboard --ignore=tests/plugins/haros --ignore=tests/accuracy
 
-# Test modules with their assertions rewritten are kept: each of the workers would do that for all of them.
+# Test modules with their assertions rewritten are kept: each of the workers would do that for all of them. What cannot be
+# collected is reported by the run itself.
 rewritten: .venv/stamp
-	$(BIN)/pytest --collect-only -qq -m "$(EVERYDAY)" > /dev/null
+	$(BIN)/pytest --collect-only -qq -m "$(EVERYDAY)" > /dev/null || true
 
 lint: .venv/stamp
 	$(BIN)/ruff check

@@ -13,7 +13,7 @@ import pytest
 from roslens.model.source import Language
 from roslens.source.analyse_file import analyse_file
 from roslens.source.keys import content_hash
-from roslens.source.metrics.cyclomatic_complexity import of_function
+from roslens.source.metrics.complexity.cyclomatic_complexity import of_function
 from roslens.source.settings import CountingSettings, MacroSettings
 
 ROOT = Path(__file__).parents[2]

@@ -17,7 +17,8 @@ from roslens.model.result import PackageResult
 from roslens.model.source import Package, SourceFile
 from roslens.plugins.outcome import Outcome
 from roslens.source.analyse_package import MeasuredPackage
-from roslens.source.metrics import comment_ratio, rcv, rqv
+from roslens.source.metrics.packages import rcv, rqv
+from roslens.source.metrics.size import comment_ratio
 from roslens.source.settings import SourceSettings
 from roslens.source.tools.layout import RULE as LAYOUT
 from roslens.source.tools.layout import layout_folded

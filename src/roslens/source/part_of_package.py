@@ -11,7 +11,7 @@ import msgspec
 from roslens.intake.bounded_file import read_bounded
 from roslens.intake.time_budget import SOURCE_FILE_S, OverBudgetError, time_budget
 from roslens.model.entity import Entity, EntityKind
-from roslens.source.metrics import duplicated_lines
+from roslens.source.metrics.size import duplicated_lines
 from roslens.source.metrics.table import metrics_with
 from roslens.source.parsed_file import parse_file
 from roslens.source.rules.callbacks import REGISTERING_CPP, REGISTERING_PYTHON, STREAM, callbacks_of

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import calls
+from roslens.source.metrics.complexity import calls
 from roslens.source.settings import CountingSettings
 
 

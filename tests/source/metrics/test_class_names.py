@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.source.metrics.class_names import ClassNames
+from roslens.source.metrics.class_model.class_names import ClassNames
 
 CPP = ClassNames(["Arm", "a::Arm", "a::Arm::Link", "a::b::Tool", "c::Tool", "c::d::Wheel", "Arming"], "::")
 

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.source.metrics.class_names import ClassNames
-from roslens.source.metrics.class_use import called_classes, used_classes
+from roslens.source.metrics.class_model.class_names import ClassNames
+from roslens.source.metrics.class_model.class_use import called_classes, used_classes
 
 CPP = ClassNames(["nav::Grid", "nav::Planner", "nav::Planner::Node"], "::")
 

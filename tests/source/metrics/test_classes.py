@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import classes
+from roslens.source.metrics.size import classes
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import ClassFacts, FileFacts, Lines
 

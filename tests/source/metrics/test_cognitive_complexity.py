@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.source.metrics import cognitive_complexity
+from roslens.source.metrics.complexity import cognitive_complexity
 from roslens.source.settings import CountingSettings
 
 

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import comment_lines
+from roslens.source.metrics.size import comment_lines
 from roslens.source.syntax.facts import Lines
 
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from roslens.cli.main import main
-from roslens.source.metrics import comment_ratio
+from roslens.source.metrics.size import comment_ratio
 
 
 @pytest.mark.parametrize("values", [{"loc": 0.0, "comment_lines": 5.0}, {"comment_lines": 5.0}])

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics.countable import countable, countable_control
+from roslens.source.metrics.complexity.countable import countable, countable_control
 from roslens.source.settings import CountingSettings
 
 ALL = CountingSettings()

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
-from roslens.source.metrics import cycle
-from roslens.source.metrics.dependency_graph import dependency_graph
+from roslens.source.metrics.packages import cycle
+from roslens.source.metrics.packages.dependency_graph import dependency_graph
 
 
 def test_a_ring_of_thousands_is_no_trouble(package_of):

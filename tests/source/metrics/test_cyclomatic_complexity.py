@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics import cyclomatic_complexity
-from roslens.source.metrics.profiles import ROSLENS
+from roslens.source.metrics.complexity import cyclomatic_complexity
+from roslens.source.metrics.complexity.profiles import ROSLENS
 from roslens.source.settings import CountingSettings
 
 

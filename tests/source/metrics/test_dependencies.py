@@ -1,7 +1,7 @@
 from __future__ import annotations
 
-from roslens.source.metrics import dependencies
-from roslens.source.metrics.dependency_graph import dependency_graph
+from roslens.source.metrics.packages import dependencies
+from roslens.source.metrics.packages.dependency_graph import dependency_graph
 
 
 def test_an_empty_workspace_has_no_values():

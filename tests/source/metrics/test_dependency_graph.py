@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from roslens.model.source import OUTSIDE_PACKAGES
-from roslens.source.metrics.dependency_graph import dependency_graph, strongly_connected
+from roslens.source.metrics.packages.dependency_graph import dependency_graph, strongly_connected
 
 
 def graph_of(package_of, *lines):

@@ -3,8 +3,8 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics import dependents
-from roslens.source.metrics.dependency_graph import dependency_graph
+from roslens.source.metrics.packages import dependents
+from roslens.source.metrics.packages.dependency_graph import dependency_graph
 
 LINES = st.lists(st.lists(st.sampled_from("abcdef"), max_size=4), min_size=6, max_size=6)
 

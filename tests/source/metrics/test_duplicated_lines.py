@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics.duplicated_lines import of_files
+from roslens.source.metrics.size.duplicated_lines import of_files
 
 
 def test_no_lines_are_no_duplicates():

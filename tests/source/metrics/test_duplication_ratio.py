@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.source.metrics.duplication_ratio import of_values
+from roslens.source.metrics.size.duplication_ratio import of_values
 
 
 @pytest.mark.parametrize("values", [{"loc": 0.0, "duplicated_lines": 0.0}, {"loc": 5.0}, {}])

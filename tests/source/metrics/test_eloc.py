@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import eloc
+from roslens.source.metrics.size import eloc
 from roslens.source.settings import CountingSettings
 
 

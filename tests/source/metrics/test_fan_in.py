@@ -1,7 +1,7 @@
 from __future__ import annotations
 
-from roslens.source.metrics import fan_in
-from roslens.source.metrics.class_in_package import ClassInPackage
+from roslens.source.metrics.class_model.class_in_package import ClassInPackage
+from roslens.source.metrics.object_oriented import fan_in
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import ClassFacts
 

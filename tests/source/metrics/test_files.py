@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from roslens.model.source import Language, SourceFile
-from roslens.source.metrics import files
+from roslens.source.metrics.size import files
 
 
 def test_it_is_their_number():

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import functions
+from roslens.source.metrics.size import functions
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import FileFacts, Lines
 

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import halstead_bugs
+from roslens.source.metrics.halstead import halstead_bugs
 
 
 def test_it_is_the_volume_in_another_unit():

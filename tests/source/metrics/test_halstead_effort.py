@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import halstead_effort
+from roslens.source.metrics.halstead import halstead_effort
 
 
 def test_it_is_difficulty_times_volume():

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import halstead_time
+from roslens.source.metrics.halstead import halstead_time
 
 
 def test_it_is_an_eighteenth_of_the_effort():

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import halstead_vocabulary
+from roslens.source.metrics.halstead import halstead_vocabulary
 from roslens.source.syntax.facts import Halstead
 
 COUNTS = Halstead(distinct_operators=6, distinct_operands=4, operators=6, operands=8)

@@ -3,7 +3,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics.inheritance import depths
+from roslens.source.metrics.class_model.inheritance import depths
 
 
 def test_the_longest_way_counts():

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from roslens.model.source import Language, Role, SourceFile
-from roslens.source.metrics.join_classes import join_classes
+from roslens.source.metrics.class_model.join_classes import join_classes
 from roslens.source.syntax.facts import ClassFacts, FieldFacts, FileFacts, Lines, MethodFacts
 
 

@@ -4,7 +4,7 @@ import builtins
 
 import pytest
 
-from roslens.source.metrics.language_library import in_cpp_library, in_python_library
+from roslens.source.metrics.class_model.language_library import in_cpp_library, in_python_library
 
 LIBRARY_OF_CPP = """std::vector std::chrono::seconds string size_t uint8_t pthread_mutex_t T K1 FILE boost::shared_ptr
 boost::container::array unique_ptr"""

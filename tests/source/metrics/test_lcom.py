@@ -3,8 +3,8 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from roslens.source.metrics import lcom
-from roslens.source.metrics.class_in_package import ClassInPackage
+from roslens.source.metrics.class_model.class_in_package import ClassInPackage
+from roslens.source.metrics.object_oriented import lcom
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import ClassFacts, FieldFacts
 

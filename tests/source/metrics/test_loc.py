@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import loc
+from roslens.source.metrics.size import loc
 from roslens.source.syntax.facts import Lines
 
 

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from roslens.source.metrics import mac
-from roslens.source.metrics.class_in_package import ClassInPackage
+from roslens.source.metrics.class_model.class_in_package import ClassInPackage
+from roslens.source.metrics.object_oriented import mac
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import ClassFacts, MethodFacts
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics.maintainability_index import of_values
+from roslens.source.metrics.halstead.maintainability_index import of_values
 
 
 def values(volume: float = 1.0, complexity: float = 0.0, loc: float = 1.0, **more: float) -> dict[str, float]:

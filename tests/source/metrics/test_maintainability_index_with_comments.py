@@ -3,7 +3,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics import maintainability_index, maintainability_index_with_comments
+from roslens.source.metrics.halstead import maintainability_index, maintainability_index_with_comments
 
 
 def values(comments: float, loc: float = 50.0, **more: float) -> dict[str, float]:

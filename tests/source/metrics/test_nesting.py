@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from roslens.source.metrics import nesting
+from roslens.source.metrics.complexity import nesting
 from roslens.source.settings import CountingSettings
 
 

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import parameters
+from roslens.source.metrics.complexity import parameters
 from roslens.source.settings import CountingSettings
 
 

@@ -17,8 +17,8 @@ from pathlib import Path
 
 import pytest
 
-from roslens.source.metrics.cyclomatic_complexity import DECISIONS
-from roslens.source.metrics.profiles import PROFILES, ROSLENS, cyclomatic
+from roslens.source.metrics.complexity.cyclomatic_complexity import DECISIONS
+from roslens.source.metrics.complexity.profiles import PROFILES, ROSLENS, cyclomatic
 from roslens.source.syntax.cpp import parse_cpp
 from roslens.source.syntax.facts import FileFacts, FunctionFacts
 from roslens.source.syntax.macros import load_macros

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import rcv
+from roslens.source.metrics.packages import rcv
 
 
 def test_no_findings_are_none():

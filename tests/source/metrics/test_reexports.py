@@ -3,8 +3,8 @@
 import pytest
 
 from roslens.model.source import Language, SourceFile
-from roslens.source.metrics.join_classes import join_classes
-from roslens.source.metrics.reexports import Reexports
+from roslens.source.metrics.class_model.join_classes import join_classes
+from roslens.source.metrics.class_model.reexports import Reexports
 from roslens.source.syntax.python import parse_python
 
 MODULES = {

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import returns
+from roslens.source.metrics.complexity import returns
 from roslens.source.settings import CountingSettings
 
 

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import rqv
+from roslens.source.metrics.packages import rqv
 
 
 def test_no_findings_are_none():

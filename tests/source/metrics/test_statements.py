@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from roslens.source.metrics import statements
+from roslens.source.metrics.complexity import statements
 from roslens.source.settings import CountingSettings
 
 

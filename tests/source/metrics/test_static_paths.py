@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.source.metrics import static_paths
+from roslens.source.metrics.complexity import static_paths
 from roslens.source.settings import CountingSettings
 
 

@@ -83,7 +83,7 @@ def test_a_metric_is_complete(metric):
 def test_every_module_with_a_quantity_is_in_the_table():
     folder = Path(roslens.source.metrics.__path__[0])
     declared = {
-        path.stem for path in folder.glob("*.py") if re.search(r"^QUANTITY\b", path.read_text("utf-8"), re.MULTILINE)
+        path.stem for path in folder.rglob("*.py") if re.search(r"^QUANTITY\b", path.read_text("utf-8"), re.MULTILINE)
     }
     assert declared == {name_of(metric) for metric in METRICS}
 

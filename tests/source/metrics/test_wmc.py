@@ -4,8 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from roslens.source.metrics import wmc
-from roslens.source.metrics.class_in_package import ClassInPackage
+from roslens.source.metrics.class_model.class_in_package import ClassInPackage
+from roslens.source.metrics.object_oriented import wmc
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import ClassFacts, MethodFacts
 

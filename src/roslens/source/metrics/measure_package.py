@@ -10,10 +10,10 @@ from msgspec.structs import replace
 from roslens.judge.fold import fold_parts, fold_steps
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.source import Package, Role, SourceFile
-from roslens.source.metrics import duplicated_lines, files
-from roslens.source.metrics.class_in_package import ClassInPackage
-from roslens.source.metrics.join_classes import JoinedClasses, join_classes
+from roslens.source.metrics.class_model.class_in_package import ClassInPackage
+from roslens.source.metrics.class_model.join_classes import JoinedClasses, join_classes
 from roslens.source.metrics.measure_file import add_derived, numbered
+from roslens.source.metrics.size import duplicated_lines, files
 from roslens.source.metrics.table import QUANTITIES, metrics_with
 from roslens.source.settings import CountingSettings
 from roslens.source.syntax.facts import FileFacts

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from roslens.model.source import Package
-from roslens.source.metrics import cycle, dependencies, dependents, tier
-from roslens.source.metrics.dependency_graph import dependency_graph
+from roslens.source.metrics.packages import cycle, dependencies, dependents, tier
+from roslens.source.metrics.packages.dependency_graph import dependency_graph
 
 
 def measure_workspace(packages: Sequence[Package]) -> dict[str, dict[str, float]]:

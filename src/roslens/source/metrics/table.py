@@ -21,26 +21,17 @@ from __future__ import annotations
 from types import ModuleType
 
 from roslens.model.quantity import Quantity
-from roslens.source.metrics import (
-    blank_lines,
+from roslens.source.metrics.complexity import (
     calls,
-    cbo,
-    classes,
     cognitive_complexity,
-    comment_lines,
-    comment_ratio,
-    cycle,
     cyclomatic_complexity,
-    dependencies,
-    dependents,
-    dit,
-    duplicated_lines,
-    duplication_ratio,
-    eloc,
-    fan_in,
-    fan_out,
-    files,
-    functions,
+    nesting,
+    parameters,
+    returns,
+    statements,
+    static_paths,
+)
+from roslens.source.metrics.halstead import (
     halstead_bugs,
     halstead_difficulty,
     halstead_effort,
@@ -48,23 +39,23 @@ from roslens.source.metrics import (
     halstead_time,
     halstead_vocabulary,
     halstead_volume,
-    lcom,
-    loc,
-    mac,
     maintainability_index,
     maintainability_index_with_comments,
-    methods,
-    nesting,
-    noc,
-    parameters,
+)
+from roslens.source.metrics.object_oriented import cbo, dit, fan_in, fan_out, lcom, mac, methods, noc, wmc
+from roslens.source.metrics.packages import cycle, dependencies, dependents, rcv, rqv, tier
+from roslens.source.metrics.size import (
+    blank_lines,
+    classes,
+    comment_lines,
+    comment_ratio,
+    duplicated_lines,
+    duplication_ratio,
+    eloc,
+    files,
+    functions,
+    loc,
     physical_lines,
-    rcv,
-    returns,
-    rqv,
-    statements,
-    static_paths,
-    tier,
-    wmc,
 )
 
 METRICS: tuple[ModuleType, ...] = (

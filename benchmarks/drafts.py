@@ -30,8 +30,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from roslens.judge.expectation import Reference
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reference.expectation import Reference
 from roslens.live.adapters.bag.block import Ints
 from roslens.live.adapters.bag.open_bag import open_bag
 from roslens.live.adapters.bag.steps import Lane, Steps

@@ -23,7 +23,7 @@ import yaml
 import roslens
 from roslens.children.git import git_environment, git_words
 from roslens.cli.main import main as roslens_main
-from roslens.judge.field import CURRENT, FEWEST, Distribution, Field, FieldRepository
+from roslens.judge.quality.field import CURRENT, FEWEST, Distribution, Field, FieldRepository
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Quantity
 from roslens.model.result import PackageResult
@@ -34,8 +34,8 @@ from roslens.store.runs import Store
 
 ROOT = Path(__file__).parents[1]
 LISTS = {name: ROOT / "benchmarks" / "corpora" / f"field_{name}.repos" for name in ("ros1", "ros2")}
-FIELD = ROOT / "src" / "roslens" / "judge" / "fields" / f"{CURRENT}.json"
-MODEL = ROOT / "src" / "roslens" / "judge" / "models" / f"{CURRENT}.yaml"
+FIELD = ROOT / "src" / "roslens" / "judge" / "quality" / "fields" / f"{CURRENT}.json"
+MODEL = ROOT / "src" / "roslens" / "judge" / "quality" / "models" / f"{CURRENT}.yaml"
 STEPS = 40
 BOUNDED = (
     ("cyclomatic_complexity", EntityKind.FUNCTION, "complexity"),

@@ -23,7 +23,7 @@ from urllib.parse import urlsplit
 
 from roslens.cli.watch_page import PageSource
 from roslens.dashboard.live.serving import LivePage
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.past.keeper import in_memory
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY

@@ -13,8 +13,8 @@ import sys
 import time
 from random import Random
 
-from roslens.judge.expectation import Expectation, Reference, Selector, Timing, Told
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import Expectation, Reference, Selector, Timing, Told
 from roslens.live.monitor import Monitor
 from roslens.model.entity import EntityKind
 from roslens.model.tally import Moments, Observer, Tally

@@ -24,7 +24,7 @@ import yaml
 from roslens.children.git import git_environment, git_words
 from roslens.cli.main import main as roslens_main
 from roslens.model.study import Column, Corpus, Figures, Subject
-from roslens.report.study_tables import written
+from roslens.report.study.study_tables import written
 from roslens.source.study.describe import describe
 from roslens.source.study.measurements import measurements
 from roslens.source.study.paper_tables import COLUMNS, ROLES

@@ -25,7 +25,7 @@ from roslens.cli.main import main as roslens_main
 from roslens.model.result import PackageSummary
 from roslens.model.source import OUTSIDE_PACKAGES
 from roslens.model.study import PACKAGE, Broken, Column, Corpus, Figures, Subject
-from roslens.report.study_tables import interval, written
+from roslens.report.study.study_tables import interval, written
 from roslens.source.study.correlate import correlate
 from roslens.source.study.csv_rows import read_csv
 from roslens.source.study.describe import describe

@@ -11,8 +11,6 @@ MOST = 25
 CROWDED = {
     "cli": 102,
     "live": 79,
-    "judge": 61,
-    "report": 47,
     "source/tools": 39,
     "source/rules/graph": 38,
     "dashboard": 38,
@@ -29,11 +27,11 @@ CROWDED = {
 }
 """Modules of folders that are too large still: whoever divides one lowers its number, and no number rises."""
 
-HOUSES = [SOURCE / "source" / "extract", SOURCE / "source" / "metrics"]
+HOUSES = [SOURCE / name for name in ("source/extract", "source/metrics", "judge", "report")]
 """Packages that are divided into rooms."""
 
-ROOMLESS = {SOURCE / "source" / "extract"}
-"""Houses of which every module stands in a room."""
+ENTRANCES = {SOURCE / "source" / "metrics"}
+"""Houses with modules of their own beside their rooms."""
 
 PASSES = (
     r"In comes? .*; out comes? |come in[;,]? .*go out|come in and go out|other rooms fill"
@@ -60,7 +58,7 @@ def test_no_folder_is_crowded_and_those_that_were_shrink():
 
 
 def test_no_module_stands_outside_of_a_room():
-    assert {house: modules(house) for house in ROOMLESS} == {house: [] for house in ROOMLESS}
+    assert {house: bool(modules(house)) for house in HOUSES} == {house: house in ENTRANCES for house in HOUSES}
 
 
 @pytest.mark.parametrize("room", ROOMS, ids=lambda room: room.relative_to(SOURCE).as_posix())

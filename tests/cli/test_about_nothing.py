@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from roslens.cli.about_nothing import MOST, about_nothing, errors_about_nothing, kinds_of, lines_of
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.note import Note, NoteKind
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY

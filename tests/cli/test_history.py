@@ -13,7 +13,7 @@ from roslens.cli.main import main
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.graph import Change, Event
 from roslens.model.verdict import State, Verdict
-from roslens.report.history_text import sparkline
+from roslens.report.history.history_text import sparkline
 from roslens.store.history import History
 from roslens.store.series import Point
 

@@ -21,7 +21,7 @@ from roslens.dashboard.routes import PAGES
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Table
 from roslens.dashboard.view import Limits, Query, Request, View
-from roslens.report.fix_first import FURTHEST
+from roslens.report.run.fix_first import FURTHEST
 
 EXAMPLE = Path(__file__).parents[2] / "examples/workspace"
 MANY_CALLS = "def walk(step):\n" + "".join(f"    step.move_{number}()\n" for number in range(12)) + "    return step\n"

@@ -62,8 +62,8 @@ def models(monkeypatch):
 
     missing = set()
     monkeypatch.setattr("roslens.dashboard.site.Site", lambda view, **given: SimpleNamespace(view=view, **given))
-    monkeypatch.setattr("roslens.judge.quality_model.load_model", load)
-    monkeypatch.setattr("roslens.judge.quality_model.builtin_models", lambda: ("roslens", "other"))
+    monkeypatch.setattr("roslens.judge.quality.quality_model.load_model", load)
+    monkeypatch.setattr("roslens.judge.quality.quality_model.builtin_models", lambda: ("roslens", "other"))
     return missing
 
 

@@ -8,7 +8,7 @@ import pytest
 from roslens.cli.main import main
 from roslens.cli.watch_live import _serve
 from roslens.cli.watch_publish import publish_through, unpublished, wanted
-from roslens.judge.expectation import Presence, PresenceMode, Reference, Selector, Told
+from roslens.judge.reference.expectation import Presence, PresenceMode, Reference, Selector, Told
 from roslens.live.child_source import ChildSource, Publishes
 from roslens.live.publish.turns import PERIOD_S
 from roslens.live.session import Session

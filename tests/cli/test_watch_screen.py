@@ -6,7 +6,7 @@ import pytest
 from roslens.cli.watch_screen import screen
 from roslens.live.tree import SystemView
 from roslens.model.verdict import State
-from roslens.report.terminal import Terminal
+from roslens.report.writing.terminal import Terminal
 
 BAD = {"low": 1}
 

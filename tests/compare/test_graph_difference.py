@@ -13,7 +13,7 @@ from roslens.model.configuration import (
 )
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos
-from roslens.report.difference_text import to_markdown, to_text
+from roslens.report.graph.difference_text import to_markdown, to_text
 
 PROOF = Proof("a.cpp", 3)
 RELIABLE = Qos("reliable", "volatile", "keep_last", 10)

@@ -9,7 +9,7 @@ OWN = {
     "cli/commands/lsp.py": "its own pipes",
     "cli/user_folder.py": "files of the user's own folder",
     "cli/trust.py": "the user's own list, and plug-ins by pieces",
-    "judge/field.py": "comes with roslens",
+    "judge/quality/field.py": "comes with roslens",
     "dashboard/computation/to_svg.py": "comes with roslens",
     "dashboard/export.py": "comes with roslens, and the mark of a folder that roslens wrote",
     "dashboard/single_file.py": "comes with roslens",

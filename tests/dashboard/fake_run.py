@@ -14,9 +14,9 @@ import msgspec
 
 from roslens.dashboard.site import Site
 from roslens.dashboard.source_text import blob_id
-from roslens.judge.fold import fold_parts, fold_steps
-from roslens.judge.quality_model import load_model, rules_of
-from roslens.judge.thresholds import judge_entities
+from roslens.judge.quality.fold import fold_parts, fold_steps
+from roslens.judge.quality.quality_model import load_model, rules_of
+from roslens.judge.quality.thresholds import judge_entities
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity, fingerprint

@@ -3,7 +3,7 @@
 import pytest
 
 from roslens.dashboard.gate_line import gate_line
-from roslens.judge.gate import GateResult
+from roslens.judge.quality.gate import GateResult
 from roslens.model.finding import Severity
 
 COUNTS = {Severity.ERROR: 0, Severity.WARNING: 12, Severity.NOTE: 3}

@@ -1,7 +1,7 @@
 """The metrics of a package: where it stands in the field."""
 
 from roslens.dashboard.metric_rows import metrics_table
-from roslens.judge.field import load_field
+from roslens.judge.quality.field import load_field
 from roslens.model.entity import Entity, EntityKind
 
 

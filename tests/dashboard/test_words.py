@@ -13,8 +13,8 @@ import roslens
 from roslens.cli.watch_screen import nameless
 from roslens.dashboard.computation.system import VERB
 from roslens.dashboard.server import create_app
-from roslens.judge.constraint import Constraint
-from roslens.judge.range import Range
+from roslens.judge.quality.constraint import Constraint
+from roslens.judge.ranges.range import Range
 from roslens.live.tree import SystemView
 from roslens.model.entity import EntityKind
 from roslens.model.graph import Role

@@ -144,8 +144,8 @@ def _cmake(content: bytes) -> None:
 
 def _yaml(content: bytes) -> None:
     from roslens.intake.safe_yaml import UnsafeYamlError, load_yaml
-    from roslens.judge.read_reference import GivenText, load_reference
-    from roslens.judge.read_time_line import parse_time_lines
+    from roslens.judge.reading.read_reference import GivenText, load_reference
+    from roslens.judge.reading.read_time_line import parse_time_lines
     from roslens.live.signals import BY_KEY
     from roslens.model.errors import RoslensError
     from roslens.source.extract.parameters.parameter_file import ros1_parameters, ros2_parameters
@@ -217,7 +217,7 @@ def _frames(content: bytes) -> None:
 
 
 def _session_takes(frame) -> None:
-    from roslens.judge.read_reference import GivenText, load_reference
+    from roslens.judge.reading.read_reference import GivenText, load_reference
     from roslens.live.session import Session
     from roslens.live.signals import BY_KEY
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.alternatives import MOST, alternatives, each
-from roslens.judge.expectation import Presence, PresenceMode, Selector, Told
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.alternatives import MOST, alternatives, each
+from roslens.judge.reference.expectation import Presence, PresenceMode, Selector, Told
 from roslens.model.entity import EntityKind
 
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.amount import UNITS, Limits, amount_text, limits_text, parse_amount, parse_limits
-from roslens.judge.range import Range
+from roslens.judge.ranges.amount import UNITS, Limits, amount_text, limits_text, parse_amount, parse_limits
+from roslens.judge.ranges.range import Range
 
 
 @pytest.mark.parametrize(

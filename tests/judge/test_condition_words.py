@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.judge.condition_words import condition_words
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reference.condition_words import condition_words
 from roslens.live.signals import BY_KEY
 
 CASES = [

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.judge.constraint import Constraint, spoken, verb
-from roslens.judge.range import Range
+from roslens.judge.quality.constraint import Constraint, spoken, verb
+from roslens.judge.ranges.range import Range
 from roslens.model.entity import EntityKind
 
 

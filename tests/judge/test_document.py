@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.judge.document import Section, read_document
+from roslens.judge.documents.document import Section, read_document
 from roslens.model.errors import DocumentError
 
 KEYS = {"name": "its name", "limit": "a number", "tags": "texts", "colour": "a choice", "parts": "a list"}

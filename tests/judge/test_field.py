@@ -5,8 +5,8 @@ from datetime import date
 
 import pytest
 
-from roslens.judge.field import CURRENT, FEWEST, Distribution, load_field
-from roslens.judge.quality_model import load_model
+from roslens.judge.quality.field import CURRENT, FEWEST, Distribution, load_field
+from roslens.judge.quality.quality_model import load_model
 from roslens.model.entity import EntityKind
 from roslens.source.metrics.table import QUANTITIES
 

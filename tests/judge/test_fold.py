@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.fold import fold_parts, fold_steps, folded_from, folded_keys
+from roslens.judge.quality.fold import fold_parts, fold_steps, folded_from, folded_keys
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.quantity import Fold, Quantity
 

@@ -1,6 +1,6 @@
 """Several limits broken by one entity."""
 
-from roslens.judge.fold_limits import fold_limits, limits_broken
+from roslens.judge.quality.fold_limits import fold_limits, limits_broken
 from roslens.model.finding import Finding, Severity
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.judge.gate import GateConditions, GateFacts, Lines, evaluate
+from roslens.judge.quality.gate import GateConditions, GateFacts, Lines, evaluate
 
 FACTS = GateFacts({"errors": 2}, Lines(200, 30), {"errors": 0, "warnings": 3}, Lines(50, 20))
 

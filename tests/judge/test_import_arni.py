@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.expectation import Reference, Selector
-from roslens.judge.import_arni import Entry, Outcome, import_arni, imported
-from roslens.judge.range import Range
-from roslens.judge.read_reference import GivenText, load_reference
-from roslens.judge.yaml_tree import read_tree
+from roslens.judge.arni.import_arni import Entry, Outcome, import_arni, imported
+from roslens.judge.documents.yaml_tree import read_tree
+from roslens.judge.ranges.range import Range
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reference.expectation import Reference, Selector
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError

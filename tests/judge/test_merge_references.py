@@ -10,12 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pace import turned_s
 
-from roslens.judge.contradiction import meeting_name
-from roslens.judge.expectation import Reference, Selector
-from roslens.judge.merge_references import merge_references, sentences_of
-from roslens.judge.pattern_index import CompiledSelector
-from roslens.judge.range import Range
-from roslens.judge.read_reference import GivenText, load_reference, read_references
+from roslens.judge.ranges.range import Range
+from roslens.judge.reading.read_reference import GivenText, load_reference, read_references
+from roslens.judge.reference.contradiction import meeting_name
+from roslens.judge.reference.expectation import Reference, Selector
+from roslens.judge.reference.merge_references import merge_references, sentences_of
+from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError

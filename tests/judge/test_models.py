@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.judge.constraint import Constraint
-from roslens.judge.quality_model import QualityModel, builtin_models, load_model, rules_of
+from roslens.judge.quality.constraint import Constraint
+from roslens.judge.quality.quality_model import QualityModel, builtin_models, load_model, rules_of
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.source.metrics.table import QUANTITIES

@@ -10,8 +10,8 @@ import jsonschema
 import pytest
 import yaml
 
-from roslens.judge.models_page import EXAMPLE, model_schema, models_page
-from roslens.judge.quality_model import MODELS, builtin_models, load_model, rules_of
+from roslens.judge.pages.models_page import EXAMPLE, model_schema, models_page
+from roslens.judge.quality.quality_model import MODELS, builtin_models, load_model, rules_of
 from roslens.model.errors import DocumentError
 from roslens.model.finding import Severity
 from roslens.source.metrics.table import QUANTITIES

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pace import turned_s
 
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
 
 
 @pytest.mark.parametrize(

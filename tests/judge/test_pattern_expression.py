@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_expression import expression_of
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.pattern_expression import expression_of
 
 PIECES = st.sampled_from(["*", "**", "?", "/", "a", "b", "scan", "{a,b}", "{,**/}", ".", "[x]", "\\*", "+"])
 NAMES = st.text(alphabet="ab/s.[x]*+", max_size=8)

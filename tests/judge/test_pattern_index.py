@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pace import turned_s
 
-from roslens.judge.expectation import Selector
-from roslens.judge.pattern_index import CompiledSelector, PatternIndex
+from roslens.judge.reference.expectation import Selector
+from roslens.judge.reference.pattern_index import CompiledSelector, PatternIndex
 from roslens.model.entity import EntityKind
 
 TOPIC, NODE, CONNECTION = EntityKind.TOPIC, EntityKind.NODE, EntityKind.CONNECTION

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.qos_match import mismatches
+from roslens.judge.ranges.qos_match import mismatches
 from roslens.model.qos import Qos
 
 QOS = st.builds(

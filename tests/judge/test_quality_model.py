@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from roslens.judge.quality_model import (
+from roslens.judge.quality.quality_model import (
     QualityModel,
     builtin_models,
     find_model,
@@ -16,7 +16,7 @@ from roslens.judge.quality_model import (
     rules_of,
     tags_of,
 )
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError
 from roslens.model.finding import Severity

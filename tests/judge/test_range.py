@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.range import Range, plain
+from roslens.judge.ranges.range import Range, plain
 
 BOUND = st.one_of(st.none(), st.floats(allow_nan=False, allow_infinity=False), st.integers(-1000, 1000).map(float))
 VALUE = st.one_of(st.floats(allow_nan=False), st.integers(-1000, 1000).map(float))

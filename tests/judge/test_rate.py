@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.range import Range
-from roslens.judge.rate import Rating, rate
+from roslens.judge.ranges.range import Range
+from roslens.judge.ranges.rate import Rating, rate
 
 
 @pytest.mark.parametrize(

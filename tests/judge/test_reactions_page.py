@@ -1,9 +1,9 @@
 """The page of reactions holds what the reader knows, and its example is one that reader and schema take."""
 
-from roslens.judge.reaction_keys import CONDITION_KEYS, REACTION_KEYS, STEP_KEYS
-from roslens.judge.reactions_page import EXAMPLE, reactions_page
-from roslens.judge.read_reference import GivenText, load_reference
-from roslens.judge.template import FIELDS
+from roslens.judge.pages.reactions_page import EXAMPLE, reactions_page
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reference.reaction_keys import CONDITION_KEYS, REACTION_KEYS, STEP_KEYS
+from roslens.judge.reference.template import FIELDS
 from roslens.live.signals import BY_KEY
 
 from .test_references_page import accepted

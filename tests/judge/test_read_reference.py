@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roslens.judge.expectation import FieldCondition, Presence, PresenceMode, Reference, Selector, Timing
-from roslens.judge.merge_references import sentences_of
-from roslens.judge.range import Range
-from roslens.judge.read_reference import GivenText, load_reference
-from roslens.judge.reference_keys import SELECTOR_KEYS, TOLD_KEYS
+from roslens.judge.ranges.range import Range
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reference.expectation import FieldCondition, Presence, PresenceMode, Reference, Selector, Timing
+from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.reference_keys import SELECTOR_KEYS, TOLD_KEYS
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError

@@ -7,10 +7,10 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference, read_references
-from roslens.judge.reference_keys import CHAIN_KEYS, FIELD_KEYS, REFERENCE_KEYS, WHEN_KEYS, constraint_keys
-from roslens.judge.references_page import EXAMPLE, reference_schema, references_page
-from roslens.judge.yaml_tree import Items, Node, Scalar, Table, read_tree
+from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, read_tree
+from roslens.judge.pages.references_page import EXAMPLE, reference_schema, references_page
+from roslens.judge.reading.read_reference import GivenText, load_reference, read_references
+from roslens.judge.reference.reference_keys import CHAIN_KEYS, FIELD_KEYS, REFERENCE_KEYS, WHEN_KEYS, constraint_keys
 from roslens.live.signals import BY_KEY
 from roslens.model.errors import DocumentError
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.select import matcher, name_of
+from roslens.judge.quality.select import matcher, name_of
 from roslens.model.entity import Entity, EntityKind
 
 

@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.constraint import Constraint
-from roslens.judge.quality_model import QualityModel, rules_of
-from roslens.judge.range import Range
-from roslens.judge.rate import Rating, rate
-from roslens.judge.thresholds import Rated, judge_entities, rate_values
+from roslens.judge.quality.constraint import Constraint
+from roslens.judge.quality.quality_model import QualityModel, rules_of
+from roslens.judge.quality.thresholds import Rated, judge_entities, rate_values
+from roslens.judge.ranges.range import Range
+from roslens.judge.ranges.rate import Rating, rate
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.finding import Finding, Severity, fingerprint
 

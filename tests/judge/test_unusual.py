@@ -1,5 +1,5 @@
-from roslens.judge.field import distributions_of
-from roslens.judge.unusual import LOOKED_AT, Unusual, most_unusual, percentiles
+from roslens.judge.quality.field import distributions_of
+from roslens.judge.quality.unusual import LOOKED_AT, Unusual, most_unusual, percentiles
 from roslens.model.entity import EntityKind
 
 

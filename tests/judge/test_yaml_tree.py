@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.yaml_tree import MAX_BYTES, Items, Scalar, Table, Tree, read_tree
+from roslens.judge.documents.yaml_tree import MAX_BYTES, Items, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 
 

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import pytest
 
-from roslens.judge.expectation import Expectation, Reference, Selector, Told
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
 from roslens.live.adapters.ros1.__main__ import GATHER_S
 from roslens.live.adapters.ros2.__main__ import COUNT_EVERY_S as BESIDE_S
 from roslens.live.agent.work import COUNT_EVERY_S

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.pattern import Pattern
-from roslens.judge.range import Range
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.ranges.range import Range
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.draft import Observed
 from roslens.live.draft_groups import grouped, pattern_of
 from roslens.live.draft_lines import rounded

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.draft_presence import Attendance, There, there_in, types_in
 from roslens.live.draft_session import DraftSession
 from roslens.live.draft_text import draft_text

@@ -3,8 +3,8 @@
 import pytest
 from live.time_line import Played
 
-from roslens.judge.expectation import Expectation, Reference, Selector, Told
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
 from roslens.live.bucket import Bucket
 from roslens.live.replay import SHORTEST_STEP_S, STEP_S, usual_step
 from roslens.model.entity import EntityKind

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from live.time_line import moments, reference, tallies
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.monitor import Monitor
 from roslens.live.signals import BY_KEY
 from roslens.live.window import MAX_BUCKETS

@@ -2,7 +2,7 @@
 
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.newest import MOST_GONE, keep_newest
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY

@@ -5,7 +5,7 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.read_reference import load_reference
+from roslens.judge.reading.read_reference import load_reference
 from roslens.live.reference_parameters import parameter_documents
 from roslens.live.signals import BY_KEY
 from roslens.model.errors import DocumentError

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.unmatched import Subject
+from roslens.judge.reference.unmatched import Subject
 from roslens.live import seen
 from roslens.live.seen import Seen
 from roslens.live.world import World

@@ -1,7 +1,7 @@
 import msgspec
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.session import BEGIN_S, Session, Step, run
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind

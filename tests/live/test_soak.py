@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.adapters.ros2.observation import Observation
 from roslens.live.inside import rclpy_hook, slots
 from roslens.live.inside.counters import CounterReader

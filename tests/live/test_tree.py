@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.connection import Connection
 from roslens.live.monitor import Monitor
 from roslens.live.signals import BY_KEY

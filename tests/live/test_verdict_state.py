@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.expectation import Timing
+from roslens.judge.reference.expectation import Timing
 from roslens.live.verdict_state import NEVER, VerdictState
 from roslens.model.verdict import State
 

@@ -17,7 +17,8 @@ from typing import Any
 import msgspec
 import yaml
 
-from roslens.judge.expectation import (
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import (
     AgeChain,
     Expectation,
     FieldCheck,
@@ -31,7 +32,6 @@ from roslens.judge.expectation import (
     Timing,
     Told,
 )
-from roslens.judge.range import Range
 from roslens.live.monitor import Monitor
 from roslens.live.session import Step
 from roslens.model.entity import EntityId, EntityKind

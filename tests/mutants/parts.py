@@ -20,7 +20,7 @@ class Part(NamedTuple):
 PARTS = (
     Part(
         "judge",
-        ("src/roslens/judge/*.py",),
+        ("src/roslens/judge/**/*.py",),
         ("tests/judge", "tests/live/test_time_lines.py", "tests/live/test_monitor.py"),
     ),
     Part(

@@ -3,7 +3,7 @@ import json
 from roslens.compare.finding_difference import FindingDifference
 from roslens.compare.graph_difference import Difference
 from roslens.model.finding import Finding, Severity
-from roslens.report.difference_document import to_difference_json
+from roslens.report.graph.difference_document import to_difference_json
 
 
 def test_what_is_different_and_which_findings_are_new_and_gone():

@@ -3,7 +3,7 @@ import msgspec
 from roslens.compare.finding_difference import FindingDifference, MovedFinding
 from roslens.compare.graph_difference import Difference
 from roslens.model.finding import Finding, Severity
-from roslens.report.difference_text import FOLDED_FROM, MOST_ROWS, to_markdown, to_text
+from roslens.report.graph.difference_text import FOLDED_FROM, MOST_ROWS, to_markdown, to_text
 
 
 def test_several_of_one_kind_tell_what_is_new_and_what_is_gone():

@@ -7,7 +7,7 @@ import pytest
 from roslens.dashboard.evidence_page import evidence_page
 from roslens.model.requirement import Evidence, Item, Met
 from roslens.model.source import Location
-from roslens.report.evidence_text import evidence_json, evidence_markdown, evidence_text, verdict
+from roslens.report.run.evidence_text import evidence_json, evidence_markdown, evidence_text, verdict
 from roslens.source.evidence.requirements import BY_NUMBER, REQUIREMENTS
 
 

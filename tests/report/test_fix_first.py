@@ -3,7 +3,7 @@
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount
 from roslens.model.tags import TagFilter
-from roslens.report.fix_first import first_to_fix, is_listed
+from roslens.report.run.fix_first import first_to_fix, is_listed
 
 ALL = TagFilter()
 

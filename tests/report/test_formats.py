@@ -9,7 +9,7 @@ import jsonschema
 import msgspec
 import pytest
 
-from roslens.judge.gate import GateResult
+from roslens.judge.quality.gate import GateResult
 from roslens.model.edit import Edit
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity
@@ -17,9 +17,9 @@ from roslens.model.result import WorkspaceResult
 from roslens.model.same_finding import key_of_finding
 from roslens.model.source import Location
 from roslens.model.tags import parse_tags
-from roslens.report import not_analysed, to_sarif
-from roslens.report.formats import FORMATS, format_of, write_format
-from roslens.report.reported import Reported, Wanted, reported
+from roslens.report.run import not_analysed, to_sarif
+from roslens.report.run.formats import FORMATS, format_of, write_format
+from roslens.report.run.reported import Reported, Wanted, reported
 
 SCHEMA = Path(__file__).parents[1] / "fixtures/report/sarif/sarif-schema-2.1.0.json"
 AWKWARD = 'a "b" <c> & d | e` 100 %, @all\r\n::error::no \x1b[31m\x00'

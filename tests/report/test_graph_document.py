@@ -5,7 +5,7 @@ import jsonschema
 import pytest
 
 from roslens.model.errors import DocumentError
-from roslens.report.graph_document import graph_schema, read_graph_json, to_graph_json
+from roslens.report.graph.graph_document import graph_schema, read_graph_json, to_graph_json
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "reference" / "graph.schema.json"
 

@@ -1,4 +1,4 @@
-from roslens.report.graph_edges import namespace_of, things_of
+from roslens.report.graph.graph_edges import namespace_of, things_of
 
 
 def test_nodes_and_things_are_joined(graph):

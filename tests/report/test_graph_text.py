@@ -8,7 +8,7 @@ from roslens.model.configuration import (
     Proof,
     Unresolved,
 )
-from roslens.report.graph_text import to_graph_text
+from roslens.report.graph.graph_text import to_graph_text
 
 
 def test_a_node_tells_what_it_does_and_from_where(graph):

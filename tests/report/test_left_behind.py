@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from roslens.report.left_behind import beside, sweep
-from roslens.report.whole_file import whole_file
+from roslens.report.writing.left_behind import beside, sweep
+from roslens.report.writing.whole_file import whole_file
 
 
 @pytest.fixture

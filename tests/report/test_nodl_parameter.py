@@ -2,7 +2,7 @@ import pytest
 import yaml
 
 from roslens.model.configuration import ConfiguredParameter
-from roslens.report.nodl_parameter import nodl_parameter
+from roslens.report.graph.nodl_parameter import nodl_parameter
 
 
 def read(**more):

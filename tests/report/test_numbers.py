@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.report.numbers import plain, written
+from roslens.report.writing.numbers import plain, written
 
 
 @pytest.mark.parametrize(

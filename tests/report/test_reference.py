@@ -5,8 +5,8 @@ import json
 import re
 from pathlib import Path
 
-from roslens.report.to_csv import TABLES, write_table
-from roslens.report.to_json import write_json
+from roslens.report.run.to_csv import TABLES, write_table
+from roslens.report.run.to_json import write_json
 
 PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "report.md").read_text("utf-8")
 

@@ -5,11 +5,11 @@ import json
 
 import pytest
 
-from roslens.judge.field import Distribution, Field
+from roslens.judge.quality.field import Distribution, Field
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Fold, Quantity
 from roslens.model.result import PackageSummary
-from roslens.report.standings import standings_csv, standings_json, standings_of, standings_text
+from roslens.report.study.standings import standings_csv, standings_json, standings_of, standings_text
 
 PACKAGE = EntityKind.PACKAGE
 QUANTITIES = (

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.report.terminal import Terminal, columns, left, right
+from roslens.report.writing.terminal import Terminal, columns, left, right
 
 PLAIN = Terminal(80, color=False, unicode=True)
 ASCII = Terminal(80, color=False, unicode=False)

@@ -11,7 +11,8 @@ from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import WorkspaceResult
 from roslens.model.tags import parse_tags
-from roslens.report.to_csv import TABLES, _cell, write_findings, write_folder, write_table
+from roslens.report.run.to_csv import TABLES, write_findings, write_folder, write_table
+from roslens.report.writing.csv_table import written_cell
 
 
 def table(view, name, tags=None):
@@ -134,7 +135,7 @@ def test_a_formula_from_source_is_shown_as_text(view_of, sample, text):
 def test_any_text_comes_back(texts):
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\r\n")
-    writer.writerow([_cell(text) for text in texts])
+    writer.writerow([written_cell(text) for text in texts])
     (row,) = csv.reader(io.StringIO(stream.getvalue(), newline=""))
     expected = [text.removeprefix("'").replace("\0", "\N{REPLACEMENT CHARACTER}") for text in texts]
     assert [text.removeprefix("'") for text in row] == expected

@@ -2,7 +2,7 @@ import subprocess
 
 import pytest
 
-from roslens.report.to_diff import to_diff
+from roslens.report.run.to_diff import to_diff
 
 CASES = [
     (b"a\nb\nc\n", b"a\nx\nc\n"),

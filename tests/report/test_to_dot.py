@@ -1,6 +1,6 @@
 import msgspec
 
-from roslens.report.to_dot import to_dot
+from roslens.report.graph.to_dot import to_dot
 
 
 def test_namespaces_are_boxes_and_lines_have_styles(graph):

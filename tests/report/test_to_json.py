@@ -14,7 +14,7 @@ from roslens.model.quantity import Better, Fold
 from roslens.model.result import WorkspaceResult
 from roslens.model.source import Language, Role
 from roslens.model.tags import parse_tags
-from roslens.report.to_json import SCHEMA, write_json
+from roslens.report.run.to_json import SCHEMA, write_json
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "reference" / "report.schema.json"
 EXPECTED = Path(__file__).parents[1] / "fixtures" / "report" / "small.json"

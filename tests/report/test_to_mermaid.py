@@ -2,7 +2,7 @@ import re
 
 import msgspec
 
-from roslens.report.to_mermaid import to_mermaid
+from roslens.report.graph.to_mermaid import to_mermaid
 
 
 def test_every_line_joins_what_is_drawn(graph):

@@ -8,7 +8,7 @@ from roslens.model.configuration import (
     Proof,
 )
 from roslens.model.graph import Endpoint, Role
-from roslens.report.to_nodl import to_nodl
+from roslens.report.graph.to_nodl import to_nodl
 
 
 def test_each_node_is_a_document(graph):

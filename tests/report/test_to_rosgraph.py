@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from roslens.live.read_rosgraph import read_rosgraph
 from roslens.model.graph import Endpoint, Graph, Node, Role
 from roslens.model.qos import Qos
-from roslens.report.to_rosgraph import to_rosgraph
+from roslens.report.graph.to_rosgraph import to_rosgraph
 
 HASH = "RIHS01_" + "0a" * 32
 QOS = Qos("reliable", "transient_local", "keep_last", 5, 0.25, 0.0, "automatic", 1.5)

@@ -13,8 +13,8 @@ from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.result import PackageSummary, RuleCount, RunHeader
 from roslens.model.source import Location
 from roslens.model.tags import parse_tags
-from roslens.report.terminal import columns
-from roslens.report.to_text import to_text
+from roslens.report.run.to_text import to_text
+from roslens.report.writing.terminal import columns
 
 FIXTURES = Path(__file__).parents[1] / "fixtures" / "report"
 HEADER = RunHeader(

@@ -3,7 +3,7 @@ import threading
 
 import pytest
 
-from roslens.report.whole_file import whole_file
+from roslens.report.writing.whole_file import whole_file
 
 
 def test_the_new_takes_the_place_of_the_old_at_the_end(tmp_path):

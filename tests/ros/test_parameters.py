@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-from roslens.judge.yaml_tree import read_tree
+from roslens.judge.documents.yaml_tree import read_tree
 from roslens.live.adapters.child import clean_environment
 from roslens.source.extract.facts.resolve_name import node_pattern_matches
 from roslens.source.extract.interpreter.vocabulary_index import indexed

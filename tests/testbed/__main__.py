@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 from roslens.cli.watch_screen import time_of_day
-from roslens.report.journal_text import journal_line
+from roslens.report.history.journal_text import journal_line
 from roslens.store.read_journal import JournalReader
 from testbed import robot_ros1, robot_ros2
 from testbed.action_table import FAKED

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from roslens.judge.unmatched import unmatched
+from roslens.judge.reference.unmatched import unmatched
 from roslens.live.note import Note, NoteKind
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
@@ -12,7 +12,7 @@ from roslens.model.finding import Severity
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.session import Session
 
 RECORDED = (EntityKind.TOPIC,)

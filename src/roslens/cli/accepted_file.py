@@ -9,7 +9,7 @@ from roslens.cli.configuration import find_configuration
 from roslens.model.errors import UsageError
 from roslens.model.finding import Finding
 from roslens.model.set_aside import Disposition
-from roslens.report.whole_file import whole_file
+from roslens.report.writing.whole_file import whole_file
 from roslens.source.workspace.acceptances import FILE_NAME, Acceptance, read_acceptances, to_toml
 
 

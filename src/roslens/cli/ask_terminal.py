@@ -9,7 +9,7 @@ import sys
 from typing import TextIO
 
 from roslens.model.reaction import Decision
-from roslens.report.journal_text import action_text
+from roslens.report.history.journal_text import action_text
 
 _YES, _NO = ("y", "yes"), ("n", "no")
 

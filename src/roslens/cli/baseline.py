@@ -137,7 +137,7 @@ def _of_json(one: Mapping[str, Any]) -> Finding:
 def _of_sarif(document: Mapping[str, Any]) -> list[Finding]:
     from urllib.parse import unquote
 
-    from roslens.report.to_sarif import FINGERPRINT
+    from roslens.report.run.to_sarif import FINGERPRINT
 
     levels = {"note": Severity.NOTE, "warning": Severity.WARNING, "error": Severity.ERROR}
     found = []

@@ -41,7 +41,7 @@ def show_diff(options: argparse.Namespace, root: Path, configuration: Configurat
 
 def write_diff(files: Sequence[MendedFile], root: Path) -> None:
     """Write changes to standard output; paths are below the current folder where the workspace is, else below it."""
-    from roslens.report.to_diff import to_diff
+    from roslens.report.run.to_diff import to_diff
 
     here = Path.cwd().resolve()
     below = f"{root.relative_to(here).as_posix()}/" if root != here and root.is_relative_to(here) else ""

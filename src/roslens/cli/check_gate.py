@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from roslens.judge.gate import GateConditions, GateFacts, GateResult, Lines, evaluate
+from roslens.judge.quality.gate import GateConditions, GateFacts, GateResult, Lines, evaluate
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding

@@ -14,7 +14,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.model.result import RuleCount
-    from roslens.report.reported import Wanted
+    from roslens.report.run.reported import Wanted
     from roslens.store.read import RunView
 
 Output = tuple[str, str]
@@ -50,7 +50,7 @@ def outputs(formats: Sequence[str], files: Sequence[str]) -> tuple[Output, ...]:
     Raises:
         UsageError: a format is unknown, or it is not clear which goes where.
     """
-    from roslens.report.formats import FORMATS
+    from roslens.report.run.formats import FORMATS
 
     beside: list[Output] = []
     plain: list[str] = []
@@ -89,7 +89,7 @@ def _instead(plain: Sequence[str], files: Sequence[str]) -> tuple[Output, ...]:
 
 
 def _by_ending(file: str) -> str:
-    from roslens.report.formats import ENDINGS, format_of
+    from roslens.report.run.formats import ENDINGS, format_of
 
     found = format_of(file)
     if found is not None:
@@ -127,11 +127,11 @@ def write_outputs(chosen: Sequence[Output], options: argparse.Namespace, view: R
         if not file:
             _write_to(name, options, view, wanted, sys.stdout)
         elif name == "csv" and not file.endswith(".csv"):
-            from roslens.report.to_csv import write_folder
+            from roslens.report.run.to_csv import write_folder
 
             write_folder(view, Path(file), wanted.tags)
         else:
-            from roslens.report.whole_file import whole_file
+            from roslens.report.writing.whole_file import whole_file
 
             with whole_file(Path(file)) as stream:
                 _write_to(name, options, view, wanted, stream)
@@ -139,11 +139,11 @@ def write_outputs(chosen: Sequence[Output], options: argparse.Namespace, view: R
 
 def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wanted, stream: TextIO) -> None:
     if name != "text":
-        from roslens.report.formats import write_format
+        from roslens.report.run.formats import write_format
 
         write_format(name, view, stream, wanted)
         return
-    from roslens.report.to_text import to_text
+    from roslens.report.run.to_text import to_text
 
     stream.write(
         to_text(
@@ -165,7 +165,7 @@ def _write_to(name: str, options: argparse.Namespace, view: RunView, wanted: Wan
 
 def new_first(view: RunView, wanted: Wanted) -> tuple[RuleCount, ...]:
     """Return what to mend first of what is new since a baseline."""
-    from roslens.report.fix_first import first_to_fix
+    from roslens.report.run.fix_first import first_to_fix
     from roslens.store.narrowed import NarrowedView
 
     if wanted.new is None:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roslens.cli.baseline import Baseline
     from roslens.cli.configuration import Configuration
     from roslens.model.failure import Failure
-    from roslens.report.reported import Wanted
+    from roslens.report.run.reported import Wanted
     from roslens.store.read import RunView
     from roslens.store.runs import Store
 

@@ -15,7 +15,7 @@ from typing import Any
 import msgspec
 
 from roslens.intake.bounded_file import TooLargeError, read_bounded
-from roslens.judge.gate import GateConditions
+from roslens.judge.quality.gate import GateConditions
 from roslens.model.errors import DocumentError, UsageError
 from roslens.model.finding import Severity
 from roslens.model.source import Location, Role

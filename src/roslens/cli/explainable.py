@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from roslens.cli.configuration import Configuration
-    from roslens.judge.quality_model import QualityModel
+    from roslens.judge.quality.quality_model import QualityModel
     from roslens.model.finding import RuleInfo
     from roslens.model.quantity import Quantity
 
@@ -17,7 +17,7 @@ Known = tuple["dict[str, QualityModel]", "dict[str, Quantity]", "dict[str, RuleI
 
 def known(configuration: Configuration) -> Known:
     """Return what can be explained: of roslens, and of what the configuration of a workspace adds."""
-    from roslens.judge.quality_model import builtin_models, load_model, rules_of
+    from roslens.judge.quality.quality_model import builtin_models, load_model, rules_of
     from roslens.source.forge.quantities import FORGE_QUANTITIES
     from roslens.source.history.metrics.table import PROCESS_QUANTITIES
     from roslens.source.metrics.table import QUANTITIES

@@ -20,7 +20,7 @@ def fetch_first(options: argparse.Namespace) -> int:
         UsageError: an option or a document is wrong, or folders are given beside.
     """
     from roslens.cli.configuration import find_configuration
-    from roslens.report.fetch_text import fetch_text
+    from roslens.report.run.fetch_text import fetch_text
     from roslens.source.fetch.fetch_row import fetch_row
 
     if options.paths != ["."]:

@@ -69,10 +69,10 @@ def diff(options: argparse.Namespace) -> int:
 
 def _writer(form: str) -> Callable[[Sequence[Difference], str, str, FindingDifference | None], str]:
     if form == "json":
-        from roslens.report.difference_document import to_difference_json
+        from roslens.report.graph.difference_document import to_difference_json
 
         return to_difference_json
-    from roslens.report.difference_text import to_markdown, to_text
+    from roslens.report.graph.difference_text import to_markdown, to_text
 
     return to_markdown if form == "markdown" else to_text
 
@@ -124,7 +124,7 @@ def _sides(options: argparse.Namespace) -> tuple[Side, Side]:
 
 def _documents(options: argparse.Namespace) -> tuple[Side, Side]:
     """Return two sides from files written by ``--format json``."""
-    from roslens.report.graph_document import read_graph_json
+    from roslens.report.graph.graph_document import read_graph_json
 
     if options.launch or options.arg or options.package:
         raise UsageError("--launch, --arg or --package with documents", expected="what is compared after --diff alone")

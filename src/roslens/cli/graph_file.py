@@ -18,8 +18,8 @@ def write_graph(graph: Graph, path: Path) -> None:
     Raises:
         UsageError: the file cannot be written.
     """
-    from roslens.report.to_rosgraph import to_rosgraph
-    from roslens.report.whole_file import whole_file
+    from roslens.report.graph.to_rosgraph import to_rosgraph
+    from roslens.report.writing.whole_file import whole_file
 
     try:
         with whole_file(path) as stream:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from roslens.judge.read_reference import GivenText, Source
+    from roslens.judge.reading.read_reference import GivenText, Source
 
 PREFIX = "param:"
 

@@ -127,7 +127,7 @@ class _Telling:
         """Append an entry, then tell it."""
         import msgspec
 
-        from roslens.report.journal_text import journal_line
+        from roslens.report.history.journal_text import journal_line
 
         entry = self._journal.add(what, time, **fields)
         told = msgspec.to_builtins(entry)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from roslens.cli.watch_reload import ReferenceFiles
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.react.prepared import Prepared
     from roslens.live.react.reactor import Reactor
     from roslens.live.session import Session, Step

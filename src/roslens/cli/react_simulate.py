@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.react.simulation import Simulation
     from roslens.live.session import Step
     from roslens.model.reaction import Because, Decision
@@ -43,7 +43,7 @@ def simulate(
         DocumentError: a document is wrong.
         UsageError: there is nothing to simulate along, or no reaction.
     """
-    from roslens.judge.read_reference import load_reference
+    from roslens.judge.reading.read_reference import load_reference
     from roslens.live.signals import BY_KEY
     from roslens.model.errors import UsageError
 
@@ -101,7 +101,7 @@ def _along_bag(reference: Reference, files: Sequence[Path], quiet: bool) -> _Run
 
 
 def _along_time_lines(reference: Reference, path: Path) -> list[_Run]:
-    from roslens.judge.read_time_line import read_time_lines
+    from roslens.judge.reading.read_time_line import read_time_lines
     from roslens.live.react.simulation import simulate as along
 
     return [(line.name, 0.0, line.until_s, along(reference.reactions, line), False) for line in read_time_lines(path)]

@@ -10,14 +10,14 @@ from pathlib import Path
 
 def pages() -> Mapping[str, str]:
     """Return every generated page by its path below ``docs/reference``."""
-    from roslens.judge.action_pages import action_pages
-    from roslens.judge.models_page import model_schema, models_page
-    from roslens.judge.quality_model import builtin_models, load_model
-    from roslens.judge.reactions_page import reactions_page
-    from roslens.judge.references_page import reference_schema, references_page
+    from roslens.judge.pages.action_pages import action_pages
+    from roslens.judge.pages.models_page import model_schema, models_page
+    from roslens.judge.pages.reactions_page import reactions_page
+    from roslens.judge.pages.references_page import reference_schema, references_page
+    from roslens.judge.quality.quality_model import builtin_models, load_model
     from roslens.live.signals import BY_KEY
-    from roslens.report.conformance_document import conformance_schema
-    from roslens.report.graph_document import graph_schema
+    from roslens.report.graph.conformance_document import conformance_schema
+    from roslens.report.graph.graph_document import graph_schema
     from roslens.source.history.describe import process_page
     from roslens.source.history.metrics.table import PROCESS_METRICS
     from roslens.source.metrics.describe import metrics_page

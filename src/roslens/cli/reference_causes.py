@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.model.entity import EntityId
     from roslens.model.verdict import Verdict
 

@@ -99,7 +99,7 @@ def _of_bag(options: argparse.Namespace) -> tuple[str, tuple[Failure, ...]]:
 def _raised(text: str, bag: Bag) -> list[str]:
     """Return the alarms that a draft raises on the recording that it was drafted from."""
     from roslens.cli.reference_test import line_of
-    from roslens.judge.read_reference import GivenText, load_reference
+    from roslens.judge.reading.read_reference import GivenText, load_reference
     from roslens.live.alarms import AlarmLog
     from roslens.live.replay import replay
     from roslens.live.signals import BY_KEY

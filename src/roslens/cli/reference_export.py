@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from roslens.cli.boundary import CLEAN
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
 
 TEXT = "Make rules of Prometheus, routes of Alertmanager, a dashboard of Grafana or a layout of Foxglove of references."
 EXAMPLES = """\
@@ -49,7 +49,7 @@ def export(options: argparse.Namespace) -> int:
         OSError: the file cannot be written.
     """
     from roslens.cli.streams import write_result
-    from roslens.judge.read_reference import load_reference
+    from roslens.judge.reading.read_reference import load_reference
     from roslens.live.signals import BY_KEY
 
     reference = load_reference([Path(file) for file in options.files], BY_KEY)

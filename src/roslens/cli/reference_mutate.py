@@ -13,7 +13,7 @@ from roslens.cli.boundary import CLEAN, FINDINGS, NOT_ANALYSED
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.adapters.bag.excerpt import Kept
     from roslens.live.alarms import Alarm
     from roslens.live.mutation.fault import Fault
@@ -55,8 +55,8 @@ def mutate(options: argparse.Namespace) -> int:
         DocumentError: a document is wrong.
         UsageError: there is no recording, or it is too short to put faults into it.
     """
-    from roslens.judge.amount import parse_amount
-    from roslens.judge.read_reference import load_reference
+    from roslens.judge.ranges.amount import parse_amount
+    from roslens.judge.reading.read_reference import load_reference
     from roslens.live.adapters.bag.excerpt import Kept
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.replay import wanted_fields, wanted_stamps
@@ -152,7 +152,7 @@ class _Runner:
 
 def _lanes(patterns: Sequence[str], kept: Kept) -> dict[tuple[str, str], float]:
     """Return the mean period in seconds by topic and publisher."""
-    from roslens.judge.pattern import Pattern
+    from roslens.judge.patterns.pattern import Pattern
     from roslens.model.errors import UsageError
 
     try:

@@ -61,7 +61,7 @@ def test(options: argparse.Namespace) -> int:
 
 def _test_bag(options: argparse.Namespace) -> int:
     from roslens.cli.about_nothing import RECORDED, about_nothing
-    from roslens.judge.read_reference import load_reference
+    from roslens.judge.reading.read_reference import load_reference
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.live.alarms import AlarmLog
     from roslens.live.expected_alarms import ExpectedAlarms, compare, read_expected

@@ -25,8 +25,8 @@ def run_time_lines(files: Sequence[str], paths: Sequence[Path]) -> bool:
         UsageError: the references have no reaction.
     """
     from roslens.cli.react_simulate import decision_lines
-    from roslens.judge.read_reference import load_reference
-    from roslens.judge.read_time_line import read_time_lines
+    from roslens.judge.reading.read_reference import load_reference
+    from roslens.judge.reading.read_time_line import read_time_lines
     from roslens.live.react.simulation import compare, simulate
     from roslens.live.signals import BY_KEY
     from roslens.model.errors import UsageError

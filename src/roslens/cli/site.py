@@ -24,7 +24,7 @@ def site_of(view: RunView, shown: Assembled | None = None, note: str = "", *, co
         counted: whether their findings are among those of the run.
     """
     from roslens.dashboard.site import Site
-    from roslens.judge.quality_model import builtin_models, load_model
+    from roslens.judge.quality.quality_model import builtin_models, load_model
     from roslens.model.errors import DocumentError
 
     quantities = {quantity.key: quantity for quantity in view.workspace.quantities}

@@ -35,7 +35,7 @@ def write_result(text: str, output: str | None) -> None:
     if output is None:
         sys.stdout.write(text)
         return
-    from roslens.report.whole_file import whole_file
+    from roslens.report.writing.whole_file import whole_file
 
     with whole_file(Path(output)) as stream:
         stream.write(text)

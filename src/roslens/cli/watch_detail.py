@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from roslens.cli.page.half_lines import encodable
 from roslens.cli.watch_screen import value_text
 from roslens.dashboard.live.detail import Detail, Judgement, Value
-from roslens.judge.amount import parse_limits
+from roslens.judge.ranges.amount import parse_limits
 from roslens.live.links import links_text
 from roslens.live.signals import BY_KEY
 from roslens.live.tree import SystemView

@@ -113,7 +113,7 @@ def length_of(text: str, option: str) -> float:
     Raises:
         UsageError: it is no time above 0.
     """
-    from roslens.judge.amount import parse_amount
+    from roslens.judge.ranges.amount import parse_amount
 
     try:
         length = parse_amount(text, "s")

@@ -20,7 +20,7 @@ from roslens.live.publish.spells import Spells, key_of
 from roslens.live.reported_levels import is_reported
 from roslens.live.session import Step
 from roslens.model.verdict import State, Verdict
-from roslens.report.terminal import Terminal
+from roslens.report.writing.terminal import Terminal
 
 if TYPE_CHECKING:
     from roslens.live.session import Session

@@ -18,7 +18,7 @@ from roslens.cli.watch_detail import detail_of
 from roslens.cli.watch_graph import GraphPicture
 from roslens.cli.watch_screen import nameless, urgency, value_text
 from roslens.dashboard.live.snapshot import UNJUDGED, VERSION, Alert, Happening, Row, Snapshot
-from roslens.judge.expectation import Reference
+from roslens.judge.reference.expectation import Reference
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.publish.graph_json import graph_bytes
 from roslens.live.signals import BY_KEY

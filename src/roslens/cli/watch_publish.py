@@ -15,7 +15,7 @@ from roslens.model.failure import Failure
 from roslens.model.outgoing import OutgoingError, encode_outgoing
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.publish.downlink import Downlink
     from roslens.live.session import Session, Step
 

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from roslens.intake.bounded_file import read_bounded
-from roslens.judge.read_reference import Source, load_reference
+from roslens.judge.reading.read_reference import Source, load_reference
 from roslens.live.note import Note, NoteKind
 from roslens.live.signals import BY_KEY
 from roslens.model.errors import DocumentError
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.session import Session, Step
 
 PACE_S = 1.0

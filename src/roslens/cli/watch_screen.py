@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from roslens.judge.amount import amount_text
+from roslens.judge.ranges.amount import amount_text
 from roslens.live.connection_name import connection_ends
 from roslens.live.publish.diagnostics import sentence
 from roslens.live.reported_levels import is_reported
@@ -15,7 +15,7 @@ from roslens.live.worth_a_row import badge, not_judged, worth_a_row
 from roslens.model.entity import EntityId
 from roslens.model.graph import Event
 from roslens.model.verdict import State, Verdict
-from roslens.report.terminal import Terminal, columns, left, right
+from roslens.report.writing.terminal import Terminal, columns, left, right
 
 COLUMNS = ("rate", "largest_gap", "latency", "cpu", "memory", "bandwidth", "loss", "calls", "response_time")
 """The values of a row, the first ones for narrow terminals too."""

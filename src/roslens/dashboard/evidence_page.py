@@ -7,7 +7,7 @@ from markupsafe import Markup
 from roslens.dashboard.render import environment
 from roslens.dashboard.single_file import inlined
 from roslens.model.requirement import Evidence, Met
-from roslens.report.evidence_text import SIGNS, verdict
+from roslens.report.run.evidence_text import SIGNS, verdict
 
 
 def evidence_page(evidence: Evidence) -> str:

@@ -20,7 +20,7 @@ from roslens.dashboard.site import Site
 from roslens.dashboard.table import Table, to_csv
 from roslens.dashboard.view import FOLDER, Limits, Request
 from roslens.model.errors import UsageError
-from roslens.report.left_behind import OLD, PARTIAL, beside, sweep
+from roslens.report.writing.left_behind import OLD, PARTIAL, beside, sweep
 
 MARKER = ".roslens-report"
 """Says that roslens wrote the folder, and what is in it: the names directly below it, one a line."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from roslens.dashboard.table import Cell, Column
-from roslens.judge.unusual import LOOKED_AT, most_unusual
+from roslens.judge.quality.unusual import LOOKED_AT, most_unusual
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Quantity
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import msgspec
 
-from roslens.judge.fold import folded_keys
+from roslens.judge.quality.fold import folded_keys
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Quantity
 

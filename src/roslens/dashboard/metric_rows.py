@@ -9,10 +9,10 @@ from roslens.dashboard.address import PageRef
 from roslens.dashboard.figures import number
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
-from roslens.judge.constraint import Constraint
-from roslens.judge.field import Field, distributions_of, load_field
-from roslens.judge.rate import Rating, rate
-from roslens.judge.select import matcher, name_of
+from roslens.judge.quality.constraint import Constraint
+from roslens.judge.quality.field import Field, distributions_of, load_field
+from roslens.judge.quality.select import matcher, name_of
+from roslens.judge.ranges.rate import Rating, rate
 from roslens.model.entity import Entity, EntityKind
 
 _ORDER = (EntityKind.PACKAGE, EntityKind.FILE, EntityKind.CLASS, EntityKind.FUNCTION)

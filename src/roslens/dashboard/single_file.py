@@ -18,7 +18,7 @@ from roslens.dashboard.section import compact, fold_into_file, with_live_links
 from roslens.dashboard.site import Site
 from roslens.dashboard.view import Limits, Request
 from roslens.model.errors import UsageError
-from roslens.report.whole_file import whole_file
+from roslens.report.writing.whole_file import whole_file
 
 LARGEST = 4_800_000
 """Bytes that the file may have: what a mail server takes, with room for its encoding left out."""

@@ -13,10 +13,10 @@ import msgspec
 from roslens.dashboard.last_change import LastChange, unknown_change
 from roslens.dashboard.review import Review
 from roslens.dashboard.source_text import ReadSource, Sources
-from roslens.judge.constraint import Constraint
-from roslens.judge.range import Range
-from roslens.judge.rate import Rating, rate
-from roslens.judge.select import EVERY
+from roslens.judge.quality.constraint import Constraint
+from roslens.judge.quality.select import EVERY
+from roslens.judge.ranges.range import Range
+from roslens.judge.ranges.rate import Rating, rate
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, RuleInfo, Severity
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from roslens.dashboard.live.snapshot import Named
     from roslens.dashboard.past import Past
     from roslens.dashboard.since_run import SinceRun
-    from roslens.judge.quality_model import QualityModel
+    from roslens.judge.quality.quality_model import QualityModel
     from roslens.model.configuration import Configuration
     from roslens.store.read import RunView
     from roslens.store.runs import StoredRun

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
-from roslens.judge.expectation import AgeChain, essence
+from roslens.judge.reference.expectation import AgeChain, essence
 from roslens.live.sentence import Bounds
 from roslens.live.standing import Standing
 from roslens.model.entity import EntityId, EntityKind

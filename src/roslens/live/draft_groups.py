@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable
 
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
 from roslens.live.draft import Drafted
 from roslens.live.draft_lines import Line
 

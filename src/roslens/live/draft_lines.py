@@ -20,7 +20,7 @@ from itertools import accumulate
 
 import msgspec
 
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
 from roslens.live.draft_steps import Track
 
 WINDOW_S = 5.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslens.judge.expectation import Reference
+from roslens.judge.reference.expectation import Reference
 from roslens.live.draft import Observed
 from roslens.live.draft_presence import Attendance, types_in
 from roslens.live.session import Session, Step

@@ -6,8 +6,8 @@ import json
 import re
 from collections.abc import Iterable, Sequence
 
-from roslens.judge.amount import Limits, amount_text, limits_text
-from roslens.judge.range import plain
+from roslens.judge.ranges.amount import Limits, amount_text, limits_text
+from roslens.judge.ranges.range import plain
 from roslens.live.draft import Drafted
 from roslens.live.draft_groups import escaped, pattern_of
 from roslens.live.draft_lines import Line

@@ -20,8 +20,8 @@ from pathlib import Path
 
 import msgspec
 
-from roslens.judge.amount import parse_amount
-from roslens.judge.document import Section, read_document
+from roslens.judge.documents.document import Section, read_document
+from roslens.judge.ranges.amount import parse_amount
 from roslens.live.alarms import Alarm
 from roslens.live.signals import BY_KEY
 from roslens.model.verdict import State

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Mapping
 
-from roslens.judge.expectation import FieldCheck, essence
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_index import CompiledSelector, PatternIndex
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import FieldCheck, essence
+from roslens.judge.reference.pattern_index import CompiledSelector, PatternIndex
 from roslens.live.standing import Standing
 from roslens.live.verdict_state import NEVER
 from roslens.live.watched_field import WatchedField

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
-from roslens.judge.expectation import Presence
+from roslens.judge.reference.expectation import Presence
 from roslens.live.connection import Connection
 from roslens.live.lookout import Lookout
 from roslens.live.measured import Measured

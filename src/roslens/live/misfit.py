@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import islice, product
 
-from roslens.judge.qos_match import mismatches
+from roslens.judge.ranges.qos_match import mismatches
 from roslens.model.failure import Failure
 from roslens.model.graph import Endpoint, Role
 from roslens.model.qos import Qos

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 
-from roslens.judge.expectation import Reference
+from roslens.judge.reference.expectation import Reference
 from roslens.live.age_chain import AgeChains
 from roslens.live.clock_watch import ClockWatch, Course
 from roslens.live.connection import Connection

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from roslens.judge.expectation import Told
+from roslens.judge.reference.expectation import Told
 from roslens.live.standing import Standing
 from roslens.live.verdict_state import NEVER
 from roslens.live.world import World

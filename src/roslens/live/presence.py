@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from roslens.judge.expectation import CONDITIONAL, Presence, PresenceMode, Selector, essence
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import CONDITIONAL, Presence, PresenceMode, Selector, essence
 from roslens.live.rulebook import Facts, Rulebook, find_all
 from roslens.live.standing import Standing
 from roslens.live.unheard import blame

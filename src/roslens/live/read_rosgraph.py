@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from roslens.judge.document import Section, read_document
+from roslens.judge.documents.document import Section, read_document
 from roslens.model.graph import Endpoint, Graph, Node, Role
 
 _NODES = {"nodes": "the nodes"}

@@ -17,8 +17,8 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from roslens.judge.read_reference import GivenText
-from roslens.judge.reference_keys import DOCUMENT_KIND, REFERENCE_KEYS
+from roslens.judge.reading.read_reference import GivenText
+from roslens.judge.reference.reference_keys import DOCUMENT_KIND, REFERENCE_KEYS
 from roslens.model.errors import DocumentError
 
 _DEEPEST = 8

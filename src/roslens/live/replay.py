@@ -7,9 +7,9 @@ from typing import Protocol
 
 import msgspec
 
-from roslens.judge.expectation import Reference, Selector
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_index import CompiledSelector
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import Reference, Selector
+from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.live.session import Session, Step
 from roslens.model.entity import EntityKind
 from roslens.model.failure import Failure

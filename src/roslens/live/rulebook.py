@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from itertools import product
 from typing import NamedTuple, TypeVar
 
-from roslens.judge.alternatives import each
-from roslens.judge.expectation import Expectation, Presence, Reference, Selector, essence
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_index import PatternIndex
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.alternatives import each
+from roslens.judge.reference.expectation import Expectation, Presence, Reference, Selector, essence
+from roslens.judge.reference.pattern_index import PatternIndex
 from roslens.live.sentence import Sentence
 from roslens.model.entity import EntityKind
 

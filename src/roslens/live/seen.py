@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import product
 
-from roslens.judge.unmatched import Subject, subjects_of
+from roslens.judge.reference.unmatched import Subject, subjects_of
 from roslens.live.rulebook import Facts
 from roslens.live.world import World
 from roslens.model.entity import EntityKind

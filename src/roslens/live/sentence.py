@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from roslens.judge.expectation import Expectation, Timing, Told
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import Expectation, Timing, Told
 from roslens.live.window import LONGEST_S, PERIODS
 from roslens.model.entity import EntityKind
 from roslens.model.verdict import State

@@ -7,8 +7,8 @@ from typing import Protocol, cast
 
 import msgspec
 
-from roslens.judge.expectation import Reference
-from roslens.judge.unmatched import Subject
+from roslens.judge.reference.expectation import Reference
+from roslens.judge.reference.unmatched import Subject
 from roslens.live.counted_once import CountedOnce
 from roslens.live.gid_names import GidNames
 from roslens.live.graph_union import GraphUnion

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.expectation import Told
+from roslens.judge.reference.expectation import Told
 from roslens.live.evidence import evidence_of
 from roslens.live.verdict_state import VerdictState
 from roslens.live.window import Window

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from roslens.judge.expectation import StateCheck, StateOf, essence
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_index import PatternIndex
-from roslens.judge.same_value import number_of, same_value
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import StateCheck, StateOf, essence
+from roslens.judge.reference.pattern_index import PatternIndex
+from roslens.judge.reference.same_value import number_of, same_value
 from roslens.live.sentence import Bounds
 from roslens.live.standing import Standing
 from roslens.live.unheard import blame

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslens.judge.expectation import Presence, Selector, Told
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import Presence, Selector, Told
 from roslens.live.standing import Standing
 from roslens.live.verdict_state import NEVER
 from roslens.live.voice import Voice

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.expectation import Timing
+from roslens.judge.reference.expectation import Timing
 from roslens.model.verdict import State
 
 NEVER = float("inf")

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 import msgspec
 
-from roslens.judge.expectation import FieldCheck, FieldMeasure
+from roslens.judge.reference.expectation import FieldCheck, FieldMeasure
 from roslens.live.sentence import Bounds
 from roslens.live.standing import Standing
 from roslens.model.entity import EntityId, EntityKind

@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import roslens.judge
+import roslens.judge.quality
 from roslens.intake.is_there import is_file
 from roslens.model.errors import DocumentError
 from roslens.model.quantity import Quantity
 
 if TYPE_CHECKING:
-    from roslens.judge.quality_model import QualityModel
+    from roslens.judge.quality.quality_model import QualityModel
 
 
 def chosen_models(names: Sequence[str], base: Path, known: Mapping[str, Quantity]) -> tuple[QualityModel, ...]:
@@ -21,7 +21,7 @@ def chosen_models(names: Sequence[str], base: Path, known: Mapping[str, Quantity
     Raises:
         DocumentError: a model is wrong or not there, or two call themselves the same.
     """
-    from roslens.judge.quality_model import load_model
+    from roslens.judge.quality.quality_model import load_model
 
     models: dict[str, QualityModel] = {}
     for name in names:
@@ -45,8 +45,8 @@ def model_key(name: str, base: Path, known: Mapping[str, Quantity]) -> object:
     Raises:
         DocumentError: the model is wrong or not there.
     """
-    if is_file(Path(roslens.judge.__path__[0]) / "models" / f"{name}.yaml"):
+    if is_file(Path(roslens.judge.quality.__path__[0]) / "models" / f"{name}.yaml"):
         return name
-    from roslens.judge.quality_model import load_model
+    from roslens.judge.quality.quality_model import load_model
 
     return load_model(name, known, base=base)

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import msgspec
 
-from roslens.judge.fold_limits import fold_limits
-from roslens.judge.quality_model import QualityModel
-from roslens.judge.thresholds import judge_entities
+from roslens.judge.quality.fold_limits import fold_limits
+from roslens.judge.quality.quality_model import QualityModel
+from roslens.judge.quality.thresholds import judge_entities
 from roslens.model.entity import Entity
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding, Severity

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from roslens.judge.quality_model import QualityModel
+from roslens.judge.quality.quality_model import QualityModel
 from roslens.model.finding import RuleInfo
 from roslens.model.source import Package
 from roslens.source.settings import SourceSettings
@@ -17,7 +17,7 @@ def nameable_rules(
     """Return a function that says it of a package; nothing is imported before it is asked."""
 
     def nameable(package: Package) -> Nameable:
-        from roslens.judge.quality_model import rules_of
+        from roslens.judge.quality.quality_model import rules_of
         from roslens.source.rules.graph.findings import RULES as GRAPH
         from roslens.source.rules.selection import selected
         from roslens.source.rules.table import native_rules

@@ -43,7 +43,7 @@ from roslens.source.workspace.silence import RULES as SUPPRESSION_RULES
 from roslens.source.workspace.silence import Silence
 
 if TYPE_CHECKING:
-    from roslens.judge.quality_model import QualityModel
+    from roslens.judge.quality.quality_model import QualityModel
     from roslens.model.finding import Finding, RuleInfo
     from roslens.model.judged_configuration import JudgedConfiguration
     from roslens.model.quantity import Quantity
@@ -442,7 +442,7 @@ def _workspace_result(
     seen: Collection[str],
     used: frozenset[str],
 ) -> WorkspaceResult:
-    from roslens.judge.quality_model import rules_of
+    from roslens.judge.quality.quality_model import rules_of
     from roslens.source.metrics.measure_workspace import measure_workspace
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.rules.table import native_rules

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import msgspec
 
-from roslens.judge.fold_limits import limits_broken
+from roslens.judge.quality.fold_limits import limits_broken
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding, Severity
 from roslens.model.result import PackageResult, PackageSummary, RuleCount

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from roslens.cli.main import main
-from roslens.judge.reactions_page import EXAMPLE, TIME_LINE
+from roslens.judge.pages.reactions_page import EXAMPLE, TIME_LINE
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from dashboard.live.scripted_robot import ScriptedRobot
 
 from roslens.cli.top.feed import AddressFeed, PageFeed
 from roslens.model.errors import UsageError
-from roslens.report.terminal import Terminal
+from roslens.report.writing.terminal import Terminal
 
 pytest.importorskip("textual", reason="the extra `top` is not installed: `make .venv/stamp`")
 pytestmark = pytest.mark.timed

@@ -4,7 +4,7 @@ from roslens.cli.top.lines import Look, alert_lines, detail_lines, head, lines, 
 from roslens.cli.top.past import Past
 from roslens.dashboard.live.detail import Detail, Judgement, Value
 from roslens.dashboard.live.snapshot import Alert, Picture, Row, Snapshot
-from roslens.report.terminal import Terminal
+from roslens.report.writing.terminal import Terminal
 
 WIDE, ASCII = Terminal(80, color=True, unicode=True), Terminal(80, color=False, unicode=False)
 ROWS = (

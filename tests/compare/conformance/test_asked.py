@@ -3,7 +3,7 @@ from roslens.compare.conformance.disparity import ABSENT, Reason
 from roslens.compare.conformance.join import conformance
 from roslens.compare.conformance.observed import running_side
 from roslens.compare.conformance.side import Side, SideKind
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.signals import BY_KEY
 from roslens.model.configuration import Configuration, ConfiguredNode, Proof
 from roslens.model.finding import Severity

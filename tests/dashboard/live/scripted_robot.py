@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from roslens.cli.watch_page import PageSource
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.past.keeper import in_memory
 from roslens.live.session import Session
 from roslens.live.signals import BY_KEY

@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
 from roslens.live.agent.allow_list import AllowedCommand, AllowedNodes, AllowList
 from roslens.live.agent.host_hand import HostHand
 from roslens.live.agent.process_record import ProcessRecords, record

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.adapters.bag.excerpt import Kept
 from roslens.live.adapters.bag.steps import Lane
 from roslens.live.adapters.bag.topic import BagTopic

@@ -1,7 +1,7 @@
 import math
 
-from roslens.judge.expectation import AgeChain, Expectation, FieldCheck, Reference, Selector, Told
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Reference, Selector, Told
 from roslens.live.connection_name import connection_id
 from roslens.live.publish.rated import connection_statistics, ranges_of, rated_signals
 from roslens.model.entity import EntityId, EntityKind

@@ -2,8 +2,8 @@ from itertools import pairwise
 
 import pytest
 
-from roslens.judge.expectation import Expectation, Reference, Selector, Told
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import Expectation, Reference, Selector, Told
 from roslens.live.connection_name import connection_id
 from roslens.live.publish.turns import MOST_AT_ONCE, Turns
 from roslens.model.entity import EntityId, EntityKind

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.react.definitions import folders_of, unchecked_types
 from roslens.live.signals import BY_KEY
 from roslens.model.errors import DocumentError

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from live.time_line import Played, read
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.react.reactor import Reactor
 from roslens.live.signals import BY_KEY
 from roslens.model.reaction import Decision, Outcome, Result

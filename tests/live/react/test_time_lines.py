@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 import yaml
 
-from roslens.judge.reactions_page import EXAMPLE, TIME_LINE
-from roslens.judge.read_reference import GivenText, load_reference
-from roslens.judge.read_time_line import parse_time_lines
+from roslens.judge.pages.reactions_page import EXAMPLE, TIME_LINE
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_time_line import parse_time_lines
 from roslens.live.react.simulation import compare, simulate
 from roslens.live.signals import BY_KEY
 

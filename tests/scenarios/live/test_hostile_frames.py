@@ -11,7 +11,7 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from roslens.judge.read_reference import GivenText, load_reference
+from roslens.judge.reading.read_reference import GivenText, load_reference
 from roslens.live.agent.link import Channel, LinkError, read_frame
 from roslens.live.listen import Listener
 from roslens.live.publish.json_lines import event_line, failure_line, verdict_line

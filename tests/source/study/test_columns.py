@@ -1,6 +1,6 @@
 """Columns from quantities, and the bounds that are theirs."""
 
-from roslens.judge.quality_model import load_model
+from roslens.judge.quality.quality_model import load_model
 from roslens.source.metrics.table import QUANTITIES
 from roslens.source.study.columns import column_of, size_among
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from roslens.model.errors import UsageError
-from roslens.report.study_tables import tables_of
+from roslens.report.study.study_tables import tables_of
 from roslens.source.study.csv_rows import read_csv
 from roslens.source.study.paper_tables import corpus_of
 from roslens.source.study.study import study_of

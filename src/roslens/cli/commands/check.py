@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from roslens.model.finding import Finding
     from roslens.model.result import RuleCount
     from roslens.model.tags import TagFilter
-    from roslens.report.reported import Wanted
+    from roslens.report.run.reported import Wanted
     from roslens.source.answer import Answer
     from roslens.store.read import RunView
 
@@ -108,7 +108,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.shared_store import store_for
     from roslens.model.errors import UsageError
     from roslens.model.tags import parse_tags
-    from roslens.report.reported import Wanted
+    from roslens.report.run.reported import Wanted
     from roslens.source.workspace.find import root_of
 
     begun = time.monotonic()
@@ -187,7 +187,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _exit_code(view: RunView, wanted: Wanted) -> int:
-    from roslens.report.not_analysed import not_analysed
+    from roslens.report.run.not_analysed import not_analysed
 
     if _fails(view, wanted) or any(one.holds is False for one in wanted.gate):
         return FINDINGS

@@ -125,7 +125,7 @@ def _side(one: NamedRun) -> RunSide:
 
 
 def _written(form: str, found: RunDifference, before: NamedRun, after: NamedRun) -> str:
-    from roslens.report.run_difference_text import difference_json, difference_lines, difference_markdown
+    from roslens.report.run.run_difference_text import difference_json, difference_lines, difference_markdown
 
     if form == "json":
         sides = [{"title": one.title, "commit": one.commit, "run": one.view.id} for one in (before, after)]

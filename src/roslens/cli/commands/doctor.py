@@ -103,7 +103,7 @@ def _grammars() -> Iterator[tuple[str, str]]:
 
 def _configuration(options: argparse.Namespace) -> Iterator[tuple[str, str]]:
     from roslens.cli.configuration import find_configuration
-    from roslens.judge.quality_model import load_model
+    from roslens.judge.quality.quality_model import load_model
     from roslens.source.metrics.table import QUANTITIES
     from roslens.source.plugin_stage import discover_plugins
 

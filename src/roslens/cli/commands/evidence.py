@@ -41,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.streams import write_result
     from roslens.cli.workplace import open_store
     from roslens.model.errors import UsageError
-    from roslens.report.evidence_text import evidence_json, evidence_markdown, evidence_text
+    from roslens.report.run.evidence_text import evidence_json, evidence_markdown, evidence_text
     from roslens.source.evidence.change_log import read_changes
     from roslens.source.evidence.documentation import claimed_level
     from roslens.source.evidence.gather import gather

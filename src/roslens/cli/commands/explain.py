@@ -13,7 +13,7 @@ from roslens.cli.explainable import known
 from roslens.cli.trust_option import add_trust_argument, admitted_by
 
 if TYPE_CHECKING:
-    from roslens.judge.quality_model import QualityModel
+    from roslens.judge.quality.quality_model import QualityModel
     from roslens.model.finding import RuleInfo
     from roslens.model.quantity import Quantity
 

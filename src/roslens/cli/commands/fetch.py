@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
 
     from roslens.cli.configuration import find_configuration
     from roslens.model.errors import UsageError
-    from roslens.report.fetch_text import fetch_text
+    from roslens.report.run.fetch_text import fetch_text
     from roslens.source.fetch.fetch_row import fetch_row
 
     if options.jobs < 0:

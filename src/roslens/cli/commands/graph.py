@@ -167,7 +167,7 @@ def _configurations(source: GraphSource, options: argparse.Namespace) -> tuple[C
 
 def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace) -> str:
     if options.format == "json":
-        from roslens.report.graph_document import to_graph_json
+        from roslens.report.graph.graph_document import to_graph_json
 
         return to_graph_json(configurations)
     if not configurations:
@@ -179,7 +179,7 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
             advice="Choose with --launch or --package",
         )
     if options.format == "dot":
-        from roslens.report.to_dot import to_dots
+        from roslens.report.graph.to_dot import to_dots
 
         return to_dots(configurations)
     writer = _writer(options.format)
@@ -189,7 +189,7 @@ def _text(configurations: tuple[Configuration, ...], options: argparse.Namespace
 def _writer(form: str) -> Callable[[Configuration], str]:
     """Return what writes a configuration in a format."""
     if form == "rosgraph":
-        from roslens.report.to_rosgraph import to_rosgraph
+        from roslens.report.graph.to_rosgraph import to_rosgraph
 
         return lambda one: to_rosgraph(one.graph())
     from importlib import import_module

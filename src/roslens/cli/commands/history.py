@@ -12,8 +12,8 @@ from roslens.cli.revision_history import add_revision_arguments, analyse_past
 from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from roslens.report.history_rows import Extract
-    from roslens.report.to_csv import Table
+    from roslens.report.history.history_rows import Extract
+    from roslens.report.writing.csv_table import Table
 
 TEXT = (
     "Show or export what `roslens watch --history` kept of a running system; or, with --every, analyse past revisions "
@@ -140,7 +140,7 @@ def _extract(
     path: Path, options: argparse.Namespace, parts: frozenset[str], of_entity: Callable[[str], bool],
     of_signal: Callable[[str], bool],
 ) -> Extract:  # fmt: skip
-    from roslens.report.history_rows import Extract
+    from roslens.report.history.history_rows import Extract
     from roslens.store.read_history import read_history
 
     def wanted(entity: str, signal: str) -> bool:
@@ -170,7 +170,7 @@ def time_of(text: str, option: str, begin: float, end: float) -> float:
     """
     from datetime import datetime
 
-    from roslens.judge.amount import parse_amount
+    from roslens.judge.ranges.amount import parse_amount
 
     try:
         length = parse_amount(text.removeprefix("+"), "s")
@@ -184,7 +184,7 @@ def time_of(text: str, option: str, begin: float, end: float) -> float:
 
 def _entities(patterns: Sequence[str]) -> Callable[[str], bool]:
     """Return whether the text form of an entity id is wanted."""
-    from roslens.judge.pattern import Pattern
+    from roslens.judge.patterns.pattern import Pattern
     from roslens.model.entity import EntityKind
 
     kinds = {kind.value for kind in EntityKind}
@@ -214,24 +214,24 @@ def _write(options: argparse.Namespace, extracts: list[Extract], parts: frozense
     from roslens.cli.streams import wants_color, width_of, write_result
 
     if options.format == "json":
-        from roslens.report.history_document import history_json
+        from roslens.report.history.history_document import history_json
 
         write_result(history_json(extracts, units), options.output)
     elif options.format == "csv":
         from io import StringIO
 
-        from roslens.report.to_csv import write_rows
+        from roslens.report.writing.csv_table import write_rows
 
         stream = StringIO(newline="")
         write_rows(_table(next(iter(parts)), extracts, units), stream)
         write_result(stream.getvalue(), options.output)
     elif options.format == "parquet":
-        from roslens.report.to_parquet import write_parquet
+        from roslens.report.writing.to_parquet import write_parquet
 
         write_parquet(_table(next(iter(parts)), extracts, units), Path(options.output))
     else:
-        from roslens.report.history_text import history_text
-        from roslens.report.terminal import Terminal
+        from roslens.report.history.history_text import history_text
+        from roslens.report.writing.terminal import Terminal
 
         plain = options.output is not None
         unicode = plain or (sys.stdout.encoding or "").lower().replace("-", "").startswith("utf")
@@ -243,13 +243,13 @@ def _write(options: argparse.Namespace, extracts: list[Extract], parts: frozense
 
 def _amount(value: float, unit: str) -> str:
     """Return a value in four digits, which is what a summary is read for."""
-    from roslens.judge.amount import amount_text
+    from roslens.judge.ranges.amount import amount_text
 
     return amount_text(float(f"{value:.4g}"), unit)
 
 
 def _table(part: str, extracts: list[Extract], units: dict[str, str]) -> Table:
-    from roslens.report.history_rows import events_table, series_table, verdicts_table
+    from roslens.report.history.history_rows import events_table, series_table, verdicts_table
 
     if part == "series":
         return series_table(extracts, units)

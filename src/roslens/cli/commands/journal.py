@@ -77,7 +77,7 @@ def _show(reader: JournalReader, path: Path, *, follow: bool) -> int:
     import time
 
     from roslens.cli.watch_screen import time_of_day
-    from roslens.report.journal_text import journal_line
+    from roslens.report.history.journal_text import journal_line
 
     day = ""
     while True:
@@ -100,7 +100,7 @@ def _export(reader: JournalReader, target: Path) -> int:
 
     import msgspec
 
-    from roslens.report.whole_file import whole_file
+    from roslens.report.writing.whole_file import whole_file
 
     entries = list(reader.entries())
     with whole_file(target) as stream:

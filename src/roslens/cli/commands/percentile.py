@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from roslens.cli.workplace import add_workspace_argument
 
 if TYPE_CHECKING:
-    from roslens.report.standings import Standing
+    from roslens.report.study.standings import Standing
 
 TEXT = "Say where the packages of the last run stand among ROS packages of many known repositories."
 EXAMPLES = """\
@@ -39,10 +39,10 @@ def run(options: argparse.Namespace) -> int:
     """
     from roslens.cli.streams import write_result
     from roslens.cli.workplace import open_store
-    from roslens.judge.field import load_field
+    from roslens.judge.quality.field import load_field
     from roslens.model.errors import UsageError
     from roslens.model.source import OUTSIDE_PACKAGES
-    from roslens.report.standings import standings_csv, standings_json, standings_of, standings_text
+    from roslens.report.study.standings import standings_csv, standings_json, standings_of, standings_text
     from roslens.source.study.role import role_in_run
     from roslens.source.study.run_corpus import language_of
 

@@ -13,9 +13,9 @@ from roslens.cli.boundary import BAD_INPUT, CLEAN, NOT_ANALYSED
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from roslens.judge.explain_entity import Applied
-    from roslens.judge.merge_references import Merged
-    from roslens.judge.unmatched import Subject
+    from roslens.judge.reference.explain_entity import Applied
+    from roslens.judge.reference.merge_references import Merged
+    from roslens.judge.reference.unmatched import Subject
     from roslens.model.entity import EntityId
 
 TEXT = "Check, explain, draft, test, export or import references: documents that say how a running robot should behave."
@@ -119,8 +119,8 @@ def _check(options: argparse.Namespace) -> int:
 def _about_nothing(merged: Merged, options: argparse.Namespace) -> list[str]:
     from roslens.cli.about_nothing import RECORDED
     from roslens.cli.reference_reactions import given_graph
-    from roslens.judge.unmatched import subjects_of, unmatched
-    from roslens.judge.unmatched_reactions import refuse_unknown_targets, unmatched_statements
+    from roslens.judge.reference.unmatched import subjects_of, unmatched
+    from roslens.judge.reference.unmatched_reactions import refuse_unknown_targets, unmatched_statements
     from roslens.live.adapters.bag.open_bag import open_bag
     from roslens.model.entity import EntityKind
 
@@ -141,7 +141,7 @@ def _about_nothing(merged: Merged, options: argparse.Namespace) -> list[str]:
 
 def _explain(options: argparse.Namespace) -> int:
     from roslens.cli.reference_causes import found_wrong, lines, rows
-    from roslens.judge.explain_entity import combined, explain_entity
+    from roslens.judge.reference.explain_entity import combined, explain_entity
     from roslens.live.signals import BY_KEY
     from roslens.model.entity import EntityId
 
@@ -168,7 +168,7 @@ def _explain(options: argparse.Namespace) -> int:
 def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[dict[str, object]] | None) -> None:
     import json
 
-    from roslens.judge.sentence_words import expected_words, subject_words
+    from roslens.judge.reference.sentence_words import expected_words, subject_words
 
     sentences = [
         {
@@ -189,7 +189,7 @@ def _print_explained(entity: EntityId, applied: Sequence[Applied], wrong: list[d
 
 
 def _import(options: argparse.Namespace) -> int:
-    from roslens.judge.import_arni import Outcome, import_arni
+    from roslens.judge.arni.import_arni import Outcome, import_arni
     from roslens.live.signals import BY_KEY
     from roslens.model.errors import UsageError
 
@@ -209,16 +209,16 @@ def _import(options: argparse.Namespace) -> int:
 
 
 def _merged(files: Sequence[str]) -> Merged:
-    from roslens.judge.merge_references import merge_references
-    from roslens.judge.read_reference import read_references
+    from roslens.judge.reading.read_reference import read_references
+    from roslens.judge.reference.merge_references import merge_references
     from roslens.live.signals import BY_KEY
 
     return merge_references(read_references([Path(file) for file in files], BY_KEY))
 
 
 def _table(merged: Merged) -> str:
-    from roslens.judge.merge_references import sentences_of
-    from roslens.judge.sentence_words import expected_words, subject_words
+    from roslens.judge.reference.merge_references import sentences_of
+    from roslens.judge.reference.sentence_words import expected_words, subject_words
 
     def clipped(text: str) -> str:
         return text if len(text) <= _WIDEST else f"{text[: _WIDEST - 1]}…"
@@ -246,8 +246,8 @@ def _table(merged: Merged) -> str:
 
 
 def _subject(options: argparse.Namespace) -> Subject:
-    from roslens.judge.reference_keys import KINDS
-    from roslens.judge.unmatched import Subject
+    from roslens.judge.reference.reference_keys import KINDS
+    from roslens.judge.reference.unmatched import Subject
     from roslens.model.entity import EntityKind
     from roslens.model.errors import UsageError
     from roslens.plugins.nearest import did_you_mean
@@ -261,8 +261,8 @@ def _subject(options: argparse.Namespace) -> Subject:
 
 
 def _explanation(number: int, applied: Applied) -> list[str]:
-    from roslens.judge.amount import amount_text
-    from roslens.judge.sentence_words import expected_words, subject_words
+    from roslens.judge.ranges.amount import amount_text
+    from roslens.judge.reference.sentence_words import expected_words, subject_words
 
     sentence = applied.declared.sentence
     told = sentence.told

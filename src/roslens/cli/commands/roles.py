@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.workplace import open_store
     from roslens.model.errors import UsageError
     from roslens.model.source import OUTSIDE_PACKAGES
-    from roslens.report.to_csv import write_rows
+    from roslens.report.writing.csv_table import write_rows
     from roslens.source.study.role import decide, facts_of
 
     decided = {}

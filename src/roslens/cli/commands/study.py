@@ -12,7 +12,7 @@ from roslens.model.errors import UsageError
 from roslens.model.study import GROUPINGS
 
 if TYPE_CHECKING:
-    from roslens.judge.quality_model import QualityModel
+    from roslens.judge.quality.quality_model import QualityModel
     from roslens.model.quantity import Quantity
     from roslens.model.study import Corpus
 
@@ -73,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
         StoreError: a store cannot be read.
     """
     from roslens.cli.streams import write_result
-    from roslens.report.study_text import study_csv, study_latex, study_text
+    from roslens.report.study.study_text import study_csv, study_latex, study_text
     from roslens.source.study.measurements import write_measurements
     from roslens.source.study.study import study_of
 

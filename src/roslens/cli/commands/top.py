@@ -13,7 +13,7 @@ from roslens.model.errors import UsageError
 
 if TYPE_CHECKING:
     from roslens.cli.top.feed import Feed
-    from roslens.report.terminal import Terminal
+    from roslens.report.writing.terminal import Terminal
 
 TEXT = "Show the robot that runs in the terminal: what is wrong by first cause, the tree, plots of what is chosen."
 EXAMPLES = """\
@@ -85,7 +85,7 @@ def _shown(feed: Feed, options: argparse.Namespace) -> int:
     from roslens.cli.boundary import CLEAN
     from roslens.cli.streams import wants_color
     from roslens.cli.top.board import Board
-    from roslens.report.terminal import Terminal
+    from roslens.report.writing.terminal import Terminal
 
     color = wants_color(options, sys.stdout)
     if not color:

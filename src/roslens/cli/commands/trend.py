@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     from roslens.cli.past_points import trends_of
     from roslens.cli.process_option import seconds_of
     from roslens.cli.streams import write_result
-    from roslens.report.trend_tables import trend_json, trend_table
+    from roslens.report.history.trend_tables import trend_json, trend_table
 
     with trends_of(options.path) as trends:
         if options.quantity is None:
@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
     elif options.format == "csv":
         from io import StringIO
 
-        from roslens.report.to_csv import write_rows
+        from roslens.report.writing.csv_table import write_rows
 
         stream = StringIO(newline="")
         write_rows(trend_table(trend), stream)
@@ -77,8 +77,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _write_text(options: argparse.Namespace, trend: Trend, decimals: int) -> None:
     from roslens.cli.streams import wants_color, width_of, write_result
-    from roslens.report.terminal import Terminal
-    from roslens.report.trend_text import trend_text
+    from roslens.report.history.trend_text import trend_text
+    from roslens.report.writing.terminal import Terminal
 
     plain = options.output is not None
     unicode = plain or (sys.stdout.encoding or "").lower().replace("-", "").startswith("utf")

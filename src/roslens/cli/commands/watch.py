@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from roslens.cli.watch_serve import PageAfter
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.session import Step
 
 TEXT = "Watch a running ROS system, or a recording, and say what is not as the reference expects."

@@ -106,9 +106,9 @@ def _of_source(word: str, kind: WordKind, options: argparse.Namespace, others: S
 
 def _written(found: Conformance, options: argparse.Namespace) -> str:
     if options.format == "json":
-        from roslens.report.conformance_document import to_conformance_json
+        from roslens.report.graph.conformance_document import to_conformance_json
 
         return to_conformance_json(found)
-    from roslens.report.conformance_text import to_lines, to_markdown
+    from roslens.report.graph.conformance_text import to_lines, to_markdown
 
     return to_markdown(found) if options.format == "markdown" else to_lines(found, notes=options.notes)

@@ -37,7 +37,7 @@ def live_side(options: argparse.Namespace) -> Side:
     from roslens.cli.stretch import Stretch
     from roslens.cli.until_stopped import when_stopped
     from roslens.cli.watch_live import length_of, sources_of
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.session import Session, run
 
     length = length_of(options.length, "--for") if options.length else LONGEST_S
@@ -137,7 +137,7 @@ def reference_side(path: str) -> Side:
     Raises:
         DocumentError: it is wrong.
     """
-    from roslens.judge.read_reference import load_reference
+    from roslens.judge.reading.read_reference import load_reference
     from roslens.live.signals import BY_KEY
 
     return Side(SideKind.REFERENCE, Path(path).name, reference=load_reference([Path(path)], BY_KEY))

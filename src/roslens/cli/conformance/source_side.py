@@ -92,7 +92,7 @@ def document_side(path: str, options: argparse.Namespace, others: Sequence[Side]
         UsageError: it holds no configuration.
     """
     from roslens.intake.bounded_file import MOST_DOCUMENT_BYTES, read_bounded
-    from roslens.report.graph_document import read_graph_json
+    from roslens.report.graph.graph_document import read_graph_json
 
     every = read_graph_json(read_bounded(Path(path), MOST_DOCUMENT_BYTES), path)
     kept = {one.title: one for one in every if not one.unstarted}

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from roslens.dashboard.live.board import References
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.tree import SystemView
     from roslens.model.graph import Graph
     from roslens.model.verdict import Verdict

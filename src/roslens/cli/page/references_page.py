@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING
 from roslens.cli.page.half_lines import encodable
 from roslens.cli.watch_graph import PLUMBING
 from roslens.dashboard.live.board import Proposal, References, Sentence, Twice
-from roslens.judge.amount import amount_text
-from roslens.judge.merge_references import sentences_of
-from roslens.judge.sentence_words import expected_words, subject_words
-from roslens.judge.unmatched import Subject, subjects_of, unmatched
+from roslens.judge.ranges.amount import amount_text
+from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.sentence_words import expected_words, subject_words
+from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
 from roslens.live.draft_lines import LESS, MORE, rounded
 from roslens.live.worth_a_row import worth_a_row
 from roslens.model.entity import EntityId, EntityKind
 from roslens.model.verdict import Verdict
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
     from roslens.live.tree import SystemView
     from roslens.model.graph import Graph
     from roslens.store.past.recall import Recall

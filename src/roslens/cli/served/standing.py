@@ -48,7 +48,7 @@ def gate_of(site: Site) -> GateLine | None:
     """Return how the run stands to the gate that its workspace configures now; None where that cannot be read."""
     from roslens.cli.configuration import find_configuration
     from roslens.dashboard.gate_line import gate_line
-    from roslens.judge.gate import GateFacts, Lines, evaluate
+    from roslens.judge.quality.gate import GateFacts, Lines, evaluate
     from roslens.model.errors import RoslensError
 
     try:

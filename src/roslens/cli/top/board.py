@@ -20,7 +20,7 @@ from roslens.cli.top.past import Past
 from roslens.dashboard.live.detail import Detail
 from roslens.dashboard.live.snapshot import Snapshot
 from roslens.model.errors import RoslensError
-from roslens.report.terminal import Terminal
+from roslens.report.writing.terminal import Terminal
 
 PACE_S = 1.0
 _STATE_WIDTH, _SPARK_WIDTH, _CELL_WIDTH, _LEAST_NAME = 12, 8, 9, 26

@@ -11,7 +11,7 @@ from roslens.cli.watch_screen import GLYPHS, NOT_JUDGED
 from roslens.dashboard.live.detail import Detail
 from roslens.dashboard.live.snapshot import UNJUDGED, Alert, Row, Snapshot
 from roslens.model.verdict import State
-from roslens.report.terminal import Terminal
+from roslens.report.writing.terminal import Terminal
 
 SPARK = 24
 _SPARK_SIGNALS = ("rate", "cpu", "latency", "bandwidth", "memory")

@@ -10,8 +10,10 @@ from roslens.compare.conformance.claim import NODE, PARAMETER, TOPIC
 from roslens.compare.conformance.disparity import ABSENT, UNTOLD, Aspect, Disparity, Reason
 from roslens.compare.conformance.plumbing import plumbing
 from roslens.compare.conformance.side import Side, SideKind
-from roslens.judge.alternatives import each
-from roslens.judge.expectation import (
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.ranges.rate import Rating, rate
+from roslens.judge.reference.alternatives import each
+from roslens.judge.reference.expectation import (
     CONDITIONAL,
     Presence,
     PresenceMode,
@@ -21,13 +23,11 @@ from roslens.judge.expectation import (
     StateOf,
     Told,
 )
-from roslens.judge.merge_references import sentences_of
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_index import PatternIndex
-from roslens.judge.rate import Rating, rate
-from roslens.judge.same_value import number_of, same_value
-from roslens.judge.sentence_words import expected_words, subject_words
-from roslens.judge.unmatched import Subject, subjects_of, unmatched
+from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.pattern_index import PatternIndex
+from roslens.judge.reference.same_value import number_of, same_value
+from roslens.judge.reference.sentence_words import expected_words, subject_words
+from roslens.judge.reference.unmatched import Subject, subjects_of, unmatched
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 

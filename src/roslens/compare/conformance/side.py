@@ -7,7 +7,7 @@ from enum import Enum
 import msgspec
 
 from roslens.compare.conformance.claim import NODE, PARAMETER, TOPIC, Claim
-from roslens.judge.expectation import Reference
+from roslens.judge.reference.expectation import Reference
 from roslens.model.graph import Graph, Role
 
 ENDPOINTS = tuple(role.value for role in Role)

@@ -14,7 +14,7 @@ from roslens.dashboard.plan.ground import Box
 from roslens.dashboard.render import WEB
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding
-from roslens.report.unstarted_text import unstarted_packages
+from roslens.report.graph.unstarted_text import unstarted_packages
 
 _RULES = (
     (".paper", "fill", "ground"),

@@ -7,7 +7,7 @@ from roslens.dashboard.computation.endpoint_rows import conditions_cell
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.model.configuration import ConfiguredEndpoint, ConfiguredNode
 from roslens.model.unstarted import REASONS
-from roslens.report.unstarted_text import VERBS, unit_name
+from roslens.report.graph.unstarted_text import VERBS, unit_name
 
 NAME = "unstarted"
 _TITLE = "Started by no known program"

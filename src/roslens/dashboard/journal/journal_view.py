@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 
 from roslens.model.errors import StoreError
-from roslens.report.journal_text import action_text, because_text, rest_text
+from roslens.report.history.journal_text import action_text, because_text, rest_text
 from roslens.store.journal_entry import Entry
 from roslens.store.read_journal import JournalReader, Verified, verify
 

@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 import msgspec
 
 from roslens.dashboard.journal.journal_view import JournalRow
-from roslens.judge.condition_words import condition_words
+from roslens.judge.reference.condition_words import condition_words
 from roslens.model.reaction import EscalationStep, Reaction
-from roslens.report.journal_text import action_text
+from roslens.report.history.journal_text import action_text
 
 
 class Countermeasure(msgspec.Struct, frozen=True, omit_defaults=True):

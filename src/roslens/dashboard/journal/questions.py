@@ -10,7 +10,7 @@ from collections.abc import Callable
 import msgspec
 
 from roslens.model.reaction import Decision
-from roslens.report.journal_text import action_text
+from roslens.report.history.journal_text import action_text
 
 MOST_OPEN = 200
 """Questions that are shown at a time; what is asked beyond that nobody could read within a minute."""

@@ -13,7 +13,7 @@ from roslens.dashboard.histogram import figures_of, histogram_of
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table, sort_rows
 from roslens.dashboard.view import Request, View
-from roslens.judge.rate import Rating, rate
+from roslens.judge.ranges.rate import Rating, rate
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Better, Quantity
 from roslens.model.source import OUTSIDE_PACKAGES

@@ -14,13 +14,13 @@ from roslens.dashboard.line_chart import day
 from roslens.dashboard.site import Site
 from roslens.dashboard.table import Cell, Column, Table
 from roslens.dashboard.view import Request, View
-from roslens.judge.quality_model import rule_id
+from roslens.judge.quality.quality_model import rule_id
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Severity
 from roslens.model.result import RuleCount
 from roslens.model.source import number_of_packages
 from roslens.model.tags import TagFilter
-from roslens.report.fix_first import first_to_fix, new_before_others
+from roslens.report.run.fix_first import first_to_fix, new_before_others
 
 FIRST = 8
 ELSEWHERE = "In test, generated or vendored code: they fail no check"

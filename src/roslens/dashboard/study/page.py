@@ -10,7 +10,7 @@ from roslens.dashboard.study.heat_map import heat_map
 from roslens.dashboard.study.scatter_matrix import CELL, scatter_matrix
 from roslens.dashboard.study.violins import WIDTH, violin_plots
 from roslens.model.study import Study
-from roslens.report.study_tables import HOLDS, lead, tables_of
+from roslens.report.study.study_tables import HOLDS, lead, tables_of
 
 
 def study_page(study: Study, title: str = "Study") -> str:

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import msgspec
 
-from roslens.judge.amount import parse_amount
-from roslens.judge.document import Section, read_document
-from roslens.judge.pattern import Pattern
+from roslens.judge.documents.document import Section, read_document
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.ranges.amount import parse_amount
 from roslens.model.action_kind import ACTION_KINDS, By
 from roslens.model.entity import EntityKind
 from roslens.model.errors import DocumentError

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import msgspec
 
-from roslens.judge.expectation import Reference
-from roslens.judge.merge_references import sentences_of
+from roslens.judge.reference.expectation import Reference
+from roslens.judge.reference.merge_references import sentences_of
 from roslens.live.alarms import Alarm, AlarmLog
 from roslens.live.connection_name import connection_ends
 from roslens.live.mutation.fault import DELAY_S, Fault, FaultKind, graphs

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 
-from roslens.judge.amount import amount_text
-from roslens.judge.expectation import StateOf
+from roslens.judge.ranges.amount import amount_text
+from roslens.judge.reference.expectation import StateOf
 from roslens.live.node_faults import GONE, STOPPED
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from roslens.judge.expectation import Reference
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import Reference
 from roslens.live.connection_name import connection_ends
 from roslens.live.signals import BY_KEY
 from roslens.model.entity import EntityId, EntityKind

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Protocol, TypeVar
 
-from roslens.judge.expectation import Reference
-from roslens.judge.range import Range
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import Reference
 from roslens.live.publish.diagnostics import diagnostics
 from roslens.live.publish.placed import Placed
 from roslens.live.publish.rated import connection_statistics, ranges_of, rated_signals

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_index import CompiledSelector
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.pattern_index import CompiledSelector
 from roslens.live.react.known import Known
 from roslens.live.react.statement import Said, say
 from roslens.live.react.truth import Truth, all_of, any_of, at_least, negated

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from roslens.judge.condition_contradiction import statements
-from roslens.judge.read_reactions import bound
+from roslens.judge.reading.read_reactions import bound
+from roslens.judge.reference.condition_contradiction import statements
 from roslens.live.react.evaluation import Chosen, Evaluation
 from roslens.live.react.known import Known
 from roslens.live.react.truth import Truth

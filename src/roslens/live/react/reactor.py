@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 
-from roslens.judge.template import filled, filled_in
+from roslens.judge.reference.template import filled, filled_in
 from roslens.live.react.chain import Chain, Stage
 from roslens.live.react.evaluation import Chosen
 from roslens.live.react.known import Known

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.judge.read_time_line import Given, TimeLine
+from roslens.judge.reading.read_time_line import Given, TimeLine
 from roslens.live.halted import Halted
 from roslens.live.react.wellness import BEGINNING_S
 from roslens.live.session import Step

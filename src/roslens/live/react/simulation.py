@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import msgspec
 
-from roslens.judge.read_time_line import Expected, TimeLine
+from roslens.judge.reading.read_time_line import Expected, TimeLine
 from roslens.live.react.reactor import Reactor
 from roslens.live.react.scripted import BEFORE_S, scripted_steps
 from roslens.live.session import Step

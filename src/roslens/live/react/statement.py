@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from roslens.judge.same_value import number_of, same_value
+from roslens.judge.reference.same_value import number_of, same_value
 from roslens.live.react.known import Held, Known
 from roslens.live.react.truth import Truth, all_of, any_of
 from roslens.model.condition import About, Being, Stated

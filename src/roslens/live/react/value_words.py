@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roslens.judge.amount import amount_text
+from roslens.judge.ranges.amount import amount_text
 from roslens.live.signals import BY_KEY
 
 

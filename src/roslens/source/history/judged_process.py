@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from roslens.judge.quality_model import QualityModel
-from roslens.judge.thresholds import judge_entities
+from roslens.judge.quality.quality_model import QualityModel
+from roslens.judge.quality.thresholds import judge_entities
 from roslens.model.entity import Entity, EntityId, EntityKind
 from roslens.model.failure import Failure
 from roslens.model.finding import Finding

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from roslens.judge.fold import folded_keys
+from roslens.judge.quality.fold import folded_keys
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Quantity
 

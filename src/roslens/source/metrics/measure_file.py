@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
-from roslens.judge.fold import fold_parts, fold_steps
+from roslens.judge.quality.fold import fold_parts, fold_steps
 from roslens.model.entity import Entity, EntityKind
 from roslens.source.metrics.table import QUANTITIES, metrics_with
 from roslens.source.settings import CountingSettings

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from msgspec.structs import replace
 
-from roslens.judge.fold import fold_parts, fold_steps
+from roslens.judge.quality.fold import fold_parts, fold_steps
 from roslens.model.entity import Entity, EntityKind
 from roslens.model.source import Package, Role, SourceFile
 from roslens.source.metrics.class_model.class_in_package import ClassInPackage

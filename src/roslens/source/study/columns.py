@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from roslens.judge.quality_model import QualityModel
-from roslens.judge.range import Range
+from roslens.judge.quality.quality_model import QualityModel
+from roslens.judge.ranges.range import Range
 from roslens.model.entity import EntityKind
 from roslens.model.quantity import Fold, Quantity
 from roslens.model.study import Column

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from roslens.judge.quality_model import QualityModel
+from roslens.judge.quality.quality_model import QualityModel
 from roslens.model.errors import UsageError
 from roslens.model.quantity import Quantity
 from roslens.model.source import Location

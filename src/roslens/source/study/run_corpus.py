@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 import msgspec
 
-from roslens.judge.quality_model import QualityModel
+from roslens.judge.quality.quality_model import QualityModel
 from roslens.model.errors import UsageError
 from roslens.model.quantity import Quantity
 from roslens.model.result import PackageSummary

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from roslens.judge.automaton import Automaton
-from roslens.judge.regular_expression import automaton_of
+from roslens.judge.patterns.automaton import Automaton
+from roslens.judge.patterns.regular_expression import automaton_of
 
 _WORD = re.compile(rb"[A-Za-z0-9_]+")
 _LONGEST = 200

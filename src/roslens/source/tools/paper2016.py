@@ -8,8 +8,8 @@ from math import log, sin, sqrt
 
 import msgspec
 
-from roslens.judge.range import Range
-from roslens.judge.rate import Rating, rate
+from roslens.judge.ranges.range import Range
+from roslens.judge.ranges.rate import Rating, rate
 from roslens.source.tools.cccc_quantities import (
     CBO,
     CCCC_QUANTITIES,
@@ -129,7 +129,7 @@ def _judged(report: CcccFile) -> Iterator[tuple[str, float]]:
 @lru_cache(maxsize=1)
 def _ranges() -> Mapping[str, Range]:
     """Return the ranges of the model ``paper2016`` by quantity."""
-    from roslens.judge.quality_model import load_model
+    from roslens.judge.quality.quality_model import load_model
 
     known = {quantity.key: quantity for quantity in CCCC_QUANTITIES}
     return {one.quantity: one.range for one in load_model("paper2016", known).constraints}

@@ -9,8 +9,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 
-from roslens.judge.read_reference import GivenText, load_reference
-from roslens.judge.unmatched import unmatched
+from roslens.judge.reading.read_reference import GivenText, load_reference
+from roslens.judge.reference.unmatched import unmatched
 from roslens.live.adapters.bag import steps
 from roslens.live.adapters.bag.open_bag import open_bag
 from roslens.live.replay import replay

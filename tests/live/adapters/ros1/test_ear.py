@@ -1,6 +1,6 @@
 import pytest
 
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
 from roslens.live.adapters.ros1.ear import SILENT_ROUNDS, Ear
 from roslens.live.adapters.ros1.listening import Taken
 from roslens.live.adapters.ros1.stream import Source, Use

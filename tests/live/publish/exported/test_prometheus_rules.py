@@ -5,7 +5,7 @@ import subprocess
 import pytest
 import yaml
 
-from roslens.judge.merge_references import sentences_of
+from roslens.judge.reference.merge_references import sentences_of
 from roslens.live.publish.exported.prometheus_rules import prometheus_rules
 
 

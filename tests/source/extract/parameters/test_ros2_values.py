@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roslens.judge.yaml_tree import read_tree
+from roslens.judge.documents.yaml_tree import read_tree
 from roslens.source.extract.parameters.ros2_values import (
     is_mixed,
     type_in_file,

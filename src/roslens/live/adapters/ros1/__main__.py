@@ -12,7 +12,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
 from roslens.live.adapters.ros1.budget import Limits
 from roslens.live.adapters.ros1.ear import Ear
 from roslens.live.adapters.ros1.ends import Ends

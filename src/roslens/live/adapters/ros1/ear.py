@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
 from roslens.live.adapters.ros1.listening import EXPECTED, Listening
 from roslens.live.adapters.ros1.names import TOOL, is_observer
 from roslens.live.adapters.ros1.observation import Observation

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from urllib.parse import urlsplit
 
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
 from roslens.live.adapters.ros1.master import Master
 from roslens.live.adapters.ros1.names import is_observer
 from roslens.live.adapters.ros1.resolve import Resolver, UnresolvedError

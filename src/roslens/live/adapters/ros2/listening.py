@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from roslens.intake.bounded_file import read_bounded
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
 from roslens.live.adapters.ros2.fields import interface
 from roslens.live.react.keeping import Topic
 from roslens.live.react.ros import ActionError

@@ -9,7 +9,7 @@ import yaml
 from roslens.live.publish.exported.prometheus_rules import NOT_HEARD
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
+    from roslens.judge.reference.expectation import Reference
 
 _HEAD = """\
 # Routes for the alerts of the reference {name}, made by `roslens reference export --alertmanager`.

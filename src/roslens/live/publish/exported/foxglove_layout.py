@@ -6,16 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from roslens.judge.expectation import Expectation, FieldCheck, FieldMeasure
-from roslens.judge.merge_references import sentences_of
-from roslens.judge.pattern import Pattern
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import Expectation, FieldCheck, FieldMeasure
+from roslens.judge.reference.merge_references import sentences_of
 from roslens.live.publish.exported.sentences import words_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from roslens.judge.expectation import Reference
-    from roslens.judge.range import Range
+    from roslens.judge.ranges.range import Range
+    from roslens.judge.reference.expectation import Reference
 
 RATED = "/roslens/rated"
 """Topic of ``roslens watch --publish-statistics``, where nobody names another one."""

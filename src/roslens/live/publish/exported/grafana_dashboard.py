@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from roslens.judge.expectation import Expectation
-from roslens.judge.pattern import Pattern
-from roslens.judge.pattern_expression import expression_of
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.reference.expectation import Expectation
+from roslens.judge.reference.pattern_expression import expression_of
 from roslens.live.publish.exported.sentences import ALARMS, by_group, of_reference, quoted, words_of
 from roslens.live.publish.prometheus import metric_name
 from roslens.live.signals import BY_KEY
@@ -17,9 +17,9 @@ from roslens.model.entity import EntityKind
 from roslens.model.verdict import State
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
-    from roslens.judge.range import Range
-    from roslens.judge.reference_document import Sentence
+    from roslens.judge.ranges.range import Range
+    from roslens.judge.reference.expectation import Reference
+    from roslens.judge.reference.reference_document import Sentence
 
 SCHEMA_VERSION = 39
 """Of dashboards, as Grafana 10.4 and later read it; newer ones carry older forms over by themselves."""

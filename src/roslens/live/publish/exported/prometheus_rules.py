@@ -14,8 +14,8 @@ import yaml
 from roslens.live.publish.exported.sentences import ALARMS, by_group, of_reference, quoted, words_of
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
-    from roslens.judge.reference_document import Sentence
+    from roslens.judge.reference.expectation import Reference
+    from roslens.judge.reference.reference_document import Sentence
 
 NOT_HEARD, NOT_JUDGED = "RoslensNotHeard", "RoslensNotJudged"
 _BAD = "|".join(ALARMS)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from roslens.judge.merge_references import sentences_of
-from roslens.judge.sentence_words import expected_words, subject_words
+from roslens.judge.reference.merge_references import sentences_of
+from roslens.judge.reference.sentence_words import expected_words, subject_words
 
 if TYPE_CHECKING:
-    from roslens.judge.expectation import Reference
-    from roslens.judge.reference_document import Sentence
+    from roslens.judge.reference.expectation import Reference
+    from roslens.judge.reference.reference_document import Sentence
 
 ALARMS = ("low", "high", "absent")
 """States that somebody is to be told of."""

@@ -12,7 +12,7 @@ from typing import Any
 
 import msgspec
 
-from roslens.judge.yaml_tree import Items, Node, Table, Tree, read_tree
+from roslens.judge.documents.yaml_tree import Items, Node, Table, Tree, read_tree
 from roslens.model.configuration import Origin
 from roslens.model.errors import DocumentError, UsageError
 from roslens.source.extract.catalogue.catalogue_bridge import bridged

@@ -11,7 +11,7 @@ from fnmatch import fnmatchcase
 
 import msgspec
 
-from roslens.judge.yaml_tree import Items, Scalar, Table, read_tree
+from roslens.judge.documents.yaml_tree import Items, Scalar, Table, read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.node_facts import EndpointFact
 from roslens.source.extract.parameters.assemble_parameters import Values

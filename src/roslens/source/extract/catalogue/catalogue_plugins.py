@@ -11,7 +11,7 @@ from importlib import resources
 
 import msgspec
 
-from roslens.judge.yaml_tree import read_tree
+from roslens.judge.documents.yaml_tree import read_tree
 from roslens.source.extract.catalogue.catalogue import RECONFIGURES, plain_value
 from roslens.source.extract.catalogue.catalogue_items import items_of
 from roslens.source.extract.catalogue.hints import ROLES, endpoint_of

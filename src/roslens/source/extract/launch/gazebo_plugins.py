@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import msgspec
 
-from roslens.judge.yaml_tree import read_tree
+from roslens.judge.documents.yaml_tree import read_tree
 from roslens.source.extract.catalogue.catalogue import plain_value
 from roslens.source.extract.catalogue.hints import ROLES, endpoint_of
 from roslens.source.extract.facts.files import Files, joined

@@ -13,7 +13,7 @@ from importlib import resources
 
 import msgspec
 
-from roslens.judge.yaml_tree import read_tree
+from roslens.judge.documents.yaml_tree import read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.catalogue.catalogue import plain_value
 from roslens.source.extract.catalogue.catalogue_plugins import Class

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import msgspec
 
-from roslens.judge.yaml_tree import Items, Node, Scalar, Table, Tree, read_tree
+from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.launched import Setting
 from roslens.source.extract.facts.node_facts import Evidence

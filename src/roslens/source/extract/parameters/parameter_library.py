@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.judge.yaml_tree import Items, Node, Place, Scalar, Table, Tree, read_tree
+from roslens.judge.documents.yaml_tree import Items, Node, Place, Scalar, Table, Tree, read_tree
 from roslens.model.errors import DocumentError
 from roslens.source.extract.facts.node_facts import Evidence, Terms
 from roslens.source.extract.parameters.parameter_file import written

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from roslens.judge.yaml_tree import Items, Node, Scalar, Table, read_tree
+from roslens.judge.documents.yaml_tree import Items, Node, Scalar, Table, read_tree
 from roslens.model.errors import DocumentError
 
 LIST = "list"

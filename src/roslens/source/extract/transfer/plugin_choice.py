@@ -52,7 +52,7 @@ def deciding_node(engine: Context, text: Text) -> Building:
 
 def _maps(value: str) -> Any:
     """Return a list of maps as YAML writes it in one line, with texts as keys; None where it is none."""
-    from roslens.judge.yaml_tree import Items, Scalar, Table, read_tree
+    from roslens.judge.documents.yaml_tree import Items, Scalar, Table, read_tree
 
     try:
         root = read_tree(value.encode(), "value").root

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from roslens.judge.fold_limits import limits_broken
+from roslens.judge.quality.fold_limits import limits_broken
 from roslens.model.entity import EntityKind
 from roslens.model.finding import Finding
 from roslens.model.quantity import Quantity

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from roslens.judge.qos_match import Mismatch, mismatches
+from roslens.judge.ranges.qos_match import Mismatch, mismatches
 from roslens.model.configuration import Configuration
 from roslens.model.finding import Finding, RuleInfo, Severity
 from roslens.model.graph import Role

@@ -1,0 +1,4 @@
+"""YAML documents with the place of every node, so that an error says where and what would be right.
+
+In comes the text of a document; out come typed values and errors with line and column. Begin with ``document.py``.
+"""

@@ -1,0 +1,118 @@
+"""Which sentences of references are about an entity, and which would be if more were known of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import msgspec
+
+from roslens.judge.patterns.pattern import Pattern
+from roslens.judge.ranges.amount import Limits, limits_text
+from roslens.judge.ranges.range import Range
+from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Presence, Selector, StateCheck
+from roslens.judge.reference.merge_references import Merged
+from roslens.judge.reference.reference_document import Declared, Sentence
+from roslens.judge.reference.unmatched import Subject
+from roslens.model.entity import EntityKind
+from roslens.model.quantity import Quantity
+
+
+class Applied(msgspec.Struct, frozen=True):
+    """A sentence about an entity.
+
+    Attributes:
+        declared: the sentence and where it stands.
+        provided: what must be true of the entity besides, in words; empty for nothing.
+        role: how the entity takes part, where it is not what the sentence judges.
+        replaced_by: where the sentence stands that took its place; empty where it holds.
+    """
+
+    declared: Declared
+    provided: str = ""
+    role: str = ""
+    replaced_by: str = ""
+
+
+def explain_entity(merged: Merged, subject: Subject) -> tuple[Applied, ...]:
+    """Return the sentences about an entity: those that hold in the order of the documents, then those replaced.
+
+    Args:
+        merged: documents that were merged.
+        subject: the entity; what is empty of it is unknown.
+    """
+    found = [applied for one in merged.standing for applied in _applied(one, subject)]
+    for old, new in merged.replaced:
+        found += [msgspec.structs.replace(applied, replaced_by=new.place) for applied in _applied(old, subject)]
+    return tuple(found)
+
+
+def combined(applied: tuple[Applied, ...], known: Mapping[str, Quantity]) -> dict[str, str]:
+    """Return the range that is left of each signal that several sentences are about, in words, by its key."""
+    ranges: dict[str, list[Range]] = {}
+    for one in applied:
+        sentence = one.declared.sentence
+        plain = isinstance(sentence, Expectation) and not sentence.percentile
+        if plain and isinstance(sentence, Expectation) and not one.provided and not one.replaced_by:
+            ranges.setdefault(sentence.quantity, []).append(sentence.range)
+    left = {}
+    for key, several in ranges.items():
+        together: Range | None = Range()
+        for one_range in several:
+            together = together.intersect(one_range) if together is not None else None
+        if len(several) > 1:
+            left[key] = limits_text(Limits(together), known[key].unit) if together is not None else "nothing"
+    return left
+
+
+def _applied(declared: Declared, subject: Subject) -> Iterator[Applied]:
+    sentence = declared.sentence
+    if isinstance(sentence, Expectation | Presence | StateCheck):
+        provided = _provided(sentence.selector, subject)
+        if provided is not None:
+            yield Applied(declared, provided)
+    role = _role(sentence, subject)
+    if role is not None:
+        yield Applied(declared, role=role)
+
+
+def _provided(selector: Selector, subject: Subject) -> str | None:
+    """Return what must be true besides for a selector to select an entity; None where it cannot."""
+    if selector.kind is not subject.kind or not Pattern.parse(selector.name).matches(subject.name):
+        return None
+    if any(Pattern.parse(text).matches(subject.name) for text in selector.without):
+        return None
+    conditions = []
+    for word, pattern, given in (
+        ("host", selector.host, subject.host),
+        ("type", selector.type, subject.type),
+        ("publisher", selector.publisher, subject.publisher),
+        ("subscriber", selector.subscriber, subject.subscriber),
+    ):
+        if pattern and not given:
+            conditions.append(f"its {word} is {pattern}")
+        elif pattern and not Pattern.parse(pattern).matches(given):
+            return None
+    return " and ".join(conditions)
+
+
+def _role(sentence: Sentence, subject: Subject) -> str | None:
+    """Return how an entity takes part in a sentence that is not about it alone; None where it does not."""
+    if isinstance(sentence, Presence):
+        condition = sentence.condition
+        return "it is the condition" if condition and _provided(condition, subject) == "" else None
+    if subject.kind is not EntityKind.TOPIC or isinstance(sentence, Expectation | StateCheck):
+        return None
+    if isinstance(sentence, AgeChain):
+        if subject.name not in sentence.topics:
+            return None
+        return f"it is topic {sentence.topics.index(subject.name) + 1} of {len(sentence.topics)}"
+    return _field_role(sentence, subject)
+
+
+def _field_role(sentence: FieldCheck, subject: Subject) -> str | None:
+    if _provided(sentence.selector, subject) is not None:
+        return ""
+    if sentence.other is not None and subject.name == sentence.other.topic:
+        return "it is compared with"
+    enabled_by = sentence.condition.topic if sentence.condition else ""
+    return "it holds the condition" if subject.name == enabled_by else None

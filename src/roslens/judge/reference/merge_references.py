@@ -1,0 +1,122 @@
+"""Merges reference documents: all their sentences hold, unless one replaces another in so many words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeVar
+
+import msgspec
+
+from roslens.judge.reference.contradiction import Contradiction, contradictions
+from roslens.judge.reference.expectation import AgeChain, Expectation, FieldCheck, Presence, Reference, StateCheck
+from roslens.judge.reference.merge_reactions import merge_reactions
+from roslens.judge.reference.reference_document import Declared, ReferenceDocument, Sentence
+from roslens.model.errors import DocumentError
+from roslens.plugins.nearest import did_you_mean
+
+Kind = TypeVar("Kind", Expectation, Presence, FieldCheck, AgeChain, StateCheck)
+
+
+class Merged(msgspec.Struct, frozen=True):
+    """What documents expect together, and how that came about.
+
+    Attributes:
+        reference: what holds.
+        contradictions: what of it cannot hold together.
+        standing: the sentences that hold, in the order of the documents; one that overrides stands where the other was.
+        replaced: sentences that do not hold any more, each with what took its place.
+    """
+
+    reference: Reference
+    contradictions: tuple[Contradiction, ...]
+    standing: tuple[Declared, ...]
+    replaced: tuple[tuple[Declared, Declared], ...]
+
+
+def merge_references(documents: Sequence[ReferenceDocument]) -> Merged:
+    """Merge documents, later ones taking precedence where they override.
+
+    Raises:
+        DocumentError: a sentence has the id of another without overriding it, or overrides none.
+    """
+    kept: dict[str, Declared] = {}
+    replaced: list[tuple[Declared, Declared]] = []
+    for document in documents:
+        for one in document.declared:
+            if one.override:
+                identity = _overridden(kept, one, document)
+                replaced.append((kept[identity], one))
+                kept[identity] = _renamed(one, identity)
+            elif (identity := one.sentence.told.id) not in kept:
+                kept[identity] = one
+            elif one.sentence != kept[identity].sentence:
+                # A document in two namespaces says the same of hosts twice; anything else is an accident.
+                raise DocumentError(
+                    f"a second sentence with id {identity!r}",
+                    where=one.place,
+                    expected=f"one (the first is at {kept[identity].place})",
+                    advice="Add `override: true` to replace the first, or give it another `id`",
+                )
+    standing = tuple(one for one in kept.values() if not one.void)
+    reference = Reference(
+        name="+".join(dict.fromkeys(document.name for document in documents)),
+        title=documents[-1].title if documents else "",
+        documents=tuple(dict.fromkeys(document.path for document in documents)),
+        expectations=_sorted(standing, Expectation),
+        presences=_sorted(standing, Presence),
+        field_checks=_sorted(standing, FieldCheck),
+        chains=_sorted(standing, AgeChain),
+        states=_sorted(standing, StateCheck),
+        reactions=merge_reactions(documents),
+    )
+    return Merged(reference, tuple(contradictions(standing)), standing, tuple(replaced))
+
+
+def sentences_of(reference: Reference) -> tuple[Sentence, ...]:
+    """Return every sentence of a reference, sorted by id."""
+    everything: list[Sentence] = [
+        *reference.expectations,
+        *reference.presences,
+        *reference.field_checks,
+        *reference.chains,
+        *reference.states,
+    ]
+    return tuple(sorted(everything, key=lambda sentence: sentence.told.id))
+
+
+def _sorted(declared: Sequence[Declared], kind: type[Kind]) -> tuple[Kind, ...]:
+    found = [one.sentence for one in declared if isinstance(one.sentence, kind)]
+    return tuple(sorted(found, key=lambda sentence: sentence.told.id))
+
+
+def _renamed(one: Declared, identity: str) -> Declared:
+    """Return a sentence with the id of the one it replaces, as others may refer to that."""
+    told = msgspec.structs.replace(one.sentence.told, id=identity)
+    return msgspec.structs.replace(one, sentence=msgspec.structs.replace(one.sentence, told=told))
+
+
+def _overridden(kept: dict[str, Declared], one: Declared, document: ReferenceDocument) -> str:
+    """Return the id of the sentence that another replaces.
+
+    Raises:
+        DocumentError: there is none, or there are several.
+    """
+    own = {declared.sentence.told.id for declared in document.declared if not declared.override}
+    words = f"{one.name}.{one.aspect}"
+    targets = [
+        identity
+        for identity in kept
+        if identity not in own and (identity == words or identity.partition(".")[2] == words)
+    ]
+    if len(targets) == 1:
+        return targets[0]
+    if targets:
+        ids = " or ".join(f"`{identity.removesuffix(f'.{one.aspect}')}`" for identity in targets)
+        raise DocumentError(f"id {one.name!r} of several sentences to override", where=one.place, expected=f"id {ids}")
+    names = {name.removesuffix(f".{one.aspect}") for full in kept for name in (full, full.partition(".")[2])}
+    raise DocumentError(
+        f"nothing to override: no sentence {words!r} in an earlier document",
+        where=one.place,
+        expected="the id of a sentence that is included or given before",
+        advice=did_you_mean(one.name, names) or "`roslens reference check` lists the ids",
+    )

@@ -1,0 +1,364 @@
+"""The result for a person at a terminal: packages worst first, findings by rule, failures, what to do next.
+
+It shows what matters most and says how much it leaves out and where that is. Made from summaries alone, so that it is
+quick for any workspace.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import PurePath
+
+import msgspec
+
+from roslens.model.failure import Failure
+from roslens.model.finding import Finding, RuleInfo, Severity
+from roslens.model.result import PackageSummary, RuleCount, RunHeader
+from roslens.model.source import OUTSIDE_PACKAGES, number_of_packages
+from roslens.model.tags import TagFilter
+from roslens.report.run.fix_first import METRICS, first_to_fix, is_listed, new_before_others, urgency
+from roslens.report.run.package_table import PackageCounts, count_packages, package_table
+from roslens.report.writing.terminal import Terminal, columns, left, right
+
+PACKAGES = 15
+RULES = 10
+FAILURES = 6
+PLACES = 3
+RULE_WIDTH = 36
+LEAST_WIDTH = 60
+ALL = "All: roslens report"
+
+
+class _Group(msgspec.Struct):
+    """The findings of a rule, of one severity."""
+
+    rule: str
+    severity: Severity
+    count: int = 0
+    packages: int = 0
+    example: str = ""
+    excess: float = 0.0
+    tags: tuple[str, ...] = ()
+
+    def counted(self) -> RuleCount:
+        """Return the group as the count of a rule."""
+        return RuleCount(self.rule, self.severity, self.count, self.count, self.example, self.tags, self.excess)
+
+
+def to_text(
+    header: RunHeader,
+    packages: Sequence[PackageSummary],
+    failures: Sequence[Failure],
+    rules: Sequence[RuleInfo],
+    *,
+    findings: Sequence[Finding] = (),
+    set_aside: Mapping[str, int] | None = None,
+    since: Sequence[str] = (),
+    new: Sequence[RuleCount] = (),
+    tags: TagFilter | None = None,
+    width: int = 100,
+    color: bool = False,
+    unicode: bool = True,
+) -> str:
+    """Return the result as text that ends with a line break.
+
+    Args:
+        header: of the run.
+        packages: summaries of all packages.
+        failures: everything that could not be done.
+        rules: what rules are about.
+        findings: those of no package.
+        set_aside: how many findings count nowhere, by :class:`roslens.model.set_aside.Disposition`.
+        since: what is new since a baseline and whether the gate is passed, a line each.
+        new: what to mend first of what is new since a baseline; it goes before everything else.
+        tags: which findings are meant; all for None.
+        width: columns of the terminal; less than :data:`LEAST_WIDTH` counts as that.
+        color: whether the terminal shows colours.
+        unicode: whether its encoding has more than ASCII; without, only ASCII is used.
+    """
+    terminal = Terminal(max(LEAST_WIDTH, width), color, unicode)
+    wanted = tags or TagFilter()
+    counted = count_packages(packages, wanted)
+    of_workspace = [finding for finding in findings if wanted.matches(finding.tags)]
+    about = {rule.id: rule for rule in rules}
+    groups = _groups(packages, [finding for finding in of_workspace if finding.gated], wanted, about)
+    aside = _aside(packages, wanted) + sum(not finding.gated for finding in of_workspace)
+    hushed = _set_aside(terminal, set_aside or {})
+    sections = [
+        list(_head(terminal, header, packages)),
+        list(_fix_first(terminal, new, first_to_fix(packages, of_workspace, about, wanted))),
+        list(_packages(terminal, counted)),
+        [
+            *_findings(terminal, groups, about, wanted, aside, analysed=bool(packages)),
+            *_fixable(terminal, packages, wanted),
+            *hushed,
+            *(line for text in since for line in _quiet(terminal, text)),
+        ],
+        list(_failures(terminal, failures)),
+        list(_next(terminal, groups, failures, packages)),
+    ]
+    return "\n\n".join("\n".join(section) for section in sections if section) + "\n"
+
+
+def _head(terminal: Terminal, header: RunHeader, packages: Sequence[PackageSummary]) -> Iterator[str]:
+    facts = [
+        _plural(number_of_packages(package.id for package in packages), "package"),
+        _plural(sum(package.files for package in packages), "file"),
+    ]
+    if lines := sum(package.values.get("loc", 0) for package in packages):
+        facts.append(f"{lines:,.0f} lines of code")
+    parts = [", ".join(facts)]
+    if header.models:
+        parts.append(f"{'model' if len(header.models) == 1 else 'models'} {', '.join(header.models)}")
+    if header.commit:
+        short = header.commit[:10] + ("+" if header.commit.endswith("+") else "")
+        parts.append(f"commit {short}")
+    parts = [terminal.cut(terminal.clean(part), terminal.width - 2) for part in parts]
+    separator = f" {terminal.glyph('dot')} "
+    name = terminal.clean(PurePath(header.root).name or header.root)
+    name = terminal.cut(name, max(10, terminal.width - columns(separator) - columns(parts[0])))
+    line = terminal.paint(name, "title") + separator + parts[0]
+    taken = columns(name) + columns(separator) + columns(parts[0])
+    for part in parts[1:]:
+        taken += columns(separator) + columns(part)
+        if taken > terminal.width:
+            yield line
+            line, taken = f"  {part}", columns(part) + 2
+        else:
+            line += separator + part
+    yield line
+
+
+def _packages(terminal: Terminal, counted: Sequence[PackageCounts]) -> Iterator[str]:
+    if not counted:
+        yield "No packages were found."
+        return
+    shown = counted[:PACKAGES]
+    yield from package_table(terminal, shown, counted)
+    if len(shown) < len(counted):
+        rest = sum(package.total for package in counted[PACKAGES:])
+        others = _plural(rest, "finding") if rest else "no finding"
+        text = f"{len(shown)} of {_plural(len(counted), 'package')}, worst first; {others} in the others"
+        yield from _quiet(terminal, f"{text}. {ALL}")
+
+
+def _findings(
+    terminal: Terminal,
+    groups: Sequence[_Group],
+    rules: dict[str, RuleInfo],
+    tags: TagFilter,
+    aside: int,
+    *,
+    analysed: bool,
+) -> Iterator[str]:
+    with_tags = f" with the tags {tags}" if tags else ""
+    if groups:
+        totals = dict.fromkeys(reversed(Severity), 0)
+        for group in groups:
+            totals[group.severity] += group.count
+        amounts = ", ".join(_plural(count, severity.value) for severity, count in totals.items() if count)
+        yield terminal.paint(terminal.cut(f"Findings{with_tags}: {amounts}", terminal.width), "title")
+    elif analysed:
+        fine = terminal.paint(f"{terminal.glyph('fine')} No findings{with_tags}", "fine")
+        yield f"{fine} in what was analysed"
+    notes = [group for group in groups if group.severity is Severity.NOTE]
+    # Notes say where to look, not what to mend: they are listed where there is nothing else.
+    groups = [group for group in groups if group.severity is not Severity.NOTE] or groups
+    # Limits that are little exceeded say where to look as well, where there are mistakes to mend.
+    worth = [group for group in groups if is_listed(group.counted())]
+    limits = [group for group in groups if group not in worth] if len(worth) < len(groups) and worth else []
+    groups = worth or groups
+    shown = groups[:RULES]
+    count_width = max((len(f"{group.count:,}") for group in shown), default=0)
+    rule_width = max((columns(terminal.clean(group.rule)) for group in shown), default=0)
+    for group in shown:
+        yield from _rule(terminal, group, rules.get(group.rule), count_width, min(rule_width, RULE_WIDTH))
+    if len(shown) < len(groups):
+        rest = sum(group.count for group in groups[RULES:])
+        others = _plural(rest, "finding")
+        text = f"{len(shown)} of {_plural(len(groups), 'rule')}, most severe first; {others} of the others"
+        yield from _quiet(terminal, f"{text}. {ALL}")
+    if limits:
+        yield from _quiet(terminal, terminal.clean(f"{_limits_text(limits)}. {ALL}"))
+    if notes and groups[0].severity is not Severity.NOTE:
+        yield from _quiet(terminal, terminal.clean(f"{_notes_text(notes)}. {ALL}"))
+    if aside:
+        verb = "does" if aside == 1 else "do"
+        yield from _quiet(
+            terminal, f"{_plural(aside, 'more finding')} in test, generated or vendored code {verb} not count here"
+        )
+
+
+def _set_aside(terminal: Terminal, counts: Mapping[str, int]) -> Iterator[str]:
+    if total := sum(counts.values()):
+        parts = ", ".join(f"{counts[state]:,} {words}" for state, words in _STATES.items() if counts.get(state))
+        verb = "is" if total == 1 else "are"
+        yield from _quiet(terminal, f"{_plural(total, 'finding')} {verb} set aside: {parts}. List: --format json")
+
+
+_STATES = {
+    "suppressed": "by comments",
+    "ignored": "by [[ignore]]",
+    "accepted": "accepted",
+    "false_positive": "false positives",
+}
+
+
+def _limits_text(limits: Sequence[_Group]) -> str:
+    count = sum(group.count for group in limits)
+    most = max(limits, key=lambda group: group.count)
+    rules = _plural(len({group.rule for group in limits}), "rule")
+    return f"{_plural(count, 'limit')} of metrics of {rules}, none far exceeded, most of {most.rule} ({most.count:,})"
+
+
+def _notes_text(notes: Sequence[_Group]) -> str:
+    count = sum(group.count for group in notes)
+    most = max(notes, key=lambda group: group.count)
+    rules = _plural(len({group.rule for group in notes}), "rule")
+    return f"{_plural(count, 'note')} of {rules}, most of {most.rule} ({most.count:,})"
+
+
+def _fix_first(terminal: Terminal, new: Sequence[RuleCount], others: Sequence[RuleCount]) -> Iterator[str]:
+    chosen = new_before_others(new, others)
+    if not chosen:
+        return
+    yield terminal.paint("Fix first", "title")
+    for number, one in enumerate(chosen, 1):
+        mark = terminal.paint(f"{terminal.glyph(one.severity.value)}", one.severity.value)
+        lines = terminal.wrap(terminal.clean(one.example), " " * 7) or [""]
+        yield f"  {number}. {mark} {lines[0].lstrip()}"
+        yield from lines[1:]
+        rule = f"new: {terminal.clean(one.rule)}" if number <= len(new) else terminal.clean(one.rule)
+        yield " " * 7 + terminal.paint(terminal.cut(rule, terminal.width - 7), "quiet")
+
+
+def _rule(terminal: Terminal, group: _Group, rule: RuleInfo | None, count_width: int, rule_width: int) -> Iterator[str]:
+    severity = group.severity.value
+    mark = terminal.paint(f"{terminal.glyph(severity)} {left(severity, 7)}", severity)
+    count = right(f"{group.count:,}", count_width)
+    indent = 2 + 2 + 7 + 2 + count_width + 2
+    name = terminal.cut(terminal.clean(group.rule), terminal.width - indent)
+    about = terminal.clean(rule.title) if rule else ""
+    if group.packages > 1:
+        about = f"{about} ({_plural(group.packages, 'package')})".lstrip()
+    room = terminal.width - indent - max(rule_width, columns(name)) - 2
+    beside = columns(about) <= room
+    yield f"  {mark}  {count}  {left(name, rule_width)}  {about if beside else ''}".rstrip()
+    if not beside:
+        yield " " * indent + terminal.cut(about, terminal.width - indent)
+    if group.example:
+        example = terminal.cut(terminal.clean(group.example), terminal.width - indent)
+        yield " " * indent + terminal.paint(example, "quiet")
+
+
+def _failures(terminal: Terminal, failures: Sequence[Failure]) -> Iterator[str]:
+    if not failures:
+        return
+    alike: dict[tuple[bool, str, str], list[Failure]] = {}
+    for failure in sorted(failures, key=lambda failure: failure.partial):
+        alike.setdefault((failure.partial, failure.tool, failure.advice), []).append(failure)
+    whole = sum(not failure.partial for failure in failures)
+    parts = [f"{whole:,}" if whole else "", f"{len(failures) - whole:,} in part" if len(failures) > whole else ""]
+    yield terminal.paint(f"Not analysed: {', '.join(filter(None, parts))}", "title")
+    groups = list(alike.values())
+    for group in groups[:FAILURES]:
+        yield from _failure(terminal, group)
+    if len(groups) > FAILURES:
+        rest = sum(map(len, groups[FAILURES:]))
+        yield from _quiet(terminal, f"{rest:,} more. {ALL}")
+
+
+def _failure(terminal: Terminal, alike: Sequence[Failure]) -> Iterator[str]:
+    """Yield the first of failures that ask for the same remedy in full, a few more in a line each, and the remedy."""
+    first = alike[0]
+    state = "partly" if first.partial else "failed"
+    indent = " " * (2 + 2 + 6 + 2)
+    expected = f"; expected {first.expected}" if first.expected else ""
+    lines = terminal.wrap(terminal.clean(f"{_what(first)}{expected} [{first.tool}]"), indent)
+    mark = terminal.paint(f"{terminal.glyph(state)} {state}", state)
+    yield f"  {mark}  {lines[0].lstrip()}"
+    yield from lines[1:]
+    for failure in alike[1:PLACES]:
+        yield indent + terminal.cut(terminal.clean(_what(failure)), terminal.width - len(indent))
+    if len(alike) > PLACES:
+        yield f"{indent}and {len(alike) - PLACES:,} more like it"
+    for line in terminal.wrap(terminal.clean(first.advice), indent):
+        yield terminal.paint(line, "quiet")
+
+
+def _what(failure: Failure) -> str:
+    place = str(failure.location or failure.entity)
+    return f"{place}: {failure.what}" if place else failure.what
+
+
+def _next(
+    terminal: Terminal, groups: Sequence[_Group], failures: Sequence[Failure], packages: Sequence[PackageSummary]
+) -> Iterator[str]:
+    steps = []
+    if not packages:
+        steps.append(("roslens check PATH", "name a folder with a package.xml somewhere below it"))
+    if groups:
+        steps.append((f"roslens explain {terminal.clean(groups[0].rule)}", "what the rule wants, and why"))
+    if packages:
+        steps.append(("roslens serve", "package graph, findings and metrics in a browser"))
+        steps.append(("roslens report --single-file report.html", "the same in one file to pass on"))
+    if any(not failure.partial for failure in failures):
+        steps.append(("roslens doctor", "see what may be missing on this machine"))
+    width = max(len(command) for command, _why in steps)
+    yield terminal.paint("Next", "title")
+    for command, why in steps:
+        fits = 2 + width + 2 + len(why) <= terminal.width
+        yield f"  {left(command, width)}  {terminal.paint(why, 'quiet') if fits else ''}".rstrip()
+
+
+def _groups(
+    packages: Iterable[PackageSummary], findings: Iterable[Finding], tags: TagFilter, rules: Mapping[str, RuleInfo]
+) -> list[_Group]:
+    """Return the findings that count, by rule and severity: most severe first, mistakes before limits, most urgent."""
+    groups: dict[tuple[str, Severity], _Group] = {}
+    for package in packages:
+        seen: set[tuple[str, Severity]] = set()
+        for rule in package.rules:
+            if not rule.gated or not tags.matches(rule.tags):
+                continue
+            key = (rule.rule, rule.severity)
+            group = groups.setdefault(key, _Group(*key))
+            group.count += rule.gated
+            group.tags = rule.tags
+            group.packages += key not in seen and package.id != OUTSIDE_PACKAGES
+            if not group.example or rule.excess > group.excess:
+                group.example, group.excess = rule.example, rule.excess
+            seen.add(key)
+    for finding in findings:
+        key = (finding.rule, finding.severity)
+        group = groups.setdefault(key, _Group(*key))
+        group.count += 1
+        place = f"{finding.path}:{finding.line}" if finding.line else finding.path or finding.entity
+        group.example = group.example or (f"{place}: {finding.message}" if place else finding.message)
+
+    def order(group: _Group) -> tuple[int, bool, float, int, str]:
+        soon = urgency(group.counted(), rules.get(group.rule))
+        return -group.severity.rank, METRICS in group.tags, -soon, -group.count, group.rule
+
+    return sorted(groups.values(), key=order)
+
+
+def _fixable(terminal: Terminal, packages: Iterable[PackageSummary], tags: TagFilter) -> Iterator[str]:
+    """Yield how many of the findings that count have a fix, where any has."""
+    count = sum(rule.fixable for package in packages for rule in package.rules if tags.matches(rule.tags))
+    if count:
+        of_these = "1 of these" if count == 1 else f"{count:,} of these"
+        yield from _quiet(terminal, f"{of_these} can be fixed safely: roslens check --fix, or --diff to see it first")
+
+
+def _aside(packages: Iterable[PackageSummary], tags: TagFilter) -> int:
+    """Return how many findings do not count."""
+    return sum(rule.count - rule.gated for package in packages for rule in package.rules if tags.matches(rule.tags))
+
+
+def _quiet(terminal: Terminal, text: str) -> Iterator[str]:
+    yield from (terminal.paint(line, "quiet") for line in terminal.wrap(text, "  "))
+
+
+def _plural(count: int, one: str) -> str:
+    return f"{count:,} {one if count == 1 else one + 's'}"
